@@ -4,7 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
-#include "contact/body/ElasticBody.hpp"
+#include "contact/body/RigidConstraints.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/opposite/MortarCoupling.hpp"
 #include "contact/opposite/Obstacle.hpp"
@@ -226,9 +226,9 @@ class BalanceOf {
     const bem::Space& space = spaces_.space(b);
     contact::Stabilization none;  // rigid motions have no tractions
     none.form = contact::Stabilization::Form::None;
-    const contact::Coupling own = contact::makeLocalCoupling(
-        space, multipliers_[b], none, scene_.lame(b), scene_.units());
-    std::vector<std::pair<std::size_t, contact::MortarCoupling>> met;
+    const contact::Coupling own = contact::makeCoupling(space, multipliers_[b], none,
+                                                        scene_.lame(b), scene_.units());
+    std::vector<std::pair<std::size_t, contact::TraceCoupling>> met;
     for (std::size_t a = 0; a < spaces_.size(); ++a)
       for (const int body : spaces_.opposite(a)->bodies())
         if (body == static_cast<int>(b))
@@ -239,7 +239,7 @@ class BalanceOf {
     for (bem::Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k) {
       const Vector u = bem::columnOf(rigid.allowed, k);
       Vector column(numbering_.size());
-      addTo(column, b, own.pull(u), 1);
+      addTo(column, b, own.trace.pull(u), 1);
       for (const auto& [carrier, coupling] : met)
         addTo(column, carrier, coupling.pull(u), 1);
       columns_.push_back(std::move(column));

@@ -1,7 +1,7 @@
 // Forces and moments balance where rounding of the stiffness is far larger than the load,
 // on any number of ranks.
 #include "Projected.hpp"
-#include "contact/body/BalancedStiffness.hpp"
+#include "contact/body/CoupledBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/system/Definiteness.hpp"
@@ -88,21 +88,19 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const contact::BalancedStiffness balanced(body.stiffness,
-                                            contact::makeRigidModes(body.space),
-                                            contact::makeCoupling({body.space,
-                                                                   body.stiffness,
-                                                                   body.lame,
-                                                                   {100, 1},
-                                                                   conditions,
-                                                                   multiplier.basis(),
-                                                                   test::projected()},
-                                                                  multiplier));
+  const auto coupled = contact::makeCoupledBody({body.space,
+                                                 body.stiffness,
+                                                 body.lame,
+                                                 {100, 1},
+                                                 conditions,
+                                                 multiplier.basis(),
+                                                 test::projected()},
+                                                multiplier);
   const bem::Matrix motions = body.space.rigidMotions();
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::sin(1.0 + static_cast<double>(i * i % 101));
-  const Vector forces = balanced.residual(Vector(u.size(), 0.0), u);
+  const Vector forces = coupled->residual(Vector(u.size(), 0.0), u);
   const double size =
       std::sqrt(std::inner_product(forces.begin(), forces.end(), forces.begin(), 0.0));
   TEST_COMPARE(size, >, 0.1);
@@ -111,7 +109,7 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
     TEST_COMPARE(std::abs(std::inner_product(forces.begin(), forces.end(), motion, 0.0)),
                  <, 1e-15 * size);
     const Vector none =
-        balanced.residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
+        coupled->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
     TEST_COMPARE(largest(none), <, 1e-16);
   }
 }
@@ -123,20 +121,18 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
   contact::Stabilization none;
   none.form = contact::Stabilization::Form::None;
-  const contact::BalancedStiffness balanced(body.stiffness,
-                                            contact::makeRigidModes(body.space),
-                                            contact::makeCoupling({body.space,
-                                                                   body.stiffness,
-                                                                   body.lame,
-                                                                   {2, 1},
-                                                                   conditions,
-                                                                   multiplier.basis(),
-                                                                   none},
-                                                                  multiplier));
+  const auto coupled = contact::makeCoupledBody({body.space,
+                                                 body.stiffness,
+                                                 body.lame,
+                                                 {2, 1},
+                                                 conditions,
+                                                 multiplier.basis(),
+                                                 none},
+                                                multiplier);
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
-  const Vector left = balanced.residual(body.stiffness.apply(u), u);
+  const Vector left = coupled->residual(body.stiffness.apply(u), u);
   for (const double rest : left)
     TEST_COMPARE(std::abs(rest), <, 1e-13);
 }

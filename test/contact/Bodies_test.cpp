@@ -1,9 +1,6 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
-#include "contact/body/CoupledBody.hpp"
-#include "contact/body/ElasticBody.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
-#include "contact/opposite/Opposite.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -51,7 +48,7 @@ class BlockBelow final : public contact::Opposite {
       const double b = below_.physicalPoint(e, 1).x;
       const double s = (2 * x - a - b) / (b - a);
       if (std::abs(s) <= 1 + 1e-12)
-        return {0, e, s};
+        return {0, e, s, 1};
     }
     return {};
   }
@@ -68,6 +65,8 @@ class BlockBelow final : public contact::Opposite {
     std::sort(result.begin(), result.end());
     return result;
   }
+
+  std::vector<int> bodies() const override { return {1}; }
 
  private:
   const bem::Mesh& side_;
@@ -106,36 +105,15 @@ Two problems(const Block& above, const Block& below, bool held) {
   const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
   const contact::Conditions top = upper(held);
   const contact::Conditions bottom = lower(held);
-  const auto body = [&](const Block& block, const contact::Conditions& conditions,
-                        const auto& coupling) {
-    const contact::BodyInput input{block.space, block.stiffness, block.lame, units,
-                                   conditions,  basis,           none};
-    const contact::MultiplierSpace own(block.space.mesh(), basis, conditions);
-    const auto form = makeCoupledBody(input, own);
-    const auto holding = contact::makeHolding(block.space, conditions, units);
-    const contact::ElasticBody elastic(*form, holding);
-    return elastic.response(coupling(*form));
-  };
-  const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
-  const auto own = [](const contact::StabilisedBody& form) { return form.coupling(); };
-  const auto met = [&](const contact::StabilisedBody&) {
-    Matrix coupling(below.space.displacements(), multiplier.size());
-    for (const auto& entry :
-         mortarCoupling(above.space.mesh(), multiplier,
-                        BlockBelow(above.space.mesh(), below.space.mesh()), below.space)
-             .entries)
-      coupling(entry.row, entry.column) += entry.value;
-    return coupling;
-  };
-  const Index m = multiplier.size();
-  Two two;
-  std::vector<contact::ElasticBody::Response> responses;
-  responses.push_back(body(above, top, own));
-  two.alone = condense(Matrix(m, m), responses);
-  responses.push_back(body(below, bottom, met));
-  two.both = condense(Matrix(m, m), responses);
-  two.alone.normals = two.both.normals = multiplier.normals();
-  return two;
+  const contact::BodyInput plane{above.space, above.stiffness, above.lame, units,
+                                 top,         basis,           none};
+  contact::BodyInput upon = plane;
+  upon.opposite =
+      std::make_shared<const BlockBelow>(above.space.mesh(), below.space.mesh());
+  const contact::BodyInput carrier{below.space, below.stiffness, below.lame, units,
+                                   bottom,      basis,           none};
+  return {contact::ContactProblem(plane).numbers().copy(),
+          contact::ContactSystem({upon, carrier}).numbers().copy()};
 }
 
 double largestEntry(const Matrix& a) {

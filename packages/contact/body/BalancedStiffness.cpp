@@ -21,11 +21,13 @@ constexpr double ofEntry = 1;  // ns
 }  // namespace
 
 BalancedStiffness::BalancedStiffness(const bem::SteklovPoincare& stiffness,
-                                     RigidModes modes, const Coupling& coupling)
+                                     RigidModes modes,
+                                     std::shared_ptr<const bem::TractionRows> tractions,
+                                     Vector gamma)
     : stiffness_(&stiffness),
       modes_(std::move(modes)),
-      tractions_(coupling.tractions),
-      gamma_(coupling.gamma) {
+      tractions_(std::move(tractions)),
+      gamma_(std::move(gamma)) {
   for (Index k = 0; k < motions; ++k) {
     long double square = 0;
     for (Index i = 0; i < modes_.motions.rows(); ++i)
@@ -109,10 +111,10 @@ BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u)
 
 // S^ u = R γ Rᵀ u with the tractions R.
 void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& forces) const {
+  if (tractions_ == nullptr)
+    return;
   const bem::Matrix& rows = tractions_->rows;
   const Index columns = tractions_->start.back();
-  if (columns == 0)
-    return;
   const bem::Doubled x(u);
   Extended tractions(columns);
   const double work = ofEntry * static_cast<double>(rows.rows() * columns);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/body/Coupling.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
 #include "contact/body/Loads.hpp"
 
 namespace epafi::contact {
@@ -16,9 +16,9 @@ namespace epafi::contact {
 /// of a double.
 class BalancedStiffness {
  public:
-  /// Refers to the stiffness.
+  /// Refers to the stiffness.  \param tractions and γ of contact elements; null: S^ = 0
   BalancedStiffness(const bem::SteklovPoincare& stiffness, RigidModes modes,
-                    const Coupling& coupling);
+                    std::shared_ptr<const bem::TractionRows> tractions, Vector gamma);
 
   /// f - A u
   Vector residual(const Vector& force, const Vector& u) const;
@@ -37,8 +37,8 @@ class BalancedStiffness {
 
   const bem::SteklovPoincare* stiffness_;
   RigidModes modes_;
-  Vector squares_;  ///< <r_k, r_k>
-  std::shared_ptr<const bem::TractionRows> tractions_;
+  Vector squares_;                                      ///< <r_k, r_k>
+  std::shared_ptr<const bem::TractionRows> tractions_;  ///< null: no S^
   Vector gamma_;
 };
 

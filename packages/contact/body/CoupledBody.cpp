@@ -1,12 +1,14 @@
 #include "contact/body/CoupledBody.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "contact/body/BalancedStiffness.hpp"
-#include "contact/body/ElasticBody.hpp"
-#include "contact/body/ElementCoupling.hpp"
+#include "contact/body/RigidConstraints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epafi::contact {
 
@@ -34,15 +36,23 @@ Matrix unpackedAt(const std::vector<Index>& which, const bem::LowerTriangle& low
   return result;
 }
 
-/// Some rows, ascending.
+/// Some rows, ascending; without a copy where they are all.
 Matrix rowsAt(const std::vector<Index>& which, Matrix a) {
-  if (bem::at(a.rows()) == which.size())
-    return a;
-  Matrix rows(static_cast<Index>(which.size()), a.columns());
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < rows.rows(); ++i)
-      rows(i, j) = a(which[i], j);
-  return rows;
+  return at(a.rows()) == which.size() ? std::move(a) : bem::rowsOf(a, which);
+}
+
+/// Aᵀ x
+Vector columnsTimes(const Matrix& a, const Vector& x) {
+  Vector result;
+  for (Index j = 0; j < a.columns(); ++j) {
+    const double* column = a.column(j);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (Index i = 0; i < a.rows(); ++i)
+      sum += column[i] * x[i];
+    result.push_back(sum);
+  }
+  return result;
 }
 
 class Factored final : public HeldStiffness {
@@ -79,16 +89,20 @@ class Factored final : public HeldStiffness {
   std::vector<Index> free_;
 };
 
-/// The forms that fit into a Coupling: those of [P], which insert the traction S u, the one
-/// by the density, and no stabilisation.
+/// The forms of [P], which insert the traction S u, the one by the density, and no
+/// stabilisation.
 class Coupled final : public StabilisedBody {
  public:
   Coupled(const bem::Space& space, const bem::SteklovPoincare& stiffness,
-          Coupling coupling)
-      : StabilisedBody(std::move(coupling)),
-        space_(space),
+          Coupling coupling, std::shared_ptr<const bem::TractionRows> tractions)
+      : StabilisedBody(space, std::move(coupling)),
         stiffness_(stiffness),
-        balanced_(stiffness_, makeRigidModes(space), coupling_) {}
+        response_(stiffness.response()),
+        tractions_(std::move(tractions)),
+        columns_(response_ != nullptr    ? &response_->displacements
+                 : tractions_ != nullptr ? &tractions_->rows
+                                         : nullptr),
+        balanced_(stiffness_, makeRigidModes(space), tractions_, coupling_.gamma) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     std::vector<Index> free = unclamped(holding.loads);
@@ -100,22 +114,41 @@ class Coupled final : public StabilisedBody {
   Vector residual(const Vector& force, const Vector& u) const override {
     return balanced_.residual(force, u);
   }
-  Matrix coupling() const override { return coupling_.transposed(); }
-  Vector push(const Vector& multiplier) const override {
-    return coupling_.push(multiplier);
-  }
-  Vector pull(const Vector& u) const override { return coupling_.pull(u); }
-  Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
-    Vector terms = pull(u);
-    bem::axpy(-1, coupling_.massTimes(multiplier), terms);
-    return terms;
-  }
-  double multiplierWork(const Vector& multiplier) const override {
-    return coupling_.multiplierWork(multiplier);
-  }
   Vector density(const Vector& u, const Vector& multiplier) const override {
-    return byDensity() ? stiffness_.density(u, coupling_.weighted(multiplier))
-                       : stiffness_.density(u);
+    return coupling_.byDensity() ? stiffness_.density(u, coupling_.weighted(multiplier))
+                                 : stiffness_.density(u);
+  }
+
+  Matrix coupling() const override {
+    Matrix result(space_.displacements(),
+                  static_cast<Index>(coupling_.trace.rests.size()));
+    coupling_.trace.addTo(result, [](Index i) { return i; });
+    for (const bem::Entry& entry : coupling_.weights) {
+      const double* traction = columns_->column(entry.row);
+      double* column = result.column(entry.column);
+      for (Index j = 0; j < result.rows(); ++j)
+        column[j] -= entry.value * traction[j];
+    }
+    return result;
+  }
+
+  // M - Gᵀ X G, G by columns
+  Matrix multiplierMass() const override {
+    const auto size = static_cast<Index>(coupling_.trace.rests.size());
+    Matrix result(size, size);
+    for (const bem::Entry& entry : coupling_.mass)
+      result(entry.row, entry.column) += entry.value;
+    if (response_ == nullptr)
+      return result;
+    const Matrix& x = response_->density;
+    Matrix half(x.rows(), size);
+    for (const bem::Entry& entry : coupling_.weights)
+      for (Index i = 0; i < x.rows(); ++i)
+        half(i, entry.column) += entry.value * x(i, entry.row);
+    for (Index j = 0; j < size; ++j)
+      for (const bem::Entry& entry : coupling_.weights)
+        result(entry.column, j) -= entry.value * half(entry.row, j);
+    return result;
   }
 
   // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what
@@ -124,7 +157,7 @@ class Coupled final : public StabilisedBody {
   double strainEnergy(const Vector& u, const Vector& multiplier,
                       const ResidualTerms& terms) const override {
     double twice = balanced_.stiffnessWork(u);
-    if (!byDensity() && coupling_.compliance.pinned.empty())
+    if (!coupling_.hasCompliance())
       return 0.5 * twice;
     const Vector& ofInside = terms.density;
     Vector psi = density(u, multiplier);
@@ -133,72 +166,98 @@ class Coupled final : public StabilisedBody {
       twice -= 2 * dot(u, terms.force) + dot(terms.compliance, ofInside);
     }
     twice -= coupling_.complianceWork(psi);
-    if (!byDensity())
+    if (!coupling_.byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
-    for (std::size_t k = 0; k < w.size() && !ofInside.empty(); ++k)
-      twice -= 2 * w[k] * ofInside[at(coupling_.compliance.densities[k])];
-    twice -= 2 * dot(u, multiply(*coupling_.columns, w));
-    return 0.5 * (twice + quadratic(coupling_.response->density, w));
+    if (!ofInside.empty())
+      twice -= 2 * dot(w, coupling_.ofDensities(ofInside));
+    twice -= 2 * dot(u, forcesOf(w));
+    return 0.5 * (twice + dot(w, responsesTo(w)));
   }
 
-  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const override {
-    const Inside& inside = multiplier.conditions().inside;
-    if (!inside)
-      return {};
-    const TractionMoments moments =
-        tractionMoments(space_, multiplier, byDensity(), coupling_, *inside);
-    ResidualTerms terms;
-    terms.terms.assign(moments.multipliers.size(), 0.0);
-    bem::axpy(-1, moments.multipliers, terms.terms);
-    if (!byDensity() && coupling_.compliance.pinned.empty()) {
-      if (coupling_.columns->columns() > 0)
-        terms.force = multiply(*coupling_.columns, moments.weights);
-      return terms;
-    }
-    terms.compliance = coupling_.complianceOf(space_, moments.weights, *inside);
-    terms.density = stiffness_.densityOf(terms.compliance);
-    for (double& x : terms.density)
-      x = -x;
-    coupling_.subtractWeighted(terms.density, terms.terms);
-    terms.force = columnOf(stiffness_.addAdjointDensity(Matrix(space_.displacements(), 1),
-                                                        bem::asColumn(terms.compliance)),
-                           0);
-    return terms;
-  }
-
-  Matrix subtracted() const override {
-    return coupling_.stabilisationHalf(0, coupling_.stabilisationColumns());
-  }
+  // S^ = X Xᵀ
+  Matrix subtracted() const override { return halfBetween(0, columnsOfHalf()); }
   std::unique_ptr<const StabilisedBody> weakened(double factor) const override {
     Coupling weaker = coupling_;
     weaker.weaken(factor);
-    return std::make_unique<const Coupled>(space_, stiffness_, std::move(weaker));
+    return std::make_unique<const Coupled>(space_, stiffness_, std::move(weaker),
+                                           tractions_);
   }
 
  private:
-  // S - S^ = S - X Xᵀ, a panel of X at a time, which saves memory
+  Vector tractionsOf(const Vector& u) const override {
+    return columnsTimes(*columns_, u);
+  }
+  Vector forcesOf(const Vector& w) const override { return multiply(*columns_, w); }
+  Vector responsesTo(const Vector& w) const override {
+    return columnsTimes(response_->density, w);
+  }
+  std::pair<Vector, Vector> answerTo(const Vector& compliance) const override {
+    return {stiffness_.densityOf(compliance),
+            columnOf(stiffness_.addAdjointDensity(Matrix(space_.displacements(), 1),
+                                                  bem::asColumn(compliance)),
+                     0)};
+  }
+
+  Index columnsOfHalf() const { return tractions_ ? tractions_->start.back() : 0; }
+  Matrix halfBetween(Index first, Index last) const {
+    Matrix half(space_.displacements(), last - first);
+    for (std::size_t k = 0; k < coupling_.gamma.size() && first < last; ++k) {
+      const double root = std::sqrt(coupling_.gamma[k]);
+      const Index end = std::min(last, tractions_->start[k + 1]);
+      for (Index c = std::max(first, tractions_->start[k]); c < end; ++c)
+        for (Index j = 0; j < half.rows(); ++j)
+          half(j, c - first) = root * tractions_->rows(j, c);
+    }
+    return half;
+  }
+
+  // S - S^, a panel of X at a time, which saves memory
   Matrix subtract(Matrix a, const std::vector<Index>& free) const {
     constexpr Index width = 256;
-    const Index columns = coupling_.stabilisationColumns();
-    for (Index first = 0; first < columns; first += width) {
-      Matrix half = coupling_.stabilisationHalf(first, std::min(first + width, columns));
-      a = addOuter(std::move(a), rowsAt(free, std::move(half)), -1);
-    }
+    for (Index first = 0; first < columnsOfHalf(); first += width)
+      a = addOuter(
+          std::move(a),
+          rowsAt(free, halfBetween(first, std::min(first + width, columnsOfHalf()))), -1);
     return a;
   }
 
-  const bem::Space& space_;
   const bem::SteklovPoincare& stiffness_;
+  std::shared_ptr<const bem::DensityResponse> response_;  ///< Density; else null
+  std::shared_ptr<const bem::TractionRows> tractions_;    ///< S φ; null: no S^
+  const Matrix* columns_;                                 ///< R
   BalancedStiffness balanced_;
 };
+
+/// Of the forms that insert S u; else null.
+std::shared_ptr<const bem::TractionRows> tractionsOf(const BodyInput& input,
+                                                     const MultiplierSpace& multiplier) {
+  using Form = Stabilization::Form;
+  const Form form = input.stabilization.form;
+  if (form != Form::Projected && form != Form::Exact)
+    return nullptr;
+  return bem::tractionRows(
+      input.space, input.lame, input.stiffness, multiplier.meshElements(),
+      form == Form::Exact ? bem::TractionForm::Exact : bem::TractionForm::Projected);
+}
 
 }  // namespace
 
 std::unique_ptr<const StabilisedBody> makeCoupledBody(const BodyInput& input,
                                                       const MultiplierSpace& multiplier) {
+  const auto tractions = tractionsOf(input, multiplier);
+  Coupling coupling =
+      makeCoupling(input.space, multiplier, input.stabilization, input.lame, input.units,
+                   tractions != nullptr ? tractions->start : std::vector<Index>());
+  const auto response = input.stiffness.response();
+  if (coupling.byDensity()
+          ? response == nullptr || response->densities != coupling.compliance.densities
+          : response != nullptr)
+    throw bem::InputError(
+        "the stiffness was made for another stabilisation than the contact problem: take "
+        "it from contact::makeStiffness");
   return std::make_unique<const Coupled>(input.space, input.stiffness,
-                                         makeCoupling(input, multiplier));
+                                         std::move(coupling), tractions);
 }
 
 }  // namespace epafi::contact

@@ -1,115 +1,226 @@
 #include "contact/body/Coupling.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/body/ElementCoupling.hpp"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace epafi::contact {
 
+using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-std::shared_ptr<const bem::TractionRows> tractions(const BodyInput& input,
-                                                   const MultiplierSpace& multiplier) {
-  const auto form = input.stabilization.form == Stabilization::Form::Exact
-                        ? bem::TractionForm::Exact
-                        : bem::TractionForm::Projected;
-  return bem::tractionRows(input.space, input.lame, input.stiffness,
-                           multiplier.meshElements(), form);
-}
+/// A coefficient of an element: χ_i d, d the normal or the tangent, which may turn.
+struct Coefficient {
+  Index number;
+  int function;
+  bool tangential;
+  const EndCompletion* completion;  ///< null inside the element
+};
 
-std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& multiplier) {
-  return std::make_shared<const bem::TractionRows>(
-      bem::TractionRows{{}, std::vector<Index>(multiplier.elements().size() + 1, 0)});
-}
-
-double product(const double* a, const double* b, Index size) {
-  double sum = 0;
-#pragma omp simd reduction(+ : sum)
-  for (Index i = 0; i < size; ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-/// Where the densities of each contact element begin among all of them.
-std::vector<Index> densityStarts(const bem::Space& space,
-                                 const MultiplierSpace& multiplier) {
-  std::vector<Index> starts(1, 0);
-  for (const ContactElement& contact : multiplier.elements())
-    starts.push_back(starts.back() + 2 * space.mesh()[contact.element].densities);
-  return starts;
-}
-
-/// What stands for S φ in the coupling: densities' responses, or tractions.
-void chooseColumns(Coupling& coupling, const BodyInput& input,
-                   const MultiplierSpace& multiplier) {
-  const Stabilization::Form form = input.stabilization.form;
-  coupling.response = input.stiffness.response();
-  coupling.tractions =
-      form == Stabilization::Form::Projected || form == Stabilization::Form::Exact
-          ? tractions(input, multiplier)
-          : noTractions(multiplier);
-  coupling.start = coupling.tractions->start;
-  coupling.columns = {coupling.tractions, &coupling.tractions->rows};
-  const bool expected =
-      form == Stabilization::Form::Density && !multiplier.elements().empty();
-  const auto compliant = densityCompliance(input.space, multiplier, input.stabilization,
-                                           input.lame, input.units)
-                             .densities;
-  if (expected ? coupling.response == nullptr || coupling.response->densities != compliant
-               : coupling.response != nullptr)
-    throw bem::InputError(
-        "the stiffness was made for another stabilisation than the contact problem: take "
-        "it from contact::makeStiffness");
-  if (!expected)
-    return;
-  coupling.columns = {coupling.response, &coupling.response->displacements};
-  coupling.start = densityStarts(input.space, multiplier);
-}
-
-/// Writes what the elements have, with the columns that are chosen already.
-void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
-                   const Stabilization& stabilization, const bem::Lame& lame,
-                   bem::Units units, Coupling& coupling) {
-  const bool byDensity = stabilization.form == Stabilization::Form::Density;
-  coupling.unknowns = space.displacements();
-  coupling.multipliers = multiplier.size();
-  coupling.rotation = space.rotation();
-  for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
-    rests->assign(multiplier.size(), 0.0);
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
-    const ContactElement& contact = multiplier.elements()[k];
-    coupling.gamma.push_back(
-        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units));
-    addElement(space, multiplier.basis(), byDensity, contact, coupling.gamma.back(),
-               coupling.start[k], coupling);
+std::vector<Coefficient> coefficientsOf(const ContactElement& contact) {
+  std::vector<Coefficient> result;
+  for (const bool tangential : {false, true}) {
+    const auto& ends =
+        tangential ? contact.tangentialCompletions : contact.normalCompletions;
+    for (int i = 0; i <= contact.degree && (!tangential || contact.tangential >= 0); ++i)
+      result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i), i,
+                        tangential,
+                        i == 0                ? &ends[0]
+                        : i == contact.degree ? &ends[1]
+                                              : nullptr});
   }
-  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
+  return result;
 }
+
+/// values of functions times a force, by components: two rows a function.
+void add(Vec2 force, const double* values, double* rows, Index size) {
+  for (Index k = 0; k < size; k += 2) {
+    rows[k] += force.x * values[k / 2];
+    rows[k + 1] += force.y * values[k / 2];
+  }
+}
+
+/// What one contact element has of C, G and M; with densities by Legendre polynomials in G's
+/// rows where `byDensity`, else tractions by orthonormal ones.
+class ElementCoupling {
+ public:
+  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
+                  const ContactElement& contact)
+      : space_(space),
+        basis_(basis),
+        byDensity_(byDensity),
+        number_(contact.element),
+        element_(space.mesh()[number_]),
+        coefficients_(coefficientsOf(contact)),
+        traces_(2 * (element_.degree + 1), size()),
+        parts_(rows(), size()),
+        mass_(size(), size()),
+        rests_(coefficients_.size()) {
+    integrate();
+  }
+
+  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+    for (Index i = 0; i < size(); ++i) {
+      const auto& [number, function, tangential, completion] = coefficients_[at(i)];
+      const bool clamped = completion != nullptr && completion->clamped;
+      addTrace(i, number, 1, clamped ? coupling.completion : coupling.trace);
+      if (completion != nullptr)
+        for (const auto& [other, factor] : completion->added)
+          addTrace(i, other, factor, coupling.completion);
+      for (Index k = 0; k < size() && gamma != 0; ++k)
+        if (mass_(i, k) != 0)
+          coupling.mass.push_back(
+              {number, coefficients_[at(k)].number, gamma * mass_(i, k)});
+      for (Index row = 0; row < rows() && gamma != 0; ++row)
+        coupling.weights.push_back(
+            {firstRow + row, number, gamma * normOf(row) * parts_(row, i)});
+    }
+  }
+
+  /// A traction in λ's place.
+  void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
+                  TractionMoments& moments) const {
+    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
+    Vector parts(at(rows()));
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vec2 force =
+          element_.half * rule.weights[q] * inside.traction(space_.mesh(), number_, t);
+      add(force, orthonormal(t).data(), parts.data(), rows());
+      const Vector chi = basis_.values(element_.degree, t);
+      for (const Coefficient& c : coefficients_)
+        if (isWhole())
+          moments.multipliers[at(c.number)] +=
+              gamma * chi[at(c.function)] *
+              dot(force,
+                  c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
+    }
+    for (Index i = 0; i < size() && !isWhole(); ++i)
+      moments.multipliers[at(coefficients_[at(i)].number)] +=
+          gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
+    for (Index row = 0; row < rows(); ++row)
+      moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
+  }
+
+ private:
+  Index size() const { return static_cast<Index>(coefficients_.size()); }
+  /// The rows of the element's tractions, or its densities.
+  Index rows() const {
+    return 2 * (byDensity_ ? element_.densities : element_.degree + 1);
+  }
+
+  /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
+  /// be that of G's row.
+  std::array<double, bem::largestDegree + 2> orthonormal(double t) const {
+    std::array<double, bem::largestDegree + 2> legendre{};
+    const auto count = static_cast<int>(rows() / 2);
+    bem::legendreValues(count - 1, t, legendre.data());
+    for (int l = 0; l < count; ++l)
+      legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element_.half));
+    return legendre;
+  }
+  double normOf(Index row) const {
+    const auto l = static_cast<double>(row / 2);
+    return byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
+  }
+
+  /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
+  /// the product of what they take.
+  bool isWhole() const { return byDensity_ || element_.curve.isStraight(); }
+
+  void integrate() {
+    const int p = element_.degree;
+    const bem::Rule& rule =
+        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning));
+    std::array<double, bem::largestDegree + 1> phi{};
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vector chi = basis_.values(p, t);
+      bem::DisplacementBasis::values(p, t, phi.data());
+      const auto legendre = orthonormal(t);
+      const Vec2 rest = space_.rotationRest(number_, t);
+      for (Index i = 0; i < size(); ++i) {
+        const Coefficient& c = coefficients_[at(i)];
+        const double value = element_.half * rule.weights[q] * chi[at(c.function)];
+        const Vec2 force =
+            value * (c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
+        add(force, phi.data(), traces_.column(i), traces_.rows());
+        add(force, legendre.data(), parts_.column(i), rows());
+        rests_[at(i)] += dot(force, rest);
+        for (Index k = 0; k < size(); ++k)
+          if (coefficients_[at(k)].tangential == c.tangential)
+            mass_(i, k) += value * chi[at(coefficients_[at(k)].function)];
+      }
+    }
+    if (!isWhole())
+      mass_ = bem::transposedTimes(parts_, parts_);
+  }
+
+  /// Of a coefficient's work, as a part of that of another one.
+  void addTrace(Index i, Index number, double factor, TraceCoupling& trace) const {
+    trace.rests[at(number)] += factor * rests_[at(i)];
+    for (int k = 0; k <= element_.degree; ++k)
+      for (const int c : {0, 1})
+        trace.entries.push_back({space_.displacement(number_, k, c), number,
+                                 factor * traces_(2 * static_cast<Index>(k) + c, i)});
+  }
+
+  const bem::Space& space_;
+  const MultiplierBasis& basis_;
+  bool byDensity_;
+  int number_;
+  const bem::Element& element_;
+  std::vector<Coefficient> coefficients_;
+  Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
+  Matrix parts_;  ///< ∫ χ_i d·P_l, P_l orthonormal, likewise
+  Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
+  Vector rests_;  ///< ∫ χ_i d·(r - r_I)
+};
 
 }  // namespace
 
-Coupling makeCoupling(const BodyInput& input, const MultiplierSpace& multiplier) {
+Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
+                      const Stabilization& stabilization, const bem::Lame& lame,
+                      bem::Units units, std::vector<Index> start) {
+  const Vector none(at(multiplier.size()));
   Coupling coupling;
-  chooseColumns(coupling, input, multiplier);
-  writeElements(input.space, multiplier, input.stabilization, input.lame, input.units,
-                coupling);
+  coupling.trace = {{}, space.rotation(), none};
+  coupling.completion = coupling.trace;
+  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
+  const bool ofDensities = start.empty();
+  coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
+  for (const ContactElement& contact : multiplier.elements()) {
+    const double gamma =
+        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
+    const Index first = coupling.start[coupling.gamma.size()];
+    if (ofDensities)
+      coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
+    coupling.gamma.push_back(gamma);
+    ElementCoupling(space, multiplier.basis(), coupling.byDensity(), contact)
+        .addTo(gamma, first, coupling);
+  }
   return coupling;
 }
 
-Coupling makeLocalCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                           const Stabilization& stabilization, const bem::Lame& lame,
-                           bem::Units units) {
-  Coupling coupling;
-  coupling.tractions = noTractions(multiplier);
-  coupling.start = densityStarts(space, multiplier);
-  writeElements(space, multiplier, stabilization, lame, units, coupling);
-  return coupling;
+TractionMoments tractionMoments(const bem::Space& space,
+                                const MultiplierSpace& multiplier,
+                                const Coupling& coupling,
+                                const ParticularSolution& inside) {
+  TractionMoments moments{Vector(at(coupling.start.back())),
+                          Vector(at(multiplier.size()))};
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
+    if (coupling.gamma[k] != 0)
+      ElementCoupling(space, multiplier.basis(), coupling.byDensity(),
+                      multiplier.elements()[k])
+          .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
+  return moments;
 }
 
 void Coupling::weaken(double factor) {
@@ -120,176 +231,83 @@ void Coupling::weaken(double factor) {
     g *= factor;
 }
 
-Vector timesSymmetric(const Matrix& symmetric, const Vector& w) {
-  Vector result;
-  for (Index j = 0; j < symmetric.columns(); ++j)
-    result.push_back(product(symmetric.column(j), w.data(), symmetric.rows()));
-  return result;
-}
-
-double quadratic(const Matrix& symmetric, const Vector& w) {
-  return bem::dot(w, timesSymmetric(symmetric, w));
-}
-
-Matrix Coupling::multiplierMass() const {
-  Matrix result(multipliers, multipliers);
-  for (const bem::Entry& entry : mass)
-    result(entry.row, entry.column) += entry.value;
-  if (response == nullptr)
-    return result;
-  // - Nᵀ X N, N by columns
-  const Matrix& x = response->density;
-  Matrix half(x.rows(), multipliers);
-  for (const bem::Entry& entry : weights)
-    for (Index i = 0; i < x.rows(); ++i)
-      half(i, entry.column) += entry.value * x(i, entry.row);
-  for (Index j = 0; j < multipliers; ++j)
-    for (const bem::Entry& entry : weights)
-      result(entry.column, j) -= entry.value * half(entry.row, j);
-  return result;
-}
-
 Vector Coupling::massTimes(const Vector& lambda) const {
-  Vector result(multipliers);
+  Vector result(lambda.size());
   for (const bem::Entry& entry : mass)
-    result[entry.row] += entry.value * lambda[entry.column];
-  if (response == nullptr)
-    return result;
-  const Vector taken = timesSymmetric(response->density, weighted(lambda));
-  for (const bem::Entry& entry : weights)
-    result[entry.column] -= entry.value * taken[entry.row];
+    result[at(entry.row)] += entry.value * lambda[at(entry.column)];
   return result;
 }
 
-double Coupling::multiplierWork(const Vector& lambda) const {
-  return bem::dot(lambda, massTimes(lambda));
+Vector Coupling::weighted(const Vector& lambda) const {
+  Vector result(at(start.back()));
+  for (std::size_t k = 0; k < weights.size() && !lambda.empty(); ++k)
+    result[at(weights[k].row)] += weights[k].value * lambda[at(weights[k].column)];
+  return result;
+}
+
+void Coupling::subtractWeighted(const Vector& w, Vector& r) const {
+  for (const bem::Entry& entry : weights)
+    r[at(entry.column)] -= entry.value * w[at(entry.row)];
+}
+
+Vector Coupling::onDensities(const Vector& w, Index densities) const {
+  Vector result(at(densities));
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
+    result[at(compliance.densities[k])] = w[k];
+  return result;
+}
+
+Vector Coupling::ofDensities(const Vector& density) const {
+  Vector result;
+  for (const Index i : compliance.densities)
+    result.push_back(density[at(i)]);
+  return result;
 }
 
 double Coupling::complianceWork(const Vector& density) const {
   double work = 0;
   for (std::size_t k = 0; k < compliance.densities.size(); ++k)
-    work += compliance.diagonal[k] * std::pow(density[compliance.densities[k]], 2);
+    work += compliance.diagonal[k] * std::pow(density[at(compliance.densities[k])], 2);
   for (const auto& [i, value] : compliance.pinned)
-    work += value * std::pow(density[i], 2);
+    work += value * std::pow(density[at(i)], 2);
   return work;
 }
 
 Vector Coupling::complianceOf(const bem::Space& space, const Vector& onContacts,
                               const ParticularSolution& inside) const {
   const bem::Mesh& mesh = space.mesh();
-  Vector result(at(space.densities()));
-  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
-    result[at(compliance.densities[k])] = onContacts[k];
+  Vector result = onDensities(onContacts, space.densities());
+  const bem::Rule& rule = bem::gaussForGiven(0);
   for (const auto& [i, value] : compliance.pinned)
     for (int e = 0; e < mesh.size(); ++e)
-      for (const int c : {0, 1}) {
-        const bem::Rule& rule = bem::gaussForGiven(0);
+      for (const int c : {0, 1})
         for (int q = 0; q < rule.size() && space.density(e, 0, c) == i; ++q) {
-          const bem::Vec2 traction = inside.traction(mesh, e, rule.points[q]);
+          const Vec2 traction = inside.traction(mesh, e, rule.points[q]);
           result[at(i)] +=
               value * 0.5 * rule.weights[q] * (c == 0 ? traction.x : traction.y);
         }
-      }
   return result;
 }
 
-void Coupling::subtractWeighted(const Vector& density, Vector& r) const {
-  for (const bem::Entry& entry : weights)
-    r[at(entry.column)] -= entry.value * density[at(compliance.densities[at(entry.row)])];
-}
-
-std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda, const Vector& density,
-                                            const Vector& ofInside) const {
-  std::vector<bem::Vec2> means(gamma.size());
-  if (compliance.densities.empty())
+std::vector<Vec2> Coupling::meanSlacks(const Vector& lambda, const Vector& density,
+                                       const Vector& ofInside) const {
+  std::vector<Vec2> means(gamma.size());
+  if (!byDensity())
     return means;
   // P_0 is 1: its rows of N λ and of G ψ are integrals
   Vector w = weighted(lambda);
-  for (std::size_t k = 0; k < w.size() && !ofInside.empty(); ++k)
-    w[k] += ofInside[at(compliance.densities[k])];
-  const auto integral = [&](Index k) {
-    return w[k] + compliance.diagonal[k] * density[compliance.densities[k]];
-  };
+  if (!ofInside.empty())
+    bem::axpy(1, ofDensities(ofInside), w);
+  const Vector psi = ofDensities(density);
   for (std::size_t c = 0; c < means.size(); ++c) {
-    const Index first = start[c];
+    const std::size_t first = at(start[c]);
+    const auto integral = [&](std::size_t k) {
+      return w[k] + compliance.diagonal[k] * psi[k];
+    };
     const double length = compliance.diagonal[first] / gamma[c];
-    means[c] = (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+    means[c] = (1 / length) * Vec2{integral(first), integral(first + 1)};
   }
   return means;
-}
-
-Matrix Coupling::transposed() const {
-  Matrix result(unknowns, multipliers);
-  for (const bem::Entry& entry : trace)
-    result(entry.row, entry.column) += entry.value;
-  for (const bem::Entry& entry : weights) {
-    const double* traction = columns->column(entry.row);
-    double* column = result.column(entry.column);
-    for (Index j = 0; j < unknowns; ++j)
-      column[j] -= entry.value * traction[j];
-  }
-  if (rotation != nullptr)
-    for (Index i = 0; i < multipliers; ++i)
-      for (Index j = 0; j < unknowns; ++j)
-        result(j, i) += traceOfRotation[i] * rotation->functional()[j];
-  return result;
-}
-
-Vector Coupling::weighted(const Vector& lambda) const {
-  Vector result(start.back());
-  if (lambda.empty())
-    return result;
-  for (const bem::Entry& entry : weights)
-    result[entry.row] += entry.value * lambda[entry.column];
-  return result;
-}
-
-Vector Coupling::push(const Vector& lambda) const {
-  Vector result(unknowns);
-  if (!weights.empty()) {
-    result = multiply(*columns, weighted(lambda));
-    for (double& x : result)
-      x = -x;
-  }
-  for (const auto* entries : {&trace, &completion})
-    for (const bem::Entry& entry : *entries)
-      result[entry.row] += entry.value * lambda[entry.column];
-  if (rotation != nullptr) {
-    double rest = 0;
-    for (std::size_t i = 0; i < lambda.size(); ++i)
-      rest += (traceOfRotation[i] + completionOfRotation[i]) * lambda[i];
-    rotation->complete(rest, result);
-  }
-  return result;
-}
-
-Vector Coupling::pull(const Vector& u) const {
-  Vector result(multipliers);
-  if (!weights.empty()) {
-    Vector tractionOf(columns->columns());  // Rᵀ u
-    for (Index k = 0; k < columns->columns(); ++k)
-      tractionOf[k] = product(columns->column(k), u.data(), unknowns);
-    for (const bem::Entry& entry : weights)
-      result[entry.column] -= entry.value * tractionOf[entry.row];
-  }
-  for (const bem::Entry& entry : trace)
-    result[entry.column] += entry.value * u[entry.row];
-  if (rotation != nullptr)
-    bem::axpy(rotation->amount(u), traceOfRotation, result);
-  return result;
-}
-
-Matrix Coupling::stabilisationHalf(Index first, Index last) const {
-  const Index rows = tractions->rows.rows();
-  Matrix half(rows, last - first);
-  for (std::size_t k = 0; k < gamma.size(); ++k) {
-    const double root = std::sqrt(gamma[k]);
-    const Index end = std::min(last, tractions->start[k + 1]);
-    for (Index c = std::max(first, tractions->start[k]); c < end; ++c)
-      for (Index j = 0; j < rows; ++j)
-        half(j, c - first) = root * tractions->rows(j, c);
-  }
-  return half;
 }
 
 }  // namespace epafi::contact

@@ -47,10 +47,9 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
 /// Adds ∫ traction · φ_j ds of an element, the traction a function of the place t on it.  Returns
 /// what the rest of the rotation adds, see bem::Rotation.
 template <class Traction>
-double addTraction(const bem::Space& space, int e, const Traction& tractionAt,
-                   Vector& load) {
+double addTraction(const bem::Space& space, int e, const bem::Rule& rule,
+                   const Traction& tractionAt, double* load) {
   const Element& element = space.mesh()[e];
-  const bem::Rule& rule = bem::gaussForGiven(element.degree);
   std::array<double, bem::largestDegree + 1> phi{};
   double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {
@@ -76,7 +75,7 @@ void addInside(const bem::Space& space, const ParticularSolution& inside, Loads&
   double rest = 0;
   for (int e = 0; e < mesh.size(); ++e)
     rest += addTraction(
-        space, e,
+        space, e, bem::gaussForGiven(mesh[e].degree),
         [&](double t, double) {
           const Vec2 traction = inside.traction(mesh, e, t);
           loads.largestTraction = std::max(loads.largestTraction, norm(traction));
@@ -84,7 +83,7 @@ void addInside(const bem::Space& space, const ParticularSolution& inside, Loads&
               loads.inside.largestDisplacement, norm(inside.displacement(mesh, e, t)));
           return traction;
         },
-        loads.inside.traction);
+        loads.inside.traction.data());
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, loads.inside.traction);
   bem::axpy(-1, loads.inside.traction, loads.load);
@@ -152,7 +151,8 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
             weight * dot(traction, inside->displacement(space.mesh(), e, t));
       return traction;
     };
-    rest += addTraction(space, e, tractionAt, loads.load);
+    rest += addTraction(space, e, bem::gaussForGiven(space.mesh()[e].degree), tractionAt,
+                        loads.load.data());
   }
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, loads.load);
@@ -182,32 +182,21 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
         modes.centroid.y * modes.motions(j, 0) - modes.centroid.x * modes.motions(j, 1);
 
   modes.functionals = Matrix(space.displacements(), 3);
-  std::array<double, bem::largestDegree + 1> phi{};
   double rest[3] = {};  // of the rotation, see bem::Rotation
   for (int e = 0; e < mesh.size(); ++e) {
-    const Element& element = mesh[e];
     if (!conditions.isBoundary(mesh.boundary(e)))
       continue;
     const bem::Rule& rule = bem::gaussLegendre(
-        element.degree + (element.curve.isStraight() ? 2 : bem::pointsOfTurning));
-    for (int q = 0; q < rule.size(); ++q) {
-      const Vec2 x = mesh.scaledPoint(e, rule.points[q]) - modes.centroid;
-      const Vec2 r =
-          rule.weights[q] * element.half * space.rotationRest(e, rule.points[q]);
-      rest[0] += r.x;
-      rest[1] += r.y;
-      rest[2] += dot(r, turnLeft(x));
-      bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
-      for (int k = 0; k <= element.degree; ++k) {
-        const double weight = rule.weights[q] * element.half * phi[k];
-        const Index ux = space.displacement(e, k, 0);
-        const Index uy = space.displacement(e, k, 1);
-        modes.functionals(ux, 0) += weight;
-        modes.functionals(uy, 1) += weight;
-        modes.functionals(ux, 2) -= weight * x.y;
-        modes.functionals(uy, 2) += weight * x.x;
-      }
-    }
+        mesh[e].degree + (mesh[e].curve.isStraight() ? 2 : bem::pointsOfTurning));
+    for (Index k = 0; k < 3; ++k)
+      rest[k] += addTraction(
+          space, e, rule,
+          [&](double t, double) {
+            return k == 2   ? turnLeft(mesh.scaledPoint(e, t) - modes.centroid)
+                   : k == 1 ? Vec2{0, 1}
+                            : Vec2{1, 0};
+          },
+          modes.functionals.column(k));
   }
   if (space.rotation() != nullptr)
     for (Index k = 0; k < 3; ++k)

@@ -1,6 +1,7 @@
 #include "contact/body/RigidConstraints.hpp"
 
 #include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
@@ -10,9 +11,6 @@
 #include <cmath>
 
 namespace epafi::contact {
-
-using bem::axpy;
-using bem::dot;
 
 namespace {
 
@@ -27,23 +25,20 @@ Svd singularValues(Matrix a) {
   const int m = bem::asInt(a.rows());
   const int n = bem::asInt(a.columns());
   const int k = std::min(m, n);
-  Svd svd{Matrix(m, std::max(1, k)), Vector(k), Matrix(n, n)};
+  Svd svd{Matrix(m, k), Vector(at(k)), Matrix(n, n)};
   if (k == 0) {
     for (Index i = 0; i < n; ++i)
       svd.vt(i, i) = 1;
     return svd;
   }
-  Matrix u(m, m);
-  Vector work(16 * (m + n));
+  Vector work(at(16 * (m + n)));
   int info = 0;
   Teuchos::LAPACK<int, double>().GESVD(
-      'A', 'A', m, n, a.data(), bem::asInt(a.stride()), svd.s.data(), u.data(),
-      bem::asInt(u.stride()), svd.vt.data(), bem::asInt(svd.vt.stride()), work.data(),
+      'S', 'A', m, n, a.data(), bem::asInt(a.stride()), svd.s.data(), svd.u.data(),
+      bem::asInt(svd.u.stride()), svd.vt.data(), bem::asInt(svd.vt.stride()), work.data(),
       static_cast<int>(work.size()), nullptr, &info);
   if (info != 0)
     throw bem::NumericalError("the singular values of the rigid motions do not converge");
-  for (Index j = 0; j < k; ++j)
-    std::copy_n(u.column(j), m, svd.u.column(j));
   return svd;
 }
 
@@ -52,44 +47,13 @@ int rank(const Svd& svd, double threshold) {
       std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
 }
 
-/// Columns first ... last-1 of Vᵀ's transpose.
-Matrix rightVectors(const Svd& svd, Index first, Index last) {
-  Matrix result(svd.vt.columns(), last - first);
-  for (Index j = first; j < last; ++j)
-    for (Index i = 0; i < result.rows(); ++i)
-      result(i, j - first) = svd.vt(j, i);
-  return result;
-}
-
-/// R of Q R by Gram-Schmidt, done twice.
-Matrix triangle(std::vector<Vector> columns) {
-  const auto size = static_cast<Index>(columns.size());
-  Matrix r(size, size);
-  for (Index c = 0; c < size; ++c) {
-    Vector& column = columns[c];
-    for (Index k = 0; k < c; ++k)
-      for (int twice = 0; twice < 2; ++twice) {
-        const double projection = dot(columns[k], column);
-        axpy(-projection, columns[k], column);
-        r(k, c) += projection;
-      }
-    const double length = std::sqrt(dot(column, column));
-    r(c, c) = length;
-    for (double& value : column)
-      value = length > 0 ? value / length : 0;
-  }
-  return r;
-}
-
-/// What the motions do at the clamped unknowns, reduced to 3 x 3 by Gram-Schmidt so that
-/// its singular values are accurate.
+/// What the motions do at the clamped unknowns.
 Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
-  std::vector<Vector> columns(3);
+  std::vector<Index> rows;
   for (Index j = 0; j < modes.motions.rows(); ++j)
-    if (loads.clamped[j] != 0)
-      for (Index c = 0; c < 3; ++c)
-        columns[c].push_back(modes.motions(j, c));
-  return triangle(std::move(columns));
+    if (loads.clamped[at(j)] != 0)
+      rows.push_back(j);
+  return bem::rowsOf(modes.motions, rows);
 }
 
 std::vector<int> namedModes(const Conditions::Fix& fix) {
@@ -124,18 +88,12 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
         functionals(j, k) -= pairing(k, l) * functionals(j, l);
   if (free == 0)
     return functionals;
-  Matrix gram(free, free);
-  Matrix right(free, n);
-  for (Index k = 0; k < free; ++k) {
-    for (Index l = 0; l < free; ++l)
-      gram(k, l) = pairing(fixed + k, fixed + l);
-    for (Index j = 0; j < n; ++j)
-      right(k, j) = functionals(j, fixed + k);
-  }
-  const bem::LuFactor factor(std::move(gram));
+  const bem::LuFactor factor(bem::rowsBetween(
+      bem::columnsBetween(pairing, fixed, fixed + free), fixed, fixed + free));
   if (!factor.isRegular())
     throw bem::NumericalError(
         "the free rigid motions cannot be told apart on this boundary");
+  Matrix right = bem::transposed(bem::columnsBetween(functionals, fixed, fixed + free));
   factor.solve(right);
   for (Index k = 0; k < free; ++k)
     for (Index j = 0; j < n; ++j)
@@ -222,7 +180,8 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
                                       const Conditions::Fix& fix) {
   const Svd clamps = singularValues(clampedMotions(modes, loads));
   // motions are of size 1, coordinates known to 1e-16
-  const Matrix allowedCombinations = rightVectors(clamps, rank(clamps, 1e-12), 3);
+  const Matrix allowedCombinations =
+      bem::transposed(bem::rowsBetween(clamps.vt, rank(clamps, 1e-12), 3));
   const Index allowed = allowedCombinations.columns();
 
   RigidConstraints constraints;
@@ -236,14 +195,10 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
-  Matrix functionals(modes.functionals.rows(), allowed);
+  Matrix functionals = multiply(modes.functionals, inModes);
   for (Index k = 0; k < fixed; ++k)
     std::copy_n(modes.functionals.column(constraints.fixedModes[k]), functionals.rows(),
                 functionals.column(k));
-  for (Index k = fixed; k < allowed; ++k)
-    for (Index m = 0; m < 3; ++m)
-      for (Index j = 0; j < functionals.rows(); ++j)
-        functionals(j, k) += inModes(m, k) * modes.functionals(j, m);
   functionals = withoutClamped(std::move(functionals), loads);
   constraints.functionals = dualTo(constraints.allowed, std::move(functionals), fixed);
   return constraints;
@@ -263,6 +218,18 @@ void scalePairs(RigidConstraints& constraints) {
     }
     constraints.scales.push_back(largest);
   }
+}
+
+Holding makeHolding(const bem::Space& space, const Conditions& conditions,
+                    bem::Units units) {
+  Loads loads = makeLoads(space, conditions, units);
+  RigidModes modes = makeRigidModes(space, conditions);
+  RigidConstraints rigid = makeRigidConstraints(modes, loads, conditions.fix);
+  const bem::Outline& outline = space.mesh().outline();
+  if (outline.diameter() < outline.scaling().length)
+    scalePairs(rigid);
+  Vector means = meansOf(conditions, space.mesh(), modes.centroid);
+  return {std::move(loads), std::move(modes), std::move(rigid), std::move(means)};
 }
 
 }  // namespace epafi::contact

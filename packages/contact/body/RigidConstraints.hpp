@@ -32,4 +32,16 @@ void scalePairs(RigidConstraints& constraints);
 RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
                                       const Conditions::Fix& fix);
 
+/// How a body is loaded and held.
+struct Holding {
+  Loads loads;
+  RigidModes modes;
+  RigidConstraints rigid;
+  Vector means{};  ///< see meansOf
+};
+
+/// \throws bem::InputError, see makeLoads, makeRigidConstraints.
+Holding makeHolding(const bem::Space& space, const Conditions& conditions,
+                    bem::Units units);
+
 }  // namespace epafi::contact

@@ -3,12 +3,11 @@
 #include "contact/body/Coupling.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace epafi::contact {
 
 struct Holding;
-class CompressedHolding;
-class MultiplierSpace;
 
 /// Terms of the traction t_p of a particular solution in the residual λ + t_p + S u of the
 /// stabilisation, independent of u and λ; empty: zero.               [doc/theory/body-loads.md]
@@ -29,15 +28,17 @@ class HeldStiffness {
   virtual Vector solve(const Vector& force) const = 0;
   /// L⁻¹ Cᵀ if A is formed; clamped rows are ignored.
   virtual Matrix forward(Matrix /*rows*/) const { return {}; }
-  /// Null if A is formed.
-  virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
+  /// Else solve() is refined by its own product.
+  virtual bool isFormed() const { return true; }
 };
 
 /// Discrete equations of an elastic body and its multiplier for a form of the stabilisation:
 ///
-///   A u + Cᵀ λ = f,   C u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
+///   A u + Bᵀ λ = f,   B u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
 ///
-/// All differences between forms are in this interface.  For dense S makeCoupledBody supports all
+///   B = C - Gᵀ Rᵀ,   M - Gᵀ X G in M's place with Form Density,   see Coupling
+///
+/// What differs is how S is held, and with it R and X: for dense S makeCoupledBody supports all
 /// forms, for compressed S makeCompressedBody the forms Density and None.  A new form needs a
 /// name in Stabilization and its Coupling; makeSpace and densityCompliance give it additional
 /// densities and a compliance.
@@ -49,33 +50,24 @@ class StabilisedBody {
   virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
   /// f - A u, balanced up to rounding, see BalancedStiffness.
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// Cᵀ, if A is formed.
+  /// Bᵀ and M, if A is formed.
   virtual Matrix coupling() const { return {}; }
-  /// Cᵀ λ, including forces on clamps and corners.
-  virtual Vector push(const Vector& multiplier) const = 0;
-  /// C u
-  virtual Vector pull(const Vector& u) const = 0;
-  /// C u - M λ
-  virtual Vector contactTerms(const Vector& u, const Vector& multiplier) const = 0;
-  Matrix multiplierMass() const { return coupling_.multiplierMass(); }  ///< M
-  virtual double multiplierWork(const Vector& multiplier) const = 0;    ///< λᵀ M λ
+  virtual Matrix multiplierMass() const { return {}; }
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ including terms.density.
   virtual double strainEnergy(const Vector& u, const Vector& multiplier,
                               const ResidualTerms& terms) const = 0;
+
+  /// Bᵀ λ, including forces on clamps and corners.
+  Vector push(const Vector& multiplier) const;
+  /// B u
+  Vector pull(const Vector& u) const;
+  /// M λ
+  Vector massTimes(const Vector& multiplier) const;
   /// Terms of the body loads in the conditions of the multiplier.
-  virtual ResidualTerms residualTerms(const MultiplierSpace& multiplier) const = 0;
-  /// See ContactProblem.
-  bool byDensity() const { return !coupling_.compliance.densities.empty(); }
-  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
-                                    const Vector& ofInside) const {
-    return coupling_.meanSlacks(multiplier, density, ofInside);
-  }
-  /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
-  double gamma(std::size_t contactElement) const {
-    return coupling_.gamma[contactElement];
-  }
+  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const;
+  const Coupling& local() const { return coupling_; }
 
   /// X of A = S - X Xᵀ; without columns if A is definite for all γ.
   virtual Matrix subtracted() const { return {}; }
@@ -85,8 +77,17 @@ class StabilisedBody {
   }
 
  protected:
-  explicit StabilisedBody(Coupling coupling) : coupling_(std::move(coupling)) {}
+  StabilisedBody(const bem::Space& space, Coupling coupling)
+      : space_(space), coupling_(std::move(coupling)) {}
 
+  /// Rᵀ u, R w and, with densities, X w.
+  virtual Vector tractionsOf(const Vector& u) const = 0;
+  virtual Vector forcesOf(const Vector& w) const = 0;
+  virtual Vector responsesTo(const Vector& w) const = 0;
+  /// (V + G)⁻¹ g, and K' of it.
+  virtual std::pair<Vector, Vector> answerTo(const Vector& compliance) const = 0;
+
+  const bem::Space& space_;
   Coupling coupling_;
 };
 

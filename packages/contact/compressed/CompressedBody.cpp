@@ -2,8 +2,6 @@
 
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/ElementCoupling.hpp"
-#include "contact/compressed/CompressedCoupling.hpp"
 #include "contact/compressed/CompressedHolding.hpp"
 
 #include <algorithm>
@@ -21,20 +19,17 @@ class CompressedBody final : public StabilisedBody {
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
                  std::size_t number, Coupling coupling)
-      : StabilisedBody(std::move(coupling)),
-        space_(space),
+      : StabilisedBody(space, std::move(coupling)),
         operators_(std::move(operators)),
         number_(number),
-        range_(operators_->range(number)) {
-    compressed_.multipliers = coupling_.multipliers;
-    compressed_.addOwn(space, coupling_, number, range_.first, [](Index i) { return i; });
-  }
+        range_(operators_->range(number)) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
-    return std::make_shared<const Held>(*this, holding);
+    return std::make_shared<const CompressedHolding>(*operators_, number_, holding,
+                                                     solved_);
   }
 
-  // f - (W u + K' ψ), ψ = (V + G)⁻¹ K u
+  // f - (W u + K' ψ), ψ that of u
   Vector residual(const Vector& force, const Vector& u) const override {
     Vector rest = force;
     const Matrix& images = fieldOf(u).images;
@@ -44,59 +39,15 @@ class CompressedBody final : public StabilisedBody {
     return rest;
   }
 
-  Vector push(const Vector& multiplier) const override {
-    Matrix x(operators_->size(), 1);
-    compressed_.push(1, multiplier.data(), x.data());
-    if (byDensity()) {
-      // K' ψ, ψ = -(V + G)⁻¹ N λ
-      const Matrix& image = under(multiplier).image;
-      for (Index i = range_.first; i < range_.densities; ++i)
-        x(i, 0) += image(i, 0);
-    }
-    for (const bem::Entry& entry : coupling_.completion)
-      x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
-    Vector force(x.data() + range_.first, x.data() + range_.densities);
-    if (coupling_.rotation != nullptr)
-      coupling_.rotation->complete(dot(coupling_.completionOfRotation, multiplier),
-                                   force);
-    return force;
-  }
-
-  Vector pull(const Vector& u) const override {
-    const Matrix x = placed(u, byDensity() ? fieldOf(u).psi : Vector());
-    return compressed_.pull(x.data());
-  }
-
-  // Ĉ (u, ψ) - M₀ λ, M₀ the local part of M; ψ contains the rest of M λ
-  Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
-    const Matrix x = placed(u, byDensity() ? density(u, multiplier) : Vector());
-    Vector terms = compressed_.pull(x.data());
-    for (const bem::Entry& entry : compressed_.mass)
-      terms[at(entry.row)] -= entry.value * multiplier[at(entry.column)];
-    return terms;
-  }
-
-  double multiplierWork(const Vector& multiplier) const override {
-    const double work = coupling_.multiplierWork(multiplier);
-    if (!byDensity())
-      return work;
-    // minus (N λ)ᵀ (V + G)⁻¹ N λ
-    Matrix pushed(operators_->size(), 1);
-    compressed_.push(1, multiplier.data(), pushed.data());
-    const Vector& psi = under(multiplier).psi;
-    return work - std::inner_product(psi.begin(), psi.end(),
-                                     pushed.data() + range_.densities, 0.0);
-  }
-
   // (V + G)⁻¹ (K u - N λ)
   Vector density(const Vector& u, const Vector& multiplier) const override {
     Vector psi = fieldOf(u).psi;
-    if (byDensity() && !multiplier.empty())
-      bem::axpy(1, under(multiplier).psi, psi);
+    if (coupling_.byDensity() && !multiplier.empty())
+      bem::axpy(-1, under(coupling_.weighted(multiplier)).psi, psi);
     return psi;
   }
 
-  // 1/2 uᵀ W u + 1/2 ψᵀ V ψ by products with Z, whose block of densities is -(V + G)
+  // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
   double strainEnergy(const Vector& u, const Vector& multiplier,
                       const ResidualTerms& terms) const override {
     Vector psi = density(u, multiplier);
@@ -109,74 +60,39 @@ class CompressedBody final : public StabilisedBody {
     };
     double twice =
         work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
-    if (byDensity() && !multiplier.empty())
-      twice -= work(psi, under(multiplier).image, 0, range_.densities);
+    if (coupling_.byDensity() && !multiplier.empty())
+      twice +=
+          work(psi, under(coupling_.weighted(multiplier)).image, 0, range_.densities);
     if (!terms.density.empty())
       twice -= dot(psi, terms.compliance);
     return 0.5 * (twice - coupling_.complianceWork(psi));
   }
 
-  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const override {
-    const Inside& inside = multiplier.conditions().inside;
-    if (!inside)
-      return {};
-    const TractionMoments moments =
-        tractionMoments(space_, multiplier, true, coupling_, *inside);
-    ResidualTerms terms;
-    terms.compliance = coupling_.complianceOf(space_, moments.weights, *inside);
-    Matrix right(operators_->size(), 1);
-    std::copy(terms.compliance.begin(), terms.compliance.end(),
-              right.data() + range_.densities);
-    terms.density = densityFor(right, 1);
-    const Matrix image = operators_->times(placed({}, terms.density));
-    for (Index i = range_.first; i < range_.densities; ++i)
-      terms.force.push_back(-image(i, 0));
-    terms.terms.assign(moments.multipliers.size(), 0.0);
-    bem::axpy(-1, moments.multipliers, terms.terms);
-    coupling_.subtractWeighted(terms.density, terms.terms);
-    return terms;
+ private:
+  Vector tractionsOf(const Vector& u) const override {
+    return coupling_.ofDensities(fieldOf(u).psi);
+  }
+  Vector forcesOf(const Vector& w) const override { return forcesIn(under(w).image); }
+  Vector responsesTo(const Vector& w) const override {
+    return coupling_.ofDensities(under(w).psi);
+  }
+  std::pair<Vector, Vector> answerTo(const Vector& compliance) const override {
+    Vector psi = answer(compliance);
+    Vector force = forcesIn(operators_->times(placed(psi)));
+    return {std::move(psi), std::move(force)};
   }
 
- private:
-  class Held final : public HeldStiffness {
-   public:
-    Held(const CompressedBody& body, const Holding& holding)
-        : body_(body),
-          holding_(holding),
-          held_(std::make_shared<const CompressedHolding>(*body.operators_, body.number_,
-                                                          holding)),
-          range_(body.range_) {}
-
-    // A⁺ f + R Rᵀ f
-    Vector solve(const Vector& force) const override {
-      Matrix forces(held_->operators().size(), 1);
-      std::copy(force.begin(), force.end(), forces.data() + range_.first);
-      const Matrix x = held_->displaced(std::move(forces));
-      body_.solved_.assign(x.data() + range_.densities, x.data() + range_.last);
-      Vector u(x.data() + range_.first, x.data() + range_.densities);
-      for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
-        const Vector r = columnOf(holding_.rigid.allowed, k);
-        bem::axpy(dot(r, force), r, u);
-      }
-      return u;
-    }
-    std::shared_ptr<const CompressedHolding> compressed() const override { return held_; }
-
-   private:
-    const CompressedBody& body_;
-    const Holding& holding_;
-    std::shared_ptr<const CompressedHolding> held_;
-    const bem::CompressedOperators::Range& range_;
-  };
-
-  /// (u, ψ) as a vector of all unknowns; empty: zero.
-  Matrix placed(const Vector& u, const Vector& psi) const {
+  /// The displacements' rows.
+  Vector forcesIn(const Matrix& image) const {
+    return {image.data() + range_.first, image.data() + range_.densities};
+  }
+  /// A density among all unknowns.
+  Matrix placed(const Vector& psi) const {
     Matrix x(operators_->size(), 1);
-    std::copy(u.begin(), u.end(), x.data() + range_.first);
     std::copy(psi.begin(), psi.end(), x.data() + range_.densities);
     return x;
   }
-  /// Factor of V + G: all displacements and multipliers are held.
+  /// Of V + G: all displacements and multipliers held.
   const bem::CompressedFactor& densityFactor() const {
     if (densityFactor_ == nullptr) {
       bem::Restriction restriction;
@@ -189,25 +105,31 @@ class CompressedBody final : public StabilisedBody {
     return *densityFactor_;
   }
 
-  /// ψ = -(V + G)⁻¹ N λ and Z (0, ψ).
+  /// (V + G)⁻¹ g
+  Vector answer(const Vector& g) const {
+    Vector psi = densityFor(placed(g), 1);
+    for (double& x : psi)
+      x = -x;
+    return psi;
+  }
+
+  /// ψ = (V + G)⁻¹ E w and Z (0, ψ).
   struct Under {
-    Vector multiplier;
+    Vector weights;
     Vector psi;
     Matrix image;
   };
-  /// Caches the last one.
-  const Under& under(const Vector& multiplier) const {
-    if (multiplier != under_.multiplier) {
-      Matrix right(operators_->size(), 1);
-      compressed_.push(-1, multiplier.data(), right.data());
-      Vector psi = densityFor(right, 1);
-      Matrix image = operators_->times(placed({}, psi));
-      under_ = {multiplier, std::move(psi), std::move(image)};
+  /// The last one is kept.
+  const Under& under(const Vector& weights) const {
+    if (weights != under_.weights) {
+      Vector psi = answer(coupling_.onDensities(weights, space_.densities()));
+      Matrix image = operators_->times(placed(psi));
+      under_ = {weights, std::move(psi), std::move(image)};
     }
     return under_;
   }
 
-  /// -(V + G)⁻¹ b, b: the density rows of `right`.
+  /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
   Vector densityFor(const Matrix& right, int refinements) const {
     const Matrix psi = densityFactor().solve(right, refinements);
     return {psi.data() + range_.densities, psi.data() + range_.last};
@@ -228,9 +150,8 @@ class CompressedBody final : public StabilisedBody {
     Matrix images;
   };
 
-  /// Error of compression in rigid motions r, which K maps to zero: `left`, the density
-  /// rows of Z (r, 0), the factor of its Gram matrix, ψ = (V + G)⁻¹ left and Z (0, ψ).
-  /// Without columns: no error.
+  /// What rigid motions r leave in compressed operators, Z (r, 0) in the densities' rows, its Gram
+  /// matrix factored, the ψ that takes it away, and Z (0, ψ).  No columns: nothing.
   struct Motions {
     Matrix left;
     Matrix factor;
@@ -260,7 +181,7 @@ class CompressedBody final : public StabilisedBody {
     return *motions_;
   }
 
-  /// K u - (V + G) ψ by the images of both, and its largest entry over that of K u.
+  /// K u - (V + G) ψ from the images of both, and its largest entry over that of K u.
   struct Rest {
     Vector entries;
     double size = 0;
@@ -277,7 +198,7 @@ class CompressedBody final : public StabilisedBody {
     return rest;
   }
 
-  /// Removes from the residual its least squares fit by the errors of rigid motions.
+  /// Takes off the rest what rigid motions have added to it.
   void takeMotions(const Rest& rest, Vector& psi, Matrix& images) const {
     const Motions& all = motions();
     Vector sizes;
@@ -294,9 +215,9 @@ class CompressedBody final : public StabilisedBody {
     }
   }
 
-  /// Field of u, cached.  First tries the ψ of the last solution: it is accepted if
-  /// K u - (V + G) ψ vanishes, possibly after takeMotions() (u may contain added rigid
-  /// motions); corrected if the relative residual is at most 1e-9; else computed.
+  /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
+  /// with it: the last one's is tried first, taken where K u - (V + G) ψ vanishes, perhaps but for
+  /// what rigid motions added to u leave of it, and corrected where only rounding is left.
   const Field& fieldOf(const Vector& u) const {
     if (u == field_.u)
       return field_;
@@ -316,18 +237,16 @@ class CompressedBody final : public StabilisedBody {
       for (Index i = 0; i < images.rows(); ++i)
         right(i, 0) = -images(i, 0) - (isNear ? images(i, 1) : 0);
       bem::axpy(1, densityFor(right, isNear ? 0 : 1), psi);
-      const Matrix image = operators_->times(placed({}, psi));
+      const Matrix image = operators_->times(placed(psi));
       std::copy_n(image.data(), image.rows(), images.column(1));
     }
     field_ = {u, std::move(psi), std::move(images)};
     return field_;
   }
 
-  const bem::Space& space_;
   std::shared_ptr<const bem::CompressedOperators> operators_;
   std::size_t number_;
   const bem::CompressedOperators::Range& range_;
-  CompressedCoupling compressed_;  ///< of the multiplier of this body
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable std::unique_ptr<const Motions> motions_;
   mutable Vector solved_;  ///< ψ of the last solution
@@ -341,8 +260,8 @@ std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const BodyInput& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
       input.space, input.stiffness.compressed(), input.stiffness.compressedBody(),
-      makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
-                        input.units));
+      makeCoupling(input.space, multiplier, input.stabilization, input.lame,
+                   input.units));
 }
 
 }  // namespace epafi::contact

@@ -6,28 +6,26 @@
 
 namespace epafi::contact {
 
-void CompressedCoupling::addRests(const std::shared_ptr<const bem::Rotation>& rotation,
-                                  std::size_t body, Index start, const Vector& work,
-                                  const Numbers& numberOf) {
-  if (rotation == nullptr)
+void CompressedCoupling::add(const TraceCoupling& trace, std::size_t body, Index start,
+                             const Numbers& numberOf) {
+  for (const bem::Entry& entry : trace.entries)
+    entries.push_back({start + entry.row, numberOf(entry.column), entry.value});
+  if (trace.rotation == nullptr)
     return;
-  Vector all(at(multipliers));
-  for (std::size_t i = 0; i < work.size(); ++i)
-    all[at(numberOf(static_cast<Index>(i)))] = work[i];
-  rests.push_back({rotation, body, start, std::move(all)});
+  rests.push_back({trace.rotation, body, start, Vector(at(multipliers))});
+  for (std::size_t i = 0; i < trace.rests.size(); ++i)
+    rests.back().values[at(numberOf(static_cast<Index>(i)))] = trace.rests[i];
 }
 
 void CompressedCoupling::addOwn(const bem::Space& space, const Coupling& coupling,
                                 std::size_t body, Index start, const Numbers& numberOf) {
-  for (const bem::Entry& entry : coupling.trace)
-    entries.push_back({start + entry.row, numberOf(entry.column), entry.value});
+  add(coupling.trace, body, start, numberOf);
   for (const bem::Entry& entry : coupling.weights)
     entries.push_back(
         {start + space.displacements() + coupling.compliance.densities[at(entry.row)],
          numberOf(entry.column), -entry.value});
   for (const bem::Entry& entry : coupling.mass)
     mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
-  addRests(coupling.rotation, body, start, coupling.traceOfRotation, numberOf);
 }
 
 void CompressedCoupling::push(double s, const double* multiplier, double* x) const {

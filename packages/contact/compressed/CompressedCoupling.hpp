@@ -8,35 +8,33 @@
 
 namespace epafi::contact {
 
-/// Sparse coupling of the multiplier with displacements and densities, Ĉ = [B₀, -Nᵀ], of
-/// its own body and of opposite bodies, and the matrix M: its rows in the compressed
-/// system.
+/// The sparse rows Ĉ = [B₀, -Nᵀ] by which the multiplier acts on displacements and densities,
+/// of its own body and of those that it meets, and -M: what a compressed system has of it.
 struct CompressedCoupling {
   std::vector<bem::Entry> entries;  ///< unknowns x multiplier
   std::vector<bem::Entry> mass;     ///< M
-  /// Coupling with bem::Rotation of a body with arcs: exact minus interpolated rotation.
+  /// What Ĉ does on a body with arcs to the exact rotation less the interpolated one.
   struct Rest {
     std::shared_ptr<const bem::Rotation> rotation;
     std::size_t body;
-    Index first;    ///< number of the body's first displacement
-    Vector values;  ///< one per coefficient
+    Index first;    ///< displacement of it
+    Vector values;  ///< by multipliers
   };
   std::vector<Rest> rests;
-  Index first = 0;  ///< number of the unknown of the first coefficient
+  Index first = 0;  ///< number of the first multiplier's unknown
   Index multipliers = 0;
-  Index normals = 0;  ///< number of pressure coefficients, which come first
+  Index normals = 0;  ///< those of them that come first
 
   using Numbers = std::function<Index(Index)>;
-  /// Adds Ĉ and M of a body and its own multiplier.
-  /// \param start number of the body's first unknown
-  /// \param numberOf maps a coefficient of the body to that of all bodies
+  /// Ĉ and M of a body's own multiplier, its unknowns from `start` on and the multiplier
+  /// numbered as `numberOf` says.
   void addOwn(const bem::Space& space, const Coupling& coupling, std::size_t body,
               Index start, const Numbers& numberOf);
-  /// Adds a Rest; \p rotation null: no arcs.  \param work one per coefficient of numberOf
-  void addRests(const std::shared_ptr<const bem::Rotation>& rotation, std::size_t body,
-                Index start, const Vector& work, const Numbers& numberOf);
+  /// The part of Ĉ on the displacements of one body.
+  void add(const TraceCoupling& trace, std::size_t body, Index start,
+           const Numbers& numberOf);
 
-  /// x += s Ĉᵀ λ, x: all unknowns
+  /// x += s Ĉᵀ λ on displacements and densities.
   void push(double s, const double* multiplier, double* x) const;
   /// Ĉ x
   Vector pull(const double* x) const;

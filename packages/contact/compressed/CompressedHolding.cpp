@@ -15,8 +15,12 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 }
 
 CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
-                                     std::size_t body, const Holding& holding)
-    : operators_(operators), holding_(holding), range_(operators.range(body)) {
+                                     std::size_t body, const Holding& holding,
+                                     Vector& densities)
+    : operators_(operators),
+      holding_(holding),
+      range_(operators.range(body)),
+      densities_(densities) {
   restriction_.held.assign(at(operators.size()), 1);
   const auto held = restriction_.held.begin();
   std::fill(held + range_.densities, held + range_.last, 0);
@@ -27,6 +31,17 @@ CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
   const bool changes = operators.bodies() == 1;
   factor_ = std::make_unique<const bem::CompressedFactor>(
       operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
+}
+
+Vector CompressedHolding::solve(const Vector& force) const {
+  const Matrix x = displaced(placed(bem::asColumn(force)));
+  densities_.assign(x.data() + range_.densities, x.data() + range_.last);
+  Vector u(x.data() + range_.first, x.data() + range_.densities);
+  for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_.rigid.allowed, k);
+    bem::axpy(bem::dot(r, force), r, u);
+  }
+  return u;
 }
 
 Matrix CompressedHolding::placed(const Matrix& columns) const {

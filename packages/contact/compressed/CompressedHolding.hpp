@@ -1,7 +1,8 @@
 #pragma once
 
 #include "bem/compressed/CompressedFactor.hpp"
-#include "contact/body/ElasticBody.hpp"
+#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/StabilisedBody.hpp"
 
 namespace epafi::contact {
 
@@ -10,11 +11,16 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 
 /// A body with compressed stiffness and its Dirichlet conditions.  Springs on free or fixed rigid
 /// motions make the system regular; displaced() removes their effect.
-class CompressedHolding {
+class CompressedHolding final : public HeldStiffness {
  public:
-  /// One of the operators' bodies.  All outlive it.
+  /// One of the operators' bodies.  All outlive it, and so does `densities`, those of the last
+  /// solution.
   CompressedHolding(const bem::CompressedOperators& operators, std::size_t body,
-                    const Holding& holding);
+                    const Holding& holding, Vector& densities);
+
+  /// A⁺ f + R Rᵀ f
+  Vector solve(const Vector& force) const override;
+  bool isFormed() const override { return false; }
 
   /// The held unknowns and springs of the body, all multipliers and all others held.
   const bem::Restriction& restriction() const { return restriction_; }
@@ -40,6 +46,7 @@ class CompressedHolding {
   const bem::CompressedOperators::Range& range_;
   bem::Restriction restriction_;
   std::unique_ptr<const bem::CompressedFactor> factor_;
+  Vector& densities_;
 };
 
 }  // namespace epafi::contact

@@ -29,7 +29,7 @@ void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
 /// points, whose bounds depend on all pressures of an element, go to that element.
 std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
                             const Coupling& coupling) {
-  std::vector<int> elements(at(coupling.multipliers), 0);
+  std::vector<int> elements(at(multiplier.size()), 0);
   if (multiplier.basis().controlPoints) {
     forEachHome(multiplier, [&](std::size_t k, int e) { elements[k] = e; });
     return elements;
@@ -42,8 +42,8 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
   std::vector<std::vector<int>> homes(elements.size());
   forEachHome(multiplier, [&](std::size_t k, int e) { homes[k].push_back(e); });
   constexpr double rounding = 1e-6;
-  Vector largest(at(coupling.multipliers), 0.0);
-  for (const bem::Entry& entry : coupling.trace) {
+  Vector largest(elements.size(), 0.0);
+  for (const bem::Entry& entry : coupling.trace.entries) {
     const int e = elementOf[at(entry.row)];
     const std::vector<int>& own = homes[at(entry.column)];
     const double work = std::abs(entry.value) *
@@ -92,19 +92,14 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     const auto& [space, multiplier, lame, opposite] = bodies[a];
     const auto numberOf = [&](Index i) { return numbering(a, i); };
-    result.addOwn(space, makeLocalCoupling(space, multiplier, stabilization, lame, units),
-                  a, starts[a], numberOf);
+    result.addOwn(space, makeCoupling(space, multiplier, stabilization, lame, units), a,
+                  starts[a], numberOf);
     if (opposite == nullptr)
       continue;
-    for (const int b : opposite->bodies()) {
-      const auto k = static_cast<std::size_t>(b);
-      const MortarCoupling met =
-          mortarCoupling(space.mesh(), multiplier, *opposite, bodies[k].space, b);
-      for (const bem::Entry& entry : met.entries)
-        result.entries.push_back(
-            {starts[k] + entry.row, numberOf(entry.column), entry.value});
-      result.addRests(met.rotation, k, starts[k], met.rests, numberOf);
-    }
+    for (const int b : opposite->bodies())
+      result.add(
+          mortarCoupling(space.mesh(), multiplier, *opposite, bodies[at(b)].space, b),
+          at(b), starts[at(b)], numberOf);
   }
   return result;
 }
@@ -135,7 +130,7 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [space, multiplier, lame, opposite] = bodies[b];
     operands.push_back({space, lame});
-    const Coupling own = makeLocalCoupling(space, multiplier, stabilization, lame, units);
+    const Coupling own = makeCoupling(space, multiplier, stabilization, lame, units);
     const std::vector<int> elements = elementsOf(space, multiplier, own);
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Index k = numbering(b, static_cast<Index>(i));

@@ -1,6 +1,5 @@
 #include "contact/opposite/MortarCoupling.hpp"
 
-#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
@@ -30,25 +29,9 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
 
 }  // namespace
 
-Vector MortarCoupling::pull(const Vector& u) const {
-  Vector result(rests.size());
-  for (const bem::Entry& entry : entries)
-    result[entry.column] += entry.value * u[entry.row];
-  if (rotation != nullptr)
-    bem::axpy(rotation->amount(u), rests, result);
-  return result;
-}
-
-void MortarCoupling::push(const Vector& multiplier, Vector& force) const {
-  for (const bem::Entry& entry : entries)
-    force[entry.row] += entry.value * multiplier[entry.column];
-  if (rotation != nullptr)
-    rotation->complete(bem::dot(rests, multiplier), force);
-}
-
-MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                              const Opposite& opposite, const bem::Space& met, int body) {
-  MortarCoupling coupling{{}, met.rotation(), Vector(at(multiplier.size()))};
+TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                             const Opposite& opposite, const bem::Space& met, int body) {
+  TraceCoupling coupling{{}, met.rotation(), Vector(at(multiplier.size()))};
   forEachSidePoint(
       side, multiplier.elements(), opposite,
       [&](const ContactElement& contact, const Opposite::Point& middle) {

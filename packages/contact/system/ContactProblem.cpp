@@ -1,91 +1,241 @@
 #include "contact/system/ContactProblem.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/system/BodyParts.hpp"
+#include "contact/body/CoupledBody.hpp"
+#include "contact/body/IterativeRefinement.hpp"
+#include "contact/compressed/CompressedBody.hpp"
+#include "contact/system/Definiteness.hpp"
+
+#include <algorithm>
 
 namespace epafi::contact {
 
-ContactProblem::ContactProblem(std::unique_ptr<BodyParts> parts)
-    : parts_(std::move(parts)) {}
+using bem::axpy;
+using bem::dot;
 
-ContactProblem::~ContactProblem() = default;
-ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
+namespace {
 
-const Problem& ContactProblem::numbers() const { return parts_->numbers; }
-const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
-const Opposite& ContactProblem::opposite() const { return *parts_->opposite; }
-Index ContactProblem::freeMotions() const { return parts_->body->freeMotions(); }
+/// What rounding has left of a correction; it is a force where |A| is large.  Not more,
+/// or reactions would no longer say what u is worth.
+Vector onlyRounding(Vector correction, const Vector& u) {
+  const double limit = roundingOfCorrections * largestEntry(u);
+  for (double& x : correction)
+    x = std::clamp(x, -limit, limit);
+  return correction;
+}
+
+/// What Fix makes of the prescribed displacement: the whole of u, what the particular solution has
+/// of it included, has no mean motion.
+Vector withoutFixedMotions(const Holding& holding) {
+  const RigidConstraints& rigid = holding.rigid;
+  Vector result = holding.loads.prescribed;
+  for (Index k = 0; k < rigid.fixed(); ++k) {
+    const Vector functional = columnOf(holding.modes.functionals, rigid.fixedModes[k]);
+    double mean = dot(functional, holding.loads.prescribed);
+    if (!holding.means.empty())
+      mean += holding.means[at(rigid.fixedModes[k])];
+    axpy(-rigid.scale(k) * mean, columnOf(rigid.allowed, k), result);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const StabilisedBody> makeStabilisedBody(
+    const BodyInput& input, const MultiplierSpace& multiplier) {
+  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+    throw bem::InputError("the multiplier '", input.basis.name,
+                          "' needs the stabilisation's form None");
+  return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
+                                                 : makeCoupledBody(input, multiplier);
+}
+
+ContactProblem::ContactProblem(const Input& input, OfSystem)
+    : space_(&input.space),
+      units_(input.units),
+      holding_(std::make_shared<Holding>(makeHolding(*space_, input.conditions, units_))),
+      multiplier_(space_->mesh(), input.basis, input.conditions),
+      opposite_(input.opposite ? input.opposite
+                               : std::make_shared<const DistantObstacle>(space_->mesh(),
+                                                                         units_.length)),
+      form_(makeStabilisedBody(input, multiplier_)),
+      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
+  factor(input);
+  setLoads();
+}
+
+ContactProblem::ContactProblem(const ContactProblem& same, const Conditions& conditions)
+    : space_(same.space_),
+      units_(same.units_),
+      holding_(std::make_shared<Holding>(makeHolding(*space_, conditions, units_))),
+      multiplier_(same.multiplier_.under(conditions)),
+      opposite_(same.opposite_),
+      form_(same.form_),
+      stiffness_(same.stiffness_),
+      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)),
+      gamma0_(same.gamma0_) {
+  setLoads();
+}
+
+void ContactProblem::factor(const Input& input) {
+  const double first = input.stabilization.firstGamma0();
+  const bool stabilised = input.stabilization.form != Stabilization::Form::None &&
+                          !multiplier_.elements().empty();
+  gamma0_ = stabilised ? first : 0;
+  try {
+    stiffness_ = form_->held(*holding_);
+    return;
+  } catch (const bem::NumericalError&) {
+    if (form_->subtracted().columns() == 0)
+      throw;
+  }
+  const double definiteBelow = limitGamma0(input, *form_, *holding_);
+  if (input.stabilization.gamma0)
+    throw IndefiniteStiffness(first, definiteBelow);
+  gamma0_ = std::min(first, definiteBelow) / 4;
+  form_ = form_->weakened(gamma0_ / first);
+  stiffness_ = form_->held(*holding_);
+}
+
+void ContactProblem::setLoads() {
+  Loads& loads = holding_->loads;
+  terms_ = form_->residualTerms(multiplier_);
+  if (!terms_.force.empty())
+    axpy(1, terms_.force, loads.load);
+  load_ = loads.largestDisplacement > 0 ? form_->residual(loads.load, loads.prescribed)
+                                        : loads.load;
+  constant_ = withoutFixedMotions(*holding_);
+  numbers_.normals = multiplier_.normals();
+  numbers_.tangentials = obstacle_.tangentials;
+}
+
+Vector ContactProblem::respond(Vector force) const {
+  for (std::size_t j = 0; j < force.size(); ++j)
+    if (holding_->loads.clamped[j] != 0)
+      force[j] = 0;
+  Vector u = stiffness_->solve(force);
+  for (Index k = 0; k < holding_->rigid.allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_->rigid.allowed, k);
+    axpy(-dot(r, force), r, u);
+  }
+  return u;
+}
+
+Vector ContactProblem::push(const State& state, const Vector& met) const {
+  if (!state.multiplier.empty() && pushed_.multiplier != state.multiplier)
+    pushed_ = {state.multiplier, form_->push(state.multiplier)};
+  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : pushed_.force;
+  if (!met.empty())
+    axpy(1, met, force);
+  return force;
+}
+
+Vector ContactProblem::pushing() const {
+  Vector all = load_;
+  all.insert(all.end(), constant_.begin(), constant_.end());
+  return all;
+}
+
+Vector ContactProblem::unpushed() const {
+  Vector u = respond(load_);
+  axpy(1, constant_, u);
+  return u;
+}
+
+Vector ContactProblem::rigidLoad() const {
+  const RigidConstraints& rigid = holding_->rigid;
+  Vector result;
+  for (Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k)
+    result.push_back(dot(columnOf(rigid.allowed, k), load_));
+  return result;
+}
+
 Vector ContactProblem::moved(const double* motions) const {
-  return parts_->body->moved(motions);
-}
-const Vector& ContactProblem::gap() const { return parts_->obstacle.gap; }
-const Vector& ContactProblem::load() const { return parts_->holding.loads.load; }
-const Loads::OfInside& ContactProblem::ofInside() const {
-  return parts_->holding.loads.inside;
-}
-double ContactProblem::gamma0() const { return parts_->gamma0; }
-double ContactProblem::gamma(std::size_t contactElement) const {
-  return parts_->form->gamma(contactElement);
+  Vector u(load_.size(), 0.0);
+  for (Index k = 0; k < freeMotions(); ++k)
+    axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+  return u;
 }
 
 Vector ContactProblem::displacement(const State& state, const Vector& met) const {
-  const Vector still(parts_->body->freeMotions(), 0.0);
-  return parts_->body->displacement(
-      parts_->push(state, met), state.rigid.empty() ? still.data() : state.rigid.data());
-}
-
-bool ContactProblem::byDensity() const { return parts_->form->byDensity(); }
-
-std::vector<bem::Vec2> ContactProblem::meanSlacks(const State& state,
-                                                  const Vector& density) const {
-  return parts_->form->meanSlacks(state.multiplier, density, parts_->terms.compliance);
-}
-
-double ContactProblem::strainEnergy(const State& state,
-                                    const Vector& displacement) const {
-  return parts_->form->strainEnergy(displacement, state.multiplier, parts_->terms);
+  const Vector contactForce = push(state, met);
+  Vector force = load_;
+  axpy(-1, contactForce, force);
+  Vector u = respond(std::move(force));
+  axpy(1, constant_, u);
+  if (!state.rigid.empty())
+    axpy(1, moved(state.rigid.data()), u);
+  if (!stiffness_->isFormed())
+    return u;
+  // What the factor leaves is ε |A| |u|.
+  Vector whole = load();
+  axpy(-1, contactForce, whole);
+  return refined(std::move(u),
+                 [&](const Vector& now) { return respond(form_->residual(whole, now)); });
 }
 
 double ContactProblem::storedEnergy(const State& state,
                                     const Vector& displacement) const {
   const Vector none(displacement.size(), 0.0);
-  const Vector force = parts_->form->residual(none, displacement);  // -A u
-  double twice = 0;
-  for (std::size_t i = 0; i < force.size(); ++i)
-    twice -= force[i] * displacement[i];
+  double twice = -dot(form_->residual(none, displacement), displacement);
   if (!state.multiplier.empty())
-    twice += parts_->form->multiplierWork(state.multiplier);
+    twice += dot(state.multiplier, form_->massTimes(state.multiplier));
   return twice / 2;
 }
 
 Vector ContactProblem::density(const State& state, const Vector& displacement) const {
-  Vector psi = parts_->form->density(displacement, state.multiplier);
-  if (!parts_->terms.density.empty())
-    bem::axpy(1, parts_->terms.density, psi);
+  Vector psi = form_->density(displacement, state.multiplier);
+  if (!terms_.density.empty())
+    axpy(1, terms_.density, psi);
   return psi;
 }
 
 Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
                                    const Vector& met) const {
-  return parts_->body->clampForces(parts_->push(state, met), displacement);
+  const std::vector<char>& clamped = holding_->loads.clamped;
+  Vector forces(clamped.size(), 0.0);
+  if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
+    return forces;
+  Vector rest = load();
+  axpy(-1, push(state, met), rest);
+  rest = form_->residual(rest, displacement);
+  if (stiffness_->isFormed())
+    rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (clamped[i] != 0)
+      forces[i] = -rest[i];
+  return forces;
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
                                  const Vector& met) const {
-  return parts_->body->clampWork(parts_->push(state, met), displacement);
+  const RigidModes& modes = holding_->modes;
+  const Vector forces = clampForces(state, displacement, met);
+  Vector work(3, 0.0);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    for (Index k = 0; k < 3; ++k)
+      work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
+  work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
+  return work;
 }
 
 Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
-  return parts_->body->fixedReactions(parts_->push(state, met));
+  const RigidConstraints& rigid = holding_->rigid;
+  Vector force = load_;
+  axpy(-1, push(state, met), force);
+  Vector reactions(3, 0.0);
+  for (Index k = 0; k < rigid.fixed(); ++k)
+    reactions[at(rigid.fixedModes[at(k)])] =
+        -rigid.scale(k) * dot(columnOf(rigid.allowed, k), force);
+  return reactions;
 }
 
 Vector ContactProblem::fixedMeans(const Vector& displacement) const {
-  const Holding& holding = parts_->holding;
   Vector means(3, 0.0);
   for (std::size_t i = 0; i < displacement.size(); ++i)
-    for (Index k = 0; holding.loads.clamped[i] == 0 && k < 3; ++k)
+    for (Index k = 0; holding_->loads.clamped[i] == 0 && k < 3; ++k)
       means[at(k)] +=
-          holding.modes.functionals(static_cast<Index>(i), k) * displacement[i];
+          holding_->modes.functionals(static_cast<Index>(i), k) * displacement[i];
   return means;
 }
 

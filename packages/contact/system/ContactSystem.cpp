@@ -1,9 +1,11 @@
 #include "contact/system/ContactSystem.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/system/Couplings.hpp"
 #include "contact/system/InsideTerms.hpp"
 #include "contact/system/RigidDrives.hpp"
 
@@ -15,6 +17,15 @@ namespace epafi::contact {
 using bem::axpy;
 
 struct ContactSystem::Parts {
+  Parts(std::vector<ContactProblem> all, const Numbering& numbers_,
+        std::shared_ptr<const Couplings> coupled, RigidDrives drives,
+        const std::vector<Wear>& wearBefore)
+      : bodies(std::move(all)),
+        numbering(numbers_),
+        couplings(std::move(coupled)),
+        rigid(std::move(drives)),
+        wear(bodies, numbering, wearBefore) {}
+
   std::vector<ContactProblem> bodies;
   Numbering numbering;
   std::shared_ptr<const Couplings> couplings;
@@ -29,59 +40,70 @@ struct ContactSystem::Parts {
   std::vector<LoadResponses> toLoads{};
 
   std::size_t size() const { return bodies.size(); }
-  const BodyParts& part(std::size_t b) const { return *bodies[b].parts_; }
-  static AllBodyParts partsOf(const std::vector<ContactProblem>& bodies) {
-    AllBodyParts parts;
-    for (const ContactProblem& body : bodies)
-      parts.push_back(body.parts_.get());
-    return parts;
+  bool isFormed() const { return bodies.front().stiffness().isFormed(); }
+  /// C_b u
+  Vector pull(std::size_t b, const Vector& u) const {
+    return couplings->gathered(b, bodies[b].form().pull(u), u);
   }
 
+  ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
   void condenseAll(const std::vector<BodyInput>& inputs) {
-    std::vector<ElasticBody::Response> responses;
-    if (part(0).body->compressed() != nullptr) {
-      std::vector<CompressedInput> compressed;
-      std::vector<std::shared_ptr<const CompressedHolding>> held;
-      for (std::size_t b = 0; b < size(); ++b) {
-        responses.push_back(part(b).body->response(
-            [&](const Vector& u) { return couplings->pull(b, part(b), u); }));
-        compressed.push_back(
-            {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
-        held.push_back(part(b).body->compressed());
+    Matrix d = isFormed() ? couplings->multiplierMass(bodies) : Matrix();
+    std::vector<Vector> columns;  // of G
+    for (std::size_t b = 0; b < size(); ++b) {
+      const RigidConstraints& rigidOf = bodies[b].holding().rigid;
+      for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
+        Vector moved = pull(b, columnOf(rigidOf.allowed, k));
+        for (Index j = 0; j < d.columns(); ++j)
+          for (Index i = 0; i < d.rows(); ++i)
+            d(i, j) -= moved[at(i)] * moved[at(j)];
+        if (k >= rigidOf.fixed())
+          columns.push_back(std::move(moved));
       }
-      const auto flexibility = std::make_shared<const CompressedFlexibility>(
-          makeCompressedCoupling(compressed, inputs.front().stabilization, part(0).units),
-          std::move(held));
-      numbers = condense(flexibility->size() <= inputs.front().formedUpTo
-                             ? Flexibility(flexibility->formed())
-                             : Flexibility(flexibility),
-                         responses);
-    } else {
-      for (std::size_t b = 0; b < size(); ++b)
-        responses.push_back(part(b).body->response(couplings->transposed(b, part(b))));
-      numbers = condense(couplings->multiplierMass(partsOf(bodies)), responses);
+      if (isFormed())
+        d = addGram(std::move(d), bodies[b].stiffness().forward(
+                                      couplings->transposed(b, bodies[b].form())));
     }
+    for (Index j = 0; j < d.columns(); ++j)
+      for (Index i = j + 1; i < d.rows(); ++i)
+        d(j, i) = d(i, j);
+    rigid.addFreeMotions(columns);
+    numbers.rigid = Matrix(numbering.size(), static_cast<Index>(columns.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      std::copy(columns[k].begin(), columns[k].end(),
+                numbers.rigid.column(static_cast<Index>(k)));
+    numbers.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(inputs);
     numbers.normals = numbering.normals();
-    if (rigid.freeMotions() > 0)
-      numbers.rigid = rigid.withFreeMotions(numbers.rigid);
-    finish();
+    respond();
   }
 
-  /// The numbers of another time from those of this one.
-  void respondAll(const Parts& same) {
-    numbers = same.numbers.copy();
-    numbers.tangentials.clear();
-    numbers.rigidLoad.clear();
-    numbers.offset.assign(numbering.size(), 0.0);
+  Flexibility compressed(const std::vector<BodyInput>& inputs) const {
+    std::vector<CompressedInput> parts;
+    std::vector<std::shared_ptr<const CompressedHolding>> held;
     for (std::size_t b = 0; b < size(); ++b) {
-      const ElasticBody& body = *part(b).body;
-      const auto respond = [&] { return couplings->pull(b, part(b), body.unpushed()); };
+      parts.push_back({bodies[b].space(), bodies[b].multiplier(), inputs[b].lame,
+                       &bodies[b].opposite()});
+      held.push_back(
+          std::dynamic_pointer_cast<const CompressedHolding>(bodies[b].stiffness_));
+    }
+    const auto flexibility = std::make_shared<const CompressedFlexibility>(
+        makeCompressedCoupling(parts, inputs.front().stabilization, inputs.front().units),
+        std::move(held));
+    return flexibility->size() <= inputs.front().formedUpTo
+               ? Flexibility(flexibility->formed())
+               : Flexibility(flexibility);
+  }
+
+  /// What loads make of d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b, and all else that is given.
+  void respond() {
+    numbers.offset.assign(at(numbering.size()), 0.0);
+    toLoads.resize(size());
+    for (std::size_t b = 0; b < size(); ++b) {
+      const auto unpushed = [&] { return pull(b, bodies[b].unpushed()); };
       // with a factored matrix a solution costs as little
-      axpy(1,
-           body.compressed() != nullptr ? toLoads[b].of(body.pushing(), respond)
-                                        : respond(),
+      axpy(1, isFormed() ? unpushed() : toLoads[b].of(bodies[b].pushing(), unpushed),
            numbers.offset);
-      const Vector load = body.rigidLoad();
+      const Vector load = bodies[b].rigidLoad();
       numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
     }
     finish();
@@ -93,26 +115,27 @@ struct ContactSystem::Parts {
     gap.assign(numbering.normals(), 0.0);
     jump.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
-      const BodyParts& own = part(b);
-      if (const auto amplification = own.multiplier.basis().amplification)
-        for (const auto& element : own.multiplier.elements())
+      const Obstacle& obstacle = bodies[b].obstacle();
+      const MultiplierSpace& multiplier = bodies[b].multiplier();
+      if (const auto amplification = multiplier.basis().amplification)
+        for (const auto& element : multiplier.elements())
           numbers.amplification =
               std::max(numbers.amplification, amplification(element.degree));
-      for (const Tangential& tangential : own.numbers.tangentials)
+      for (const Tangential& tangential : obstacle.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
       for (Index i = 0; i < numbering.sizeOf(b); ++i) {
         const Index k = numbering(b, i);
-        jump[k] = own.obstacle.jump[i];
+        jump[k] = obstacle.jump[i];
         if (i < numbering.normalsOf(b))
-          gap[k] = own.obstacle.gap[i];
+          gap[k] = obstacle.gap[i];
       }
-      for (const auto& [row, column, value] : own.obstacle.surface.linear)
+      for (const auto& [row, column, value] : obstacle.surface.linear)
         numbers.surface.linear.push_back(
             {numbering(b, row), numbering(b, column), value});
-      for (const auto& [i, length, law] : own.obstacle.surface.places)
+      for (const auto& [i, length, law] : obstacle.surface.places)
         numbers.surface.places.push_back({numbering(b, i), length, law});
     }
-    ofInside = insideTerms(partsOf(bodies), numbering);
+    ofInside = insideTerms(bodies, numbering);
     addGiven(numbers.offset);
     rigid.addForces(numbers);
     setScale(loadSize());
@@ -132,17 +155,17 @@ struct ContactSystem::Parts {
 
   void setScale(double load) {
     numbers.stress = load > 0 ? load : 1;
-    for (const ContactProblem& body : bodies)
-      body.parts_->numbers.stress = numbers.stress;
+    for (ContactProblem& body : bodies)
+      body.numbers_.stress = numbers.stress;
   }
 
   double loadSize() const {
     double load = rigid.loadSize();
-    for (std::size_t b = 0; b < size(); ++b)
-      load += part(b).size();
+    for (const ContactProblem& body : bodies)
+      load += body.loadSize();
     // shear has the size of what presses, however far that slides
     for (std::size_t b = 0; b < size() && load == 0; ++b)
-      load = part(b).obstacle.largestSliding;
+      load = bodies[b].obstacle().largestSliding;
     return load;
   }
 };
@@ -153,45 +176,42 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
   std::vector<ContactProblem> bodies;
   std::vector<Numbering::Count> counts;
   for (const BodyInput& input : inputs) {
-    bodies.push_back(ContactProblem(std::make_unique<BodyParts>(input)));
+    bodies.push_back(ContactProblem(input, ContactProblem::OfSystem()));
     const MultiplierSpace& multiplier = bodies.back().multiplier();
     counts.push_back({multiplier.normals(), multiplier.size()});
   }
   const Numbering numbering(counts);
-  const AllBodyParts all = Parts::partsOf(bodies);
-  parts_ =
-      std::make_unique<Parts>(Parts{std::move(bodies),
-                                    numbering,
-                                    std::make_shared<const Couplings>(all, numbering),
-                                    {rigid, all, numbering},
-                                    {all, numbering, {}}});
+  auto couplings = std::make_shared<const Couplings>(bodies, numbering);
+  RigidDrives drives(rigid, bodies, numbering);
+  parts_ = std::make_unique<Parts>(std::move(bodies), numbering, std::move(couplings),
+                                   std::move(drives), std::vector<Wear>());
   parts_->condenseAll(inputs);
   parts_->wear.setSlips({}, parts_->numbers.surface);
 }
 
 ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
-ContactProblem::ContactProblem(const BodyInput& input) {
-  ContactSystem alone({input});
-  parts_ = std::move(alone.parts_->bodies.front().parts_);
-  parts_->numbers = std::move(alone.parts_->numbers);
+ContactProblem ContactSystem::onlyBody() && {
+  ContactProblem body = std::move(parts_->bodies.front());
+  body.numbers_ = std::move(parts_->numbers);
+  return body;
 }
+
+ContactProblem::ContactProblem(const Input& input)
+    : ContactProblem(ContactSystem({input}).onlyBody()) {}
 
 ContactSystem ContactSystem::under(const Step& step) const {
   assert(step.conditions.size() == size() && step.rigid.size() == drives().size());
   std::vector<ContactProblem> bodies;
   for (std::size_t b = 0; b < size(); ++b)
-    bodies.push_back(
-        ContactProblem(std::make_unique<BodyParts>(*body(b).parts_, step.conditions[b])));
-  const AllBodyParts all = Parts::partsOf(bodies);
-  auto parts = std::make_unique<Parts>(Parts{std::move(bodies),
-                                             numbering(),
-                                             parts_->couplings,
-                                             parts_->rigid.under(step.rigid),
-                                             {all, numbering(), step.wearBefore}});
+    bodies.push_back(ContactProblem(body(b), step.conditions[b]));
+  auto parts = std::make_unique<Parts>(std::move(bodies), numbering(), parts_->couplings,
+                                       parts_->rigid.under(step.rigid), step.wearBefore);
+  parts->numbers = numbers().copy();
+  parts->numbers.tangentials.clear();
+  parts->numbers.rigidLoad.clear();
   parts->toLoads = step.responses;
-  parts->toLoads.resize(size());
-  parts->respondAll(*parts_);
+  parts->respond();
   parts->wear.setSlips({}, parts->numbers.surface);
   parts->setScale(std::max(parts->loadSize(), step.largestLoad));
   if (!step.defectBefore.empty()) {
@@ -207,11 +227,11 @@ ContactSystem ContactSystem::under(const Step& step) const {
 
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
-  for (std::size_t b = 0; b < size(); ++b)
-    axpy(1,
-         parts_->couplings->contactTerms(b, parts_->part(b), at.displacements[b],
-                                         at.bodies[b].multiplier),
-         r);
+  for (std::size_t b = 0; b < size(); ++b) {
+    Vector own = body(b).form().pull(at.displacements[b]);
+    axpy(-1, body(b).form().massTimes(at.bodies[b].multiplier), own);
+    axpy(1, parts_->couplings->gathered(b, own, at.displacements[b]), r);
+  }
   parts_->addGiven(r);
   const Index ofRigid = parts_->rigid.freeMotions();
   for (Index k = numbers().rigidMotions() - ofRigid; k < numbers().rigidMotions(); ++k)
@@ -226,7 +246,7 @@ Vector ContactSystem::penetration(const Configuration& at) const {
 Vector ContactSystem::lengths() const {
   Vector all(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    const bem::Mesh& mesh = parts_->part(b).space.mesh();
+    const bem::Mesh& mesh = body(b).space().mesh();
     for (const auto& element : body(b).multiplier().elements()) {
       const double share = 2 * mesh[element.element].half / (element.degree + 1);
       for (int i = 0; i <= element.degree; ++i) {
@@ -339,7 +359,7 @@ Configuration ContactSystem::configuration(State state) const {
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    result.met.push_back(parts_->couplings->pressOn(b, parts_->part(b), result.bodies));
+    result.met.push_back(parts_->couplings->pressOn(b, result.bodies));
     result.displacements.push_back(body(b).displacement(result.bodies[b], result.met[b]));
   }
   result.rigid = parts_->rigid.motions(motions);

@@ -122,6 +122,7 @@ class ContactSystem {
   Vector penetration(const Configuration& at) const;
 
   friend class ContactProblem;  // is a system of one body
+  ContactProblem onlyBody() &&;
   struct Parts;
   explicit ContactSystem(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

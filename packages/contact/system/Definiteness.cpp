@@ -1,7 +1,7 @@
 #include "contact/system/Definiteness.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
-#include "contact/system/BodyParts.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 

@@ -2,26 +2,27 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/opposite/SidePoints.hpp"
-#include "contact/system/BodyParts.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 namespace epafi::contact {
 
-Vector insideTerms(const AllBodyParts& bodies, const Numbering& numbering) {
+Vector insideTerms(const std::vector<ContactProblem>& bodies,
+                   const Numbering& numbering) {
   const auto insideOf = [&](std::size_t b) -> const Inside& {
-    return bodies[b]->multiplier.conditions().inside;
+    return bodies[b].multiplier().conditions().inside;
   };
   Vector terms;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (insideOf(b))
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
-    const BodyParts& own = *bodies[b];
-    const Vector& stabilised = own.terms.terms;
+    const ContactProblem& own = bodies[b];
+    const Vector& stabilised = own.terms().terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
-    const bem::Mesh& mesh = own.space.mesh();
+    const bem::Mesh& mesh = own.space().mesh();
     forEachSidePoint(
-        mesh, own.multiplier.elements(), *own.opposite,
+        mesh, own.multiplier().elements(), own.opposite(),
         [](const auto& contact, const Opposite::Point&) {
           return &bem::gaussForGiven(contact.degree);
         },
@@ -32,10 +33,10 @@ Vector insideTerms(const AllBodyParts& bodies, const Numbering& numbering) {
             u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
           if (met.element >= 0 && insideOf(at(met.body)))
             u = u - insideOf(at(met.body))
-                        ->displacement(bodies[at(met.body)]->space.mesh(), met.element,
+                        ->displacement(bodies[at(met.body)].space().mesh(), met.element,
                                        met.t);
           point.forEachCoefficient(
-              own.multiplier.basis().values(point.contact.degree, point.t),
+              own.multiplier().basis().values(point.contact.degree, point.t),
               [&](Index i, double chi, bem::Vec2 direction) {
                 terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
               });

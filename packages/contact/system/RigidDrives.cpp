@@ -9,12 +9,13 @@ namespace epafi::contact {
 namespace {
 
 /// Of one body, on all multipliers.
-RigidTraces tracesOf(int body, const AllBodyParts& bodies, const Numbering& numbering) {
+RigidTraces tracesOf(int body, const std::vector<ContactProblem>& bodies,
+                     const Numbering& numbering) {
   std::vector<RigidTraces> parts;
   RigidTraces all{Matrix(numbering.size(), 3)};
-  for (const BodyParts* met : bodies) {
+  for (const ContactProblem& met : bodies) {
     parts.push_back(
-        rigidTraces(met->space.mesh(), met->multiplier, *met->opposite, body));
+        rigidTraces(met.space().mesh(), met.multiplier(), met.opposite(), body));
     all.lever = std::max(all.lever, parts.back().lever);
     all.length += parts.back().length;
   }
@@ -29,7 +30,8 @@ RigidTraces tracesOf(int body, const AllBodyParts& bodies, const Numbering& numb
 
 }  // namespace
 
-RigidDrives::RigidDrives(std::vector<Drive> drives, const AllBodyParts& bodies,
+RigidDrives::RigidDrives(std::vector<Drive> drives,
+                         const std::vector<ContactProblem>& bodies,
                          const Numbering& numbering)
     : drives_(std::move(drives)) {
   std::vector<RigidTraces> traces;
@@ -80,16 +82,12 @@ double RigidDrives::loadSize() const {
   return load;
 }
 
-Matrix RigidDrives::withFreeMotions(const Matrix& elastic) const {
-  Matrix all(traces_->front().traces.rows(), elastic.columns() + freeMotions());
-  Index column = 0;
-  for (; column < elastic.columns(); ++column)
-    std::copy_n(elastic.column(column), elastic.rows(), all.column(column));
+void RigidDrives::addFreeMotions(std::vector<Vector>& columns) const {
   forEachFree([&](std::size_t k, std::size_t c) {
-    std::transform(trace(k, c), trace(k, c) + all.rows(), all.column(column++),
+    Vector& column = columns.emplace_back(at((*traces_)[k].traces.rows()));
+    std::transform(trace(k, c), trace(k, c) + column.size(), column.begin(),
                    std::negate<>());
   });
-  return all;
 }
 
 void RigidDrives::addGiven(Vector& penetration) const {

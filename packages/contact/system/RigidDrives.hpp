@@ -2,7 +2,7 @@
 
 #include "contact/opposite/RigidBodies.hpp"
 #include "contact/problem/Numbering.hpp"
-#include "contact/system/Couplings.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <memory>
 
@@ -12,7 +12,7 @@ namespace epafi::contact {
 /// do to all multipliers.
 class RigidDrives {
  public:
-  RigidDrives(std::vector<Drive> drives, const AllBodyParts& bodies,
+  RigidDrives(std::vector<Drive> drives, const std::vector<ContactProblem>& bodies,
               const Numbering& numbering);
   /// The same bodies at another time of a path.
   RigidDrives under(std::vector<Drive> drives) const;
@@ -22,8 +22,8 @@ class RigidDrives {
   /// Σ over bodies: of given motions and, as pressures on what is met, of forces.
   double loadSize() const;
 
-  /// Elastic bodies' columns of G, then one -T m for each free motion m.
-  Matrix withFreeMotions(const Matrix& elastic) const;
+  /// Behind elastic bodies' columns of G one -T m for each free motion m.
+  void addFreeMotions(std::vector<Vector>& columns) const;
   /// What given motions add to r, and the forces of free ones, appended to q, and springs to K.
   void addGiven(Vector& penetration) const;
   void addForces(Problem& problem) const;

@@ -17,9 +17,9 @@ constexpr double closed = 1e-9;  // of the load, as in ContactFields
 
 /// visit(element, number of the point, t, weight)
 template <class Visit>
-void forEachPoint(const BodyParts& body, const Visit& visit) {
-  const bem::Mesh& mesh = body.space.mesh();
-  for (const ContactElement& element : body.multiplier.elements()) {
+void forEachPoint(const ContactProblem& body, const Visit& visit) {
+  const bem::Mesh& mesh = body.space().mesh();
+  for (const ContactElement& element : body.multiplier().elements()) {
     const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
     for (int q = 0; q < rule.size(); ++q)
       visit(element, at(element.point + q), rule.points[q],
@@ -28,11 +28,11 @@ void forEachPoint(const BodyParts& body, const Visit& visit) {
 }
 
 /// ∫ f χ_i of values at the points, one per coefficient.
-Vector testedBy(const BodyParts& body, const Vector& values) {
-  Vector result(at(body.multiplier.size()), 0.0);
+Vector testedBy(const ContactProblem& body, const Vector& values) {
+  Vector result(at(body.multiplier().size()), 0.0);
   forEachPoint(
       body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
-        const Vector chi = body.multiplier.basis().values(element.degree, t);
+        const Vector chi = body.multiplier().basis().values(element.degree, t);
         for (int i = 0; i <= element.degree; ++i)
           result[at(element.normalOf(i))] += weight * values[k] * chi[at(i)];
       });
@@ -42,8 +42,8 @@ Vector testedBy(const BodyParts& body, const Vector& values) {
 /// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
 /// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
 /// that of m.
-Vector slipsOf(const BodyParts& body, const Wear& before, const Vector& slip) {
-  Vector result = body.obstacle.slid;
+Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& slip) {
+  Vector result = body.obstacle().slid;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
   // values of a polynomial with these moments are restless unless the basis has them
@@ -51,7 +51,7 @@ Vector slipsOf(const BodyParts& body, const Wear& before, const Vector& slip) {
       slip.empty() ? Vector{} : testedBy(body, Vector(result.size(), 1.0));
   forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
     if (element.tangential >= 0 && !slip.empty()) {
-      const Vector chi = body.multiplier.basis().values(element.degree, t);
+      const Vector chi = body.multiplier().basis().values(element.degree, t);
       result[k] = 0;
       for (int i = 0; i <= element.degree; ++i)
         result[k] += chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
@@ -65,14 +65,15 @@ Vector slipsOf(const BodyParts& body, const Wear& before, const Vector& slip) {
 
 }  // namespace
 
-StepWear::StepWear(AllBodyParts bodies, Numbering numbering, std::vector<Wear> before)
-    : bodies_(std::move(bodies)),
+StepWear::StepWear(const std::vector<ContactProblem>& bodies, Numbering numbering,
+                   std::vector<Wear> before)
+    : bodies_(bodies),
       numbering_(std::move(numbering)),
       before_(std::move(before)),
       slips_(bodies_.size()),
       rates_(bodies_.size()) {
-  for (const BodyParts* body : bodies_)
-    for (const ContactElement& element : body->multiplier.elements())
+  for (const ContactProblem& body : bodies_)
+    for (const ContactElement& element : body.multiplier().elements())
       wears_ = wears_ || element.condition->wear;
   if (wears_ && !before_.empty())
     testedBefore_ = tested(before_);
@@ -82,7 +83,7 @@ StepWear::StepWear(AllBodyParts bodies, Numbering numbering, std::vector<Wear> b
 Vector StepWear::tested(const std::vector<Wear>& wear) const {
   Vector all(numbering_.size());
   for (std::size_t b = 0; b < bodies_.size() && wears_; ++b) {
-    const Vector own = testedBy(*bodies_[b], wear[b].depth);
+    const Vector own = testedBy(bodies_[b], wear[b].depth);
     for (std::size_t i = 0; i < own.size(); ++i)
       all[at(numbering_(b, static_cast<Index>(i)))] = own[i];
   }
@@ -93,19 +94,19 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
   surface.linear.resize(surface.linear.size() - surface.wearing);
   surface.wearing = surface.linear.size();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const BodyParts& body = *bodies_[b];
+    const ContactProblem& body = bodies_[b];
     Vector own;
     for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
       own.push_back(slip[at(numbering_(b, i))]);
     slips_[b] = slipsOf(body, before_[b], own);
     rates_[b] = slips_[b];
     for (std::size_t k = 0; k < rates_[b].size(); ++k)
-      rates_[b][k] *= body.obstacle.wear[k];
+      rates_[b][k] *= body.obstacle().wear[k];
     if (!wears_)
       continue;
     forEachPoint(
         body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
-          const Vector chi = body.multiplier.basis().values(element.degree, t);
+          const Vector chi = body.multiplier().basis().values(element.degree, t);
           for (int i = 0; i <= element.degree; ++i)
             for (int j = 0; j <= element.degree; ++j)
               if (const double value = weight * rates_[b][k] * chi[at(i)] * chi[at(j)];
@@ -120,20 +121,21 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
 std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
   std::vector<Wear> wear = before_;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const BodyParts& body = *bodies_[b];
+    const ContactProblem& body = bodies_[b];
     Wear& now = wear[b];
     now.depth.resize(slips_[b].size());
     now.distance.resize(slips_[b].size());
-    now.slid = body.obstacle.slid;
+    now.slid = body.obstacle().slid;
     now.rate = rates_[b];
-    const double least = closed * body.numbers.stress;
-    forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t,
-                           double) {
-      const double pressure = body.multiplier.at(states[b].multiplier, element, t).normal;
-      now.depth[k] += rates_[b][k] * pressure;
-      if (pressure > least)
-        now.distance[k] += element.condition->cycles * slips_[b][k];
-    });
+    const double least = closed * body.numbers().stress;
+    forEachPoint(body,
+                 [&](const ContactElement& element, std::size_t k, double t, double) {
+                   const double pressure =
+                       body.multiplier().at(states[b].multiplier, element, t).normal;
+                   now.depth[k] += rates_[b][k] * pressure;
+                   if (pressure > least)
+                     now.distance[k] += element.condition->cycles * slips_[b][k];
+                 });
   }
   return wear;
 }

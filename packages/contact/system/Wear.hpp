@@ -2,7 +2,7 @@
 
 #include "contact/problem/Numbering.hpp"
 #include "contact/problem/Surface.hpp"
-#include "contact/system/Couplings.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 namespace epafi::contact {
 
@@ -22,7 +22,8 @@ struct Wear {
 class StepWear {
  public:
   /// `before`: of each body behind the step before; empty: nothing wore.
-  StepWear(AllBodyParts bodies, Numbering numbering, std::vector<Wear> before);
+  StepWear(const std::vector<ContactProblem>& bodies, Numbering numbering,
+           std::vector<Wear> before);
 
   /// Does anything wear?
   bool wears() const { return wears_; }
@@ -38,7 +39,7 @@ class StepWear {
   std::vector<Wear> behind(const std::vector<State>& states) const;
 
  private:
-  AllBodyParts bodies_;
+  const std::vector<ContactProblem>& bodies_;
   Numbering numbering_;
   std::vector<Wear> before_;
   bool wears_ = false;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bem/space/Space.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace epafi::contact {
+
+using bem::at;
+using bem::Index;
+using bem::Matrix;
+using bem::Vector;
+
+/// How a multiplier acts on the displacements of one body, its own or the opposite one: C_ij, the
+/// work of χ_i d_i (d_i: n or t of the side) on the trace of φ_j, and its work on the exact
+/// rotation less the interpolated one, if the body has arcs.
+struct TraceCoupling {
+  std::vector<bem::Entry> entries;                ///< displacements by multipliers
+  std::shared_ptr<const bem::Rotation> rotation;  ///< of the body; null without arcs
+  Vector rests;  ///< work on r - r_I by multipliers, see bem::Rotation
+
+  /// C u
+  Vector pull(const Vector& u) const;
+  /// force += Cᵀ λ
+  void push(const Vector& multiplier, Vector& force) const;
+  /// transposed += Cᵀ, coefficient i in the column numberOf(i).
+  template <class Numbers>
+  void addTo(Matrix& transposed, const Numbers& numberOf) const {
+    for (const bem::Entry& entry : entries)
+      transposed(entry.row, numberOf(entry.column)) += entry.value;
+    for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
+      for (Index j = 0; j < transposed.rows(); ++j)
+        transposed(j, numberOf(static_cast<Index>(i))) +=
+            rests[i] * rotation->functional()[at(j)];
+  }
+};
+
+}  // namespace epafi::contact
