@@ -8,6 +8,7 @@ find_package(muparser REQUIRED CONFIG)
 find_package(yaml-cpp REQUIRED CONFIG)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED CONFIG)  # drivers/triangulate alone
+find_package(CLI11 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 set(HDF5_PREFER_PARALLEL ON)

@@ -9,7 +9,7 @@ packagesOf() {
       # their -dev packages do not depend on each other: hence the long list of trilinos.
       echo g++ cmake ninja-build
       echo libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libopenblas-dev
-      echo libboost-dev libboost-math-dev libcgal-dev libmuparser-dev libyaml-cpp-dev libptscotch-dev libscotch-dev
+      echo libboost-dev libboost-math-dev libcgal-dev libcli11-dev libmuparser-dev libyaml-cpp-dev libptscotch-dev libscotch-dev
       echo libtrilinos-{teuchos,kokkos,kokkos-kernels,tpetra,belos,thyra,stratimikos,nox}-dev
       echo libtrilinos-{rtop,epetra,epetraext,triutils,xpetra,aztecoo,amesos,amesos2}-dev
       echo libtrilinos-{anasazi,galeri,ifpack,ifpack2,isorropia,ml,shylu,teko}-dev

@@ -5,6 +5,9 @@
 #include "drivers/process/Threads.hpp"
 #include "drivers/scene/Text.hpp"
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
 
 namespace epafi::drivers {
@@ -13,52 +16,71 @@ namespace {
 
 using bem::InputError;
 
-const Option help{"--help", "", "", Offer::Nothing, {}, true};
-
-const Option& optionOf(const Command& command, const std::string& name) {
+[[noreturn]] void refuseOption(const Command& command, const std::string& text) {
   std::vector<std::string> known;
-  for (const Option& option : command.options) {
-    if (option.name == name)
-      return option;
+  for (const Option& option : command.options)
     known.push_back(option.name);
+  known.emplace_back("--help");
+  const std::string name = text.substr(0, text.find('='));
+  throw InputError(command.name, ": unknown option '", name, "'",
+                   bem::suggestion(name, known));
+}
+
+/// What CLI11 would say in words of its own.
+void checkValues(const Command& command, const std::vector<std::string>& arguments) {
+  for (const Option& option : command.options) {
+    const bool wanted = !option.value.empty();
+    if (wanted && !arguments.empty() &&
+        (arguments.back() == option.name || arguments.back() == option.name + "="))
+      throw InputError(command.name, ": ", option.name, " needs a value: ", option.name,
+                       " ", option.value);
+    int given = 0;
+    for (const std::string& argument : arguments) {
+      const bool withValue = argument.rfind(option.name + "=", 0) == 0;
+      if (withValue && !wanted)
+        throw InputError(command.name, ": ", option.name, " takes no value");
+      given += withValue || argument == option.name ? 1 : 0;
+    }
+    if (given > 1 && wanted && !option.repeatable)
+      throw InputError(command.name, ": ", option.name, " is given ", given,
+                       " times; once is allowed");
   }
-  known.push_back(help.name);
-  if (name != help.name && name != "-h")
-    throw InputError(command.name, ": unknown option '", name, "'",
-                     bem::suggestion(name, known));
-  return help;
 }
 
-void checkValues(const Command& command, const Option& option,
-                 const std::vector<std::string>& values) {
-  if (values.size() > 1 && !option.repeatable)
-    throw InputError(command.name, ": ", option.name, " is given ", values.size(),
-                     " times; once is allowed");
-  for (const std::string& value : values) {
-    if (value.empty())
-      throw InputError(command.name, ": ", option.name, ": the value is empty; ",
-                       option.value, " is needed");
-    if (!option.words.empty() &&
-        std::find(option.words.begin(), option.words.end(), value) == option.words.end())
-      throw InputError(command.name, ": ", option.name, ": unknown ",
-                       option.name.substr(2), " '", value, "'",
-                       bem::suggestion(value, option.words));
+void checkWords(const Command& command, const Given& given) {
+  for (const Option& option : command.options)
+    for (const std::string& value : given.values(option.name)) {
+      if (value.empty())
+        throw InputError(command.name, ": ", option.name, ": the value is empty; ",
+                         option.value, " is needed");
+      if (!option.words.empty() && std::find(option.words.begin(), option.words.end(),
+                                             value) == option.words.end())
+        throw InputError(command.name, ": ", option.name, ": unknown ",
+                         option.name.substr(2), " '", value, "'",
+                         bem::suggestion(value, option.words));
+    }
+}
+
+void takeArgument(const Command& command, const std::vector<std::string>& rest,
+                  Given& given) {
+  bool options = true;  // until --, behind which no word is one
+  for (const std::string& text : rest) {
+    if (options && text == "--") {
+      options = false;
+      continue;
+    }
+    if (options && text.size() > 1 && text[0] == '-')
+      refuseOption(command, text);
+    if (command.argument.name.empty())
+      throw InputError(command.name, ": argument '", text,
+                       "' is not understood; usage: ", usageLine(command));
+    if (!given.argument.empty())
+      throw InputError(command.name, ": two arguments, '", given.argument, "' and '",
+                       text, "'; one ", command.argument.what, " is allowed");
+    given.argument = text;
   }
-}
-
-void takeArgument(const Command& command, const std::string& text, Given& given) {
-  if (command.argument.name.empty())
-    throw InputError(command.name, ": argument '", text,
-                     "' is not understood; usage: ", usageLine(command));
-  if (!given.argument.empty())
-    throw InputError(command.name, ": two arguments, '", given.argument, "' and '", text,
-                     "'; one ", command.argument.what, " is allowed");
-  given.argument = text;
-}
-
-void requireArgument(const Command& command, const Given& given) {
   if (given.argument.empty() && !command.argument.name.empty() &&
-      command.argument.required && !given.has(help.name))
+      command.argument.required && !given.has("--help"))
     throw InputError(command.name, ": no ", command.argument.what,
                      " is given; usage: ", usageLine(command));
 }
@@ -77,34 +99,31 @@ std::vector<std::string> Given::values(const std::string& option) const {
 }
 
 Given parseArguments(const Command& command, const std::vector<std::string>& arguments) {
-  Given given;
-  bool options = true;  // until --, behind which no word is one
-  for (auto word = arguments.begin(); word != arguments.end(); ++word) {
-    if (options && *word == "--") {
-      options = false;
-      continue;
-    }
-    if (!options || word->size() < 2 || word->front() != '-') {
-      takeArgument(command, *word, given);
-      continue;
-    }
-    const bool isLast = word + 1 == arguments.end();
-    const std::size_t equals = word->find('=');
-    const bool without = equals == std::string::npos;
-    const Option& option = optionOf(command, word->substr(0, equals));
-    std::vector<std::string>& values = given.options[option.name];
-    if (option.value.empty() && !without)
-      throw InputError(command.name, ": ", option.name, " takes no value");
-    if (option.value.empty())
-      continue;
-    if (isLast && (without || equals + 1 == word->size()))
-      throw InputError(command.name, ": ", option.name, " needs a value: ", option.name,
-                       " ", option.value);
-    values.push_back(without ? *++word : word->substr(equals + 1));
-  }
+  checkValues(command, arguments);
+  CLI::App app;
+  app.set_help_flag();  // --help is one of ours
+  app.allow_extras();
+  app.add_flag("-h,--help")->disable_flag_override();
   for (const Option& option : command.options)
-    checkValues(command, option, given.values(option.name));
-  requireArgument(command, given);
+    if (option.value.empty())
+      app.add_flag(option.name)->disable_flag_override();
+    else
+      app.add_option(option.name)
+          ->expected(1)
+          ->multi_option_policy(option.repeatable ? CLI::MultiOptionPolicy::TakeAll
+                                                  : CLI::MultiOptionPolicy::Throw);
+  try {
+    // CLI11 takes them from the end
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    throw InputError(command.name, ": ", error.what(), "; usage: ", usageLine(command));
+  }
+  Given given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0)
+      given.options[option->get_name()] = option->results();
+  takeArgument(command, app.remaining(), given);
+  checkWords(command, given);
   return given;
 }
 

@@ -24,6 +24,7 @@ class Epafi(CMakePackage):
     depends_on("openblas")
     depends_on("boost@1.74:+math")
     depends_on("cgal@5.5:5")
+    depends_on("cli11@2.1:")
     depends_on("muparser@2.3:")
     depends_on("yaml-cpp@0.7:")
     # Later versions put their libraries into namespaces of CMake.
