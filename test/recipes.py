@@ -17,7 +17,7 @@ ROOT = sys.argv[1]
 # its Trilinos was configured with all of them, its -dev packages do not depend on each other.
 SPACK = {"libopenmpi-dev": "mpi", "openmpi-bin": "mpi", "libhdf5-openmpi-dev": "hdf5+mpi",
          "libopenblas-dev": "openblas", "libboost-dev": "boost", "libboost-math-dev": "boost+math",
-         "libcgal-dev": "cgal", "libmuparser-dev": "muparser",
+         "libcgal-dev": "cgal", "libcli11-dev": "cli11", "libmuparser-dev": "muparser",
          "libyaml-cpp-dev": "yaml-cpp"}
 DEBIAN_ONLY = re.compile(r"lib(pt)?scotch-dev|libtrilinos-(rtop|epetra|epetraext|triutils|xpetra|aztecoo"
                          r"|amesos2?|anasazi|galeri|ifpack2?|isorropia|ml|shylu|teko|zoltan2?|trilinosss"
