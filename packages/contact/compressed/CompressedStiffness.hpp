@@ -32,8 +32,8 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 ///   [ B₀    -Nᵀ     -M   ]
 ///
 /// W, K and V block diagonal by bodies, B₀ with the mortar coupling to opposite bodies;
-/// G, N and
-/// M of Form Density, zero under Form None.  One per body.       [doc/theory/compression.md]
+/// G, N and M of Form Density, zero under Form None.  One per body.
+///                                                       [doc/theory/compression.md]
 /// \throws bem::InputError for another form
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
