@@ -77,7 +77,7 @@ double compressedMemory(const std::vector<BodySize>& sizes, int steps, int proce
     bytes += (14e3 * (1 + 0.13 * std::log2(std::max(b.grading, 1.0))) +
               450.0 * (steps - 1) + 3e3 * (processes - 1)) *
                  b.unknowns() +
-             36e3 * b.multipliers + 6e5 * b.met;
+             36e3 * b.multipliers + 1.4e5 * b.met;
   return processes * programMemory + bytes / mebi;
 }
 
