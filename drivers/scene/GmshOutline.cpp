@@ -1,388 +1,25 @@
 #include "drivers/scene/GmshOutline.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/OutlineChain.hpp"
-#include "drivers/scene/Text.hpp"
+#include "drivers/scene/GmshMesh.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
-#include <map>
 
 namespace epafi::drivers {
 
 namespace {
 
 using bem::InputError;
-using bem::message;
 using bem::Vec2;
 using Tag = NodeTag;
-
-struct Node {
-  bem::Vec2 place;
-  double z = 0;
-};
-
-/// An element of first or second order on a physical curve.
-struct Line {
-  Tag from = 0;
-  Tag to = 0;
-  Tag middle = 0;  ///< of a line of second order, else 0
-  Tag group = 0;
-  int fileLine = 0;
-};
-
-/// What a .msh file says of boundaries: nodes, physical curves and the lines on them.
-struct Mesh {
-  std::map<Tag, std::string> names;        ///< of the physical curves
-  std::map<Tag, std::vector<Tag>> groups;  ///< of the curves
-  std::map<Tag, Node> nodes;
-  std::vector<Line> lines;
-};
-
-/// A file section by section: the words of its lines, or in a binary file the numbers
-/// between the lines that begin and end a section.
-class Sections {
- public:
-  explicit Sections(const std::string& text) : text_(text) {}
-
-  /// The next line that is not empty; false at the end of the file.
-  bool next() {
-    std::string line;
-    do {
-      if (at_ >= text_.size())
-        return false;
-      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-      line = text_.substr(at_, end - at_);
-      at_ = end + 1;
-      ++number_;
-      while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
-        line.pop_back();
-    } while (line.empty());
-    split(line);
-    return true;
-  }
-
-  /// The next line, which must be there; numbers of a binary file stand in no lines.
-  void need(const char* what) {
-    if (!binary_ && !next())
-      failAtEnd(what);
-  }
-
-  bool isBinary() const { return fileIsBinary_; }
-  /// From now to the end of the section numbers are bytes.
-  void beginNumbers() { binary_ = fileIsBinary_; }
-  /// Goes on behind the line `end`, whatever stands before it.
-  void endNumbers(const std::string& end) {
-    if (!binary_)
-      return;
-    binary_ = false;
-    at_ = text_.find(end, at_);
-    if (at_ == std::string::npos)
-      failAtEnd(end.c_str());
-  }
-
-  std::string word(const char* what) {
-    if (word_ == words_.size())
-      fail(message("the line ends where ", what, " should follow"));
-    return words_[word_++];
-  }
-
-  /// Gmsh's int.
-  Tag whole(const char* what) {
-    if (binary_)
-      return bytes<std::int32_t>(what);
-    const std::string text = word(what);
-    const auto value = numberIn<Tag>(text);
-    if (!value)
-      fail(message("'", text, "' is not a whole number; ", what, " is expected"));
-    return *value;
-  }
-
-  /// Gmsh's size_t: a number that counts what follows, or a tag of a node or an element.
-  Tag count(const char* what) {
-    const Tag value = binary_ ? bytes<std::int64_t>(what) : whole(what);
-    if (value < 0)
-      fail(message(what, " is ", value));
-    return value;
-  }
-
-  double real(const char* what) {
-    if (binary_) {
-      const auto value = bytes<double>(what);
-      if (!std::isfinite(value))
-        fail(message(what, " is not finite"));
-      return value;
-    }
-    const std::string text = word(what);
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() + text.size() || !std::isfinite(value))
-      fail(message("'", text, "' is not a finite number; ", what, " is expected"));
-    return value;
-  }
-
-  bool is(const char* keyword) const {
-    return words_.size() == 1 && words_.front() == keyword;
-  }
-  int number() const { return number_; }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(binary_ ? "byte " : "line ", binary_ ? at_ : number_, ": ", what);
-  }
-
-  /// The file's type, as its first section has it; what follows in a binary one tells the
-  /// order of bytes.
-  void setType(Tag type) {
-    if (type != 0 && type != 1)
-      fail(message("file type ", type, " is unknown; 0 is ASCII, 1 is binary"));
-    fileIsBinary_ = type == 1;
-    beginNumbers();
-    if (binary_ && whole("1") != 1)
-      fail("the mesh was written in another order of bytes; write it as ASCII");
-    endNumbers("$EndMeshFormat");
-  }
-
- private:
-  [[noreturn]] void failAtEnd(const char* what) const {
-    throw InputError("line ", number_, ": the file ends where ", what, " should follow");
-  }
-
-  template <class Number>
-  Number bytes(const char* what) {
-    Number value;
-    if (text_.size() - at_ < sizeof value)
-      failAtEnd(what);
-    std::memcpy(&value, text_.data() + at_, sizeof value);
-    at_ += sizeof value;
-    return value;
-  }
-
-  void split(const std::string& line) {
-    words_.clear();
-    word_ = 0;
-    for (std::size_t i = 0; i < line.size();) {
-      if (line[i] == ' ' || line[i] == '\t') {
-        ++i;
-        continue;
-      }
-      const bool quoted = line[i] == '"';
-      const std::size_t start = quoted ? i + 1 : i;
-      const std::size_t end = line.find_first_of(quoted ? "\"" : " \t", start);
-      if (quoted && end == std::string::npos)
-        fail("a quoted name has no end");
-      words_.push_back(line.substr(start, std::min(end, line.size()) - start));
-      i = end == std::string::npos ? line.size() : end + (quoted ? 1 : 0);
-    }
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0;  ///< the next byte
-  bool fileIsBinary_ = false;
-  bool binary_ = false;
-  std::vector<std::string> words_;
-  std::size_t word_ = 0;
-  int number_ = 0;
-};
-
-void readFormat(Sections& file) {
-  file.need("the format");
-  const std::string version = file.word("the format's version");
-  const Tag type = file.whole("the file type");
-  if (version != "4.1")
-    file.fail(message("format ", version, " is not read, only 4.1; export it again by ",
-                      "gmsh OLD.msh -save -format msh41 -o NEW.msh"));
-  file.setType(type);
-}
-
-void readNames(Sections& file, Mesh& mesh) {
-  file.need("the number of physical names");
-  for (Tag n = file.count("the number of physical names"); n > 0; --n) {
-    file.need("a physical name");
-    const Tag dimension = file.whole("a dimension");
-    const Tag tag = file.whole("a physical tag");
-    const std::string name = file.word("a physical name");
-    if (dimension == 1)
-      mesh.names[tag] = name;
-  }
-}
-
-/// Gmsh marks curves that run backwards by a minus.
-Tag physical(Sections& file) {
-  const Tag tag = file.whole("a physical tag");
-  return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
-}
-
-/// A point or a curve after its tag: the box it fills, then its physical groups.
-std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
-  for (int i = 0; i < reals; ++i)
-    file.real("a bounding box");
-  std::vector<Tag> groups;
-  for (Tag g = file.count("the number of physical tags"); g > 0; --g)
-    groups.push_back(physical(file));
-  return groups;
-}
-
-/// Points, then curves; the rest of the section is skipped.
-void readEntities(Sections& file, Mesh& mesh) {
-  file.need("the numbers of entities");
-  const Tag points = file.count("the number of points");
-  const Tag curves = file.count("the number of curves");
-  for (const char* what : {"the number of surfaces", "the number of volumes"})
-    file.count(what);
-  for (Tag n = 0; n < points; ++n) {
-    file.need("a point");
-    file.whole("a point's tag");
-    groupsOfEntity(file, 3);
-  }
-  for (Tag n = 0; n < curves; ++n) {
-    file.need("a curve");
-    const Tag tag = file.whole("a curve's tag");
-    mesh.groups[tag] = groupsOfEntity(file, 6);
-    for (Tag ends = file.count("the number of end points"); ends > 0; --ends)
-      file.whole("a point's tag");
-  }
-}
-
-/// The number of blocks; what else stands there nobody needs.
-Tag countBlocks(Sections& file, const char* what) {
-  file.need(what);
-  const Tag blocks = file.count("the number of blocks");
-  for (int i = 0; i < 3; ++i)
-    file.count(what);
-  return blocks;
-}
-
-void readNodes(Sections& file, Mesh& mesh) {
-  for (Tag blocks = countBlocks(file, "the numbers of nodes"); blocks > 0; --blocks) {
-    file.need("a block of nodes");
-    const Tag dimension = file.whole("a dimension");
-    file.whole("an entity's tag");
-    const bool parametric = file.whole("'parametric'") != 0;
-    const Tag count = file.count("the number of nodes");
-    std::vector<Tag> tags;
-    for (Tag n = 0; n < count; ++n) {
-      file.need("a node's tag");
-      tags.push_back(file.count("a node's tag"));
-    }
-    for (const Tag tag : tags) {
-      file.need("a node");
-      const double x = file.real("x");
-      const double y = file.real("y");
-      const double z = file.real("z");
-      for (Tag i = 0; parametric && i < std::min<Tag>(dimension, 3); ++i)
-        file.real("a parameter");
-      if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
-        file.fail(message("node ", tag, " is given twice"));
-    }
-  }
-}
-
-bool isOfHigherOrder(Tag type) {
-  return (26 <= type && type <= 28) || (62 <= type && type <= 66);
-}
-
-Tag groupOf(const Sections& file, const Mesh& mesh, Tag curve) {
-  const auto found = mesh.groups.find(curve);
-  if (found == mesh.groups.end() || found->second.empty())
-    return 0;
-  if (found->second.size() > 1)
-    file.fail(message("curve ", curve, " belongs to ", found->second.size(),
-                      " physical groups; an edge has one name"));
-  return found->second.front();
-}
-
-/// The lines of a block on a curve.
-void readLines(Sections& file, Mesh& mesh, Tag type, Tag group, Tag count) {
-  constexpr Tag segment = 1;
-  constexpr Tag secondOrder = 8;
-  for (Tag n = 0; n < count; ++n) {
-    file.need("an element");
-    file.count("an element's number");
-    if (isOfHigherOrder(type))
-      file.fail(
-          "a line element of third or higher order; write straight ones or arcs "
-          "(Mesh.ElementOrder = 1 or 2)");
-    if (type != segment && type != secondOrder)
-      file.fail(message("an element of type ", type, " on a curve"));
-    Line line;
-    line.from = file.count("a node's tag");
-    line.to = file.count("a node's tag");
-    if (type == secondOrder)
-      line.middle = file.count("a node's tag");
-    line.group = group;
-    line.fileLine = file.number();
-    if (group != 0)
-      mesh.lines.push_back(line);
-  }
-}
-
-/// Points, lines, then what fills the plane, which is skipped.
-void readElements(Sections& file, Mesh& mesh) {
-  for (Tag blocks = countBlocks(file, "the numbers of elements"); blocks > 0; --blocks) {
-    file.need("a block of elements");
-    const Tag dimension = file.whole("a dimension");
-    const Tag entity = file.whole("an entity's tag");
-    const Tag type = file.whole("an element's type");
-    const Tag count = file.count("the number of elements");
-    if (dimension == 1) {
-      readLines(file, mesh, type, groupOf(file, mesh, entity), count);
-      continue;
-    }
-    if (dimension > 1 && file.isBinary())
-      return;  // Gmsh writes them last
-    for (Tag n = 0; n < count; ++n) {
-      file.need("an element");
-      file.count("an element's number");
-      file.count("a node's tag");
-    }
-  }
-}
-
-/// Format 4.1, ASCII or binary; elements that are no lines of a physical group are skipped, and
-/// what follows the first elements that fill the plane.
-Mesh readMesh(const std::string& text) {
-  struct Section {
-    const char* name;
-    void (*read)(Sections& file, Mesh& mesh);
-  };
-  constexpr Section numbers[] = {
-      {"Entities", readEntities}, {"Nodes", readNodes}, {"Elements", readElements}};
-  Sections file(text);
-  Mesh mesh;
-  if (!file.next() || !file.is("$MeshFormat"))
-    throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
-  readFormat(file);
-  bool elements = false;
-  while (file.next()) {
-    if (file.is("$PhysicalNames"))
-      readNames(file, mesh);
-    for (const Section& section : numbers)
-      if (file.is(message("$", section.name).c_str())) {
-        file.beginNumbers();
-        section.read(file, mesh);
-        file.endNumbers(message("$End", section.name));
-        elements = elements || section.read == readElements;
-        break;
-      }
-  }
-  if (!elements)
-    throw InputError("line ", file.number(), ": the file has no $Elements");
-  if (mesh.lines.empty())
-    throw InputError(
-        "no line element belongs to a physical group; name the boundary's curves "
-        "(Physical Curve(\"name\") = {...};)");
-  return mesh;
-}
 
 /// Three points are on a straight line where it turns by less (in radians).
 constexpr double straight = 1e-9;
 
-std::vector<Tag> nodesOf(const Line& line) {
+std::vector<Tag> nodesOf(const GmshLine& line) {
   std::vector<Tag> nodes = {line.from, line.to};
   if (line.middle != 0)
     nodes.push_back(line.middle);
@@ -390,11 +27,11 @@ std::vector<Tag> nodesOf(const Line& line) {
 }
 
 /// \throws bem::InputError unless all nodes of lines are there, in one plane.
-void checkNodes(const Mesh& mesh) {
+void checkNodes(const GmshMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   double size = 0;
-  for (const Line& line : mesh.lines)
+  for (const GmshLine& line : mesh.lines)
     for (const Tag tag : nodesOf(line)) {
       const auto node = mesh.nodes.find(tag);
       if (node == mesh.nodes.end())
@@ -409,14 +46,14 @@ void checkNodes(const Mesh& mesh) {
                      " to ", most);
 }
 
-std::string nameOf(const Mesh& mesh, Tag group) {
+std::string nameOf(const GmshMesh& mesh, Tag group) {
   const auto name = mesh.names.find(group);
   return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
 
 /// tan(angle/4) of the arc through a line's nodes: half of its angle is what the chords to
 /// the middle one turn by.
-double bulgeOf(const Mesh& mesh, const Line& line) {
+double bulgeOf(const GmshMesh& mesh, const GmshLine& line) {
   if (line.middle == 0)
     return 0;
   const Vec2 middle = mesh.nodes.at(line.middle).place;
@@ -434,14 +71,14 @@ double bulgeOf(const Mesh& mesh, const Line& line) {
 }  // namespace
 
 bem::Loops readGmsh(const std::string& text) {
-  const Mesh mesh = readMesh(text);
+  const GmshMesh mesh = readGmshMesh(text);
   checkNodes(mesh);
   OutlinePieces outline;
   outline.advice =
       "all of its curves need a physical group (lines without one are not read)";
   for (const auto& [tag, node] : mesh.nodes)
     outline.nodes[tag] = node.place;
-  for (const Line& line : mesh.lines)
+  for (const GmshLine& line : mesh.lines)
     outline.pieces.push_back({line.from, line.to, bulgeOf(mesh, line),
                               nameOf(mesh, line.group), line.fileLine});
   return chained(outline);

@@ -1,0 +1,63 @@
+#include "drivers/run/Stiffness.hpp"
+
+#include "bem/operators/ExactRotation.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
+
+namespace epafi::drivers {
+
+namespace {
+
+std::vector<bem::SteklovPoincare> compressedStiffness(const Scene& scene,
+                                                      const BodySpaces& spaces,
+                                                      const std::vector<bem::Lame>& lames,
+                                                      const bem::Processes& processes) {
+  std::vector<contact::CompressedInput> bodies;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    bodies.push_back(
+        {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
+  return contact::makeCompressedStiffness(bodies, scene.stabilization, scene.units(),
+                                          processes, scene.linear.compression);
+}
+
+bem::Operators denseOperators(const Scene& scene, const BodySpaces& spaces, std::size_t b,
+                              const bem::Lame& lame) {
+  const bem::Space& space = spaces.space(b);
+  return bem::withExactRotation(
+      bem::assembleOperators(
+          space, lame,
+          contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
+      space);
+}
+
+}  // namespace
+
+std::vector<bem::SteklovPoincare> makeStiffness(
+    const Scene& scene, const BodySpaces& spaces, const std::vector<bem::Lame>& lames,
+    bool compressed, const bem::SingleLayerSolver* krylov,
+    const bem::Processes& processes, PhaseTimer& timer) {
+  if (compressed)
+    return timer.run(Phase::Factorization, [&] {
+      return compressedStiffness(scene, spaces, lames, processes);
+    });
+  std::vector<bem::Operators> operators = timer.run(Phase::Assembly, [&] {
+    std::vector<bem::Operators> all;
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      all.push_back(denseOperators(scene, spaces, b, lames[b]));
+    return all;
+  });
+  return timer.run(Phase::Factorization, [&] {
+    std::vector<bem::SteklovPoincare> all;
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      const bem::LocalCompliance compliance =
+          contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
+                                     scene.stabilization, lames[b], scene.units());
+      all.push_back(
+          krylov != nullptr
+              ? bem::SteklovPoincare(std::move(operators[b]), *krylov, compliance)
+              : bem::SteklovPoincare(std::move(operators[b]), compliance));
+    }
+    return all;
+  });
+}
+
+}  // namespace epafi::drivers
