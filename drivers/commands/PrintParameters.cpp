@@ -27,7 +27,7 @@ std::string standardOf(const Parameter& row) {
     return "required";
   if (isList(row))
     return "may be left out";
-  return row.standard.empty() ? "none" : row.standard;
+  return row.defaultValue.empty() ? "none" : row.defaultValue;
 }
 
 std::string typeOf(const Parameter& row) {
@@ -70,8 +70,8 @@ std::string plainText(const bem::SchemaRows& rows) {
 
 /// A value that the type accepts, for a key without a default.
 std::string sample(const Parameter& row) {
-  if (!row.standard.empty())
-    return row.standard;
+  if (!row.defaultValue.empty())
+    return row.defaultValue;
   if (!row.allowed.empty())
     return row.kind == Kind::Names ? "{" + row.allowed.front() + "}"
                                    : row.allowed.front();

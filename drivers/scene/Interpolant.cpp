@@ -187,7 +187,7 @@ bem::SchemaRows tableRows() {
           "between the points; Cubic (modified Akima) has no corners and hardly "
           "overshoots; Spline has continuous curvature, which the pressure under a "
           "profile asks for")
-          .standard(interpolations[0].name)
+          .defaultValue(interpolations[0].name)
           .allowed(bem::namesOf(interpolations)),
   };
 }

@@ -113,7 +113,7 @@ bem::SchemaRows meshRows(const char* degree) {
           "equal elements on each edge of hole k"),
       Row("Mesh Size", Kind::Real, "length", bem::above(0),
           "largest element; each edge gets the smallest number of equal ones"),
-      degree != nullptr ? ownDegree.standard(degree) : ownDegree,
+      degree != nullptr ? ownDegree.defaultValue(degree) : ownDegree,
   };
 }
 

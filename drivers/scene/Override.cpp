@@ -14,8 +14,8 @@ using bem::lastOf;
 using Teuchos::ParameterList;
 
 struct RemovedKey {
-  const char* path;      ///< A->B->Key, not below a name of the scene's choice
-  const char* standard;  ///< the default that it had
+  const char* path;          ///< A->B->Key, not below a name of the scene's choice
+  const char* defaultValue;  ///< the default that it had
   const char* instead;
 };
 
@@ -118,7 +118,7 @@ void dropRemovedKeys(ParameterList& scene) {
     if (holder == nullptr)
       continue;
     const std::string name = lastOf(key.path);
-    if (Teuchos::toString(holder->getEntry(name).getAny()) != key.standard)
+    if (Teuchos::toString(holder->getEntry(name).getAny()) != key.defaultValue)
       refuse(key);
     holder->remove(name);
   }

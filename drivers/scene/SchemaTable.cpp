@@ -36,13 +36,13 @@ void addBody(Table& table) {
           Row("Rigid", Kind::Flag,
               "an outline without elasticity, of which nothing else is said but Geometry "
               "and Motion")
-              .standard("false"),
+              .defaultValue("false"),
           Row("Young's Modulus", Kind::Real, "stress", above(0),
               "Young's modulus E; every body has one unless it is Rigid"),
           Row("Poisson's Ratio", Kind::Real, "1", {-1, 0.5, true, false},
               "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density"),
           Row("Plane State", Kind::Text, "no strain or no stress across the plane")
-              .standard("Plane Strain")
+              .defaultValue("Plane Strain")
               .allowed({"Plane Strain", "Plane Stress"}),
           Row("Density", Kind::Real, "mass / volume", from(0),
               "mass density, of bodies on which Body Loads act"),
@@ -50,7 +50,7 @@ void addBody(Table& table) {
               "coefficient of linear thermal expansion, of bodies with a Temperature"),
           Row("Conductivity", Kind::Real, "power / length / temperature", above(0),
               "of heat; only Heat Flux under Thermal Conditions depends on it")
-              .standard("1"),
+              .defaultValue("1"),
       });
   add(table,
       Row(geometry, Kind::List, "the outline: a polygon of segments and arcs, with holes")
@@ -82,7 +82,7 @@ void addBody(Table& table) {
               "the scene is drawn as one half of what is symmetric about the line x = 0 "
               "(X: mirrored along x) or y = 0 (Y); edges on the line are rollers by "
               "themselves")
-              .standard("None")
+              .defaultValue("None")
               .allowed({"None", "X", "Y"}),
       });
 }
@@ -101,7 +101,7 @@ Table surfaceRows() {
           Row("Cycle Jump", Kind::Expression, "1",
               "how many times each step of the path happens for what wears, >= 1, in t "
               "and constants")
-              .standard("1"),
+              .defaultValue("1"),
       });
   add(rows, Row("Friction", Kind::List, "how much shear the contact carries"),
       contact::frictionRows());
@@ -162,7 +162,7 @@ void addConditions(Table& table) {
   only("Contact", {
                       Row("Gap", Kind::Expression, "length",
                           "distance to the rigid obstacle along the outward normal")
-                          .standard("0"),
+                          .defaultValue("0"),
                   });
   only("Contact", surfaceRows());
   add(table,
@@ -230,7 +230,7 @@ void addSeveralBodies(Table& table) {
           Row("Interference", Kind::Expression, "length",
               "overlap along the first side's outward normal, in addition to that of the "
               "outlines as drawn; alone where Law is Tied")
-              .standard("0"),
+              .defaultValue("0"),
       });
   append(table, surfaceRows(), contact);
 }

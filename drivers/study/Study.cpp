@@ -168,11 +168,11 @@ std::vector<Parameter> makeStudyParameters() {
                     Row("Smallest Eigenvalue", Kind::Flag,
                         "add the smallest eigenvalue of the stabilised stiffness "
                         "relative to the plain one")
-                        .standard("false"),
+                        .defaultValue("false"),
                     Row("Keep Solutions", Kind::Flag,
                         "write history.csv, boundary.csv and solution.hdf of every "
                         "variant, of sweeps too, as `epafi fields` wants them")
-                        .standard("false"),
+                        .defaultValue("false"),
                     Row("Scenes", Kind::List, "the scenes that are solved").required(),
                     Row(scene, Kind::List, "a scene, under a name of your choice"),
                     Row(scene + "->File", Kind::Text,

@@ -19,11 +19,13 @@ const bem::SchemaRows& rows() {
   using bem::Kind;
   using bem::Row;
   static const bem::SchemaRows table = {
-      Row("Tolerance", Kind::Real, "", {0, 1, true, true}, "accuracy").standard(1e-6),
-      Row("Steps", Kind::Whole, "", bem::from(1), "how many").standard(10),
-      Row("Values", Kind::Names, "texts").standard("{}"),
+      Row("Tolerance", Kind::Real, "", {0, 1, true, true}, "accuracy").defaultValue(1e-6),
+      Row("Steps", Kind::Whole, "", bem::from(1), "how many").defaultValue(10),
+      Row("Values", Kind::Names, "texts").defaultValue("{}"),
       Row("Inner", Kind::List, "of its own"),
-      Row("Inner->Law", Kind::Text, "law").standard("None").allowed({"None", "Tresca"}),
+      Row("Inner->Law", Kind::Text, "law")
+          .defaultValue("None")
+          .allowed({"None", "Tresca"}),
   };
   return table;
 }
@@ -129,8 +131,8 @@ struct Options {
 
 TEUCHOS_UNIT_TEST(Schema, aKeyDeclaredOnceHasItsMembersDefaultAndSetsIt) {
   const bem::SchemaRows rows = bem::rowsOf<Options>();
-  TEST_EQUALITY(bem::declared(rows, "Part->Size").standard, "0.25");
-  TEST_EQUALITY(bem::declared(rows, "Shape").standard, "Square");
+  TEST_EQUALITY(bem::declared(rows, "Part->Size").defaultValue, "0.25");
+  TEST_EQUALITY(bem::declared(rows, "Shape").defaultValue, "Square");
   const auto plain = bem::parsed<Options>(bem::complete(rows, {}, ""));
   TEST_EQUALITY(plain.count, 3);
   TEST_EQUALITY(plain.color, "Red");

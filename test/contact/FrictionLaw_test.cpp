@@ -26,7 +26,7 @@ std::shared_ptr<const FrictionLaw> made(const FrictionLawMember& member) {
   Teuchos::ParameterList list;
   for (const bem::SchemaRow& row : member.rows)
     if (row.kind == Kind::Real)
-      list.set(row.name(), std::stod(row.standard));
+      list.set(row.name(), std::stod(row.defaultValue));
   return member.make ? member.make(list) : nullptr;
 }
 
@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(FrictionLaw, aProgramAddsOneToTheTableAndTheKeys) {
       "Offset Coulomb of a test",
       {bem::Row("Coefficient", Kind::Expression, "1", "mu").required(),
        bem::Row("Offset", Kind::Real, "stress", "shear without pressure")
-           .standard("0.5")},
+           .defaultValue("0.5")},
       [](const Teuchos::ParameterList& list) {
         return std::make_shared<const Offset>(list.get<double>("Offset"));
       }};

@@ -47,7 +47,7 @@ void Keys::add(Value value, const std::string& name, const std::string& unit,
   std::visit(
       [&](auto* member) {
         append(rows, {Row(name, kindOf(*member), unit, range, meaning)
-                          .standard(told.empty() ? defaultOf(*member) : told)});
+                          .defaultValue(told.empty() ? defaultOf(*member) : told)});
         if (list_ != nullptr && list_->isParameter(name))
           read(*list_, name, *member);
       },
@@ -56,7 +56,7 @@ void Keys::add(Value value, const std::string& name, const std::string& unit,
 
 void Keys::add(std::string* value, const std::string& name,
                const std::vector<std::string>& allowed, const std::string& meaning) {
-  append(rows, {Row(name, Kind::Text, meaning).standard(*value).allowed(allowed)});
+  append(rows, {Row(name, Kind::Text, meaning).defaultValue(*value).allowed(allowed)});
   if (list_ != nullptr)
     *value = list_->get<std::string>(name);
 }

@@ -69,13 +69,13 @@ std::string describe(const ParameterEntry& entry) {
 ParameterEntry standardOf(const SchemaRow& row) {
   switch (row.kind) {
     case Kind::Real:
-      return ParameterEntry(std::stod(row.standard), true);
+      return ParameterEntry(std::stod(row.defaultValue), true);
     case Kind::Whole:
-      return ParameterEntry(std::stoi(row.standard), true);
+      return ParameterEntry(std::stoi(row.defaultValue), true);
     case Kind::Flag:
-      return ParameterEntry(row.standard == "true", true);
+      return ParameterEntry(row.defaultValue == "true", true);
     default:
-      return ParameterEntry(row.standard, true);
+      return ParameterEntry(row.defaultValue, true);
   }
 }
 
@@ -105,7 +105,7 @@ class Conversion {
                        cells.columns, " columns");
     // a default that used.xml tells apart from what the user wrote remains one
     const Teuchos::any value = result.getAny(false);
-    if (entry_.isDefault() && !row_.standard.empty() &&
+    if (entry_.isDefault() && !row_.defaultValue.empty() &&
         value == standardOf(row_).getAny(false))
       result.setAnyValue(value, true);
     return result;
@@ -348,7 +348,7 @@ class Level {
     if (row.kind == Kind::List && !isAnyName(row.name()))
       Level(table_, constant_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
-    else if (!row.standard.empty())
+    else if (!row.defaultValue.empty())
       result.setEntry(row.name(), standardOf(row));
   }
 

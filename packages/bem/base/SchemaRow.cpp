@@ -97,7 +97,7 @@ void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent
       continue;
     }
     if (other->only.empty() || row.only.empty() || other->kind != row.kind ||
-        other->unit != row.unit || other->standard != row.standard ||
+        other->unit != row.unit || other->defaultValue != row.defaultValue ||
         other->required != row.required || other->range() != row.range())
       throw InputError(row.path, ": two keys of this name that differ");
     if (other->meaning != row.meaning)

@@ -70,8 +70,8 @@ struct SchemaRow {
   std::string path;  ///< A->B->Key, relative to the list of the table
   Kind kind = Kind::Text;
   std::string meaning;
-  std::string unit;      ///< empty for names and lists
-  std::string standard;  ///< default, as in a scene; empty: none
+  std::string unit;          ///< empty for names and lists
+  std::string defaultValue;  ///< default, as in a scene; empty: none
   bool required = false;
   /// The key exists only if the sibling "Type" or "Law" has one of these values; empty:
   /// always.
@@ -105,8 +105,10 @@ struct Row : SchemaRow {
       : Row(name, type, one, sense) {
     interval = range;
   }
-  Row& standard(const std::string& text) { return SchemaRow::standard = text, *this; }
-  Row& standard(double value) { return standard(shortest(value)); }
+  Row& defaultValue(const std::string& text) {
+    return SchemaRow::defaultValue = text, *this;
+  }
+  Row& defaultValue(double value) { return defaultValue(shortest(value)); }
   Row& required() { return SchemaRow::required = true, *this; }
   Row& only(const std::string& selector) { return SchemaRow::only = {selector}, *this; }
   Row& allowed(const std::vector<std::string>& names) {

@@ -23,7 +23,7 @@ LawMember<Law> lawOfFields(const char* name) {
 template <class Law>
 bem::SchemaRows lawRows(const bem::Family<LawMember<Law>>& laws, const char* meaning) {
   bem::SchemaRows table = {bem::Row("Law", bem::Kind::Text, meaning)
-                               .standard(laws.front().name)
+                               .defaultValue(laws.front().name)
                                .allowed(laws.names())};
   for (const LawMember<Law>& law : laws) {
     bem::SchemaRows rows = law.rows;

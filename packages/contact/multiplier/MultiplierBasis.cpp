@@ -179,7 +179,7 @@ const MultiplierBasis& multiplierBasis(const std::string& name) {
 bem::SchemaRow multiplierRow() {
   return bem::Row("Multiplier", bem::Kind::Text,
                   "basis of the contact stress; " + meanings(multiplierBases()))
-      .standard(multiplierBases().front().name)
+      .defaultValue(multiplierBases().front().name)
       .allowed(multiplierBases().names());
 }
 
