@@ -44,7 +44,7 @@ def confined(name, law, steps, path, form="Density", basis=BASES[0]):
 K = 2.0
 SLIDING = "max(0, t-1)*%r" % (0.4 / K / MODULUS)
 for basis in BASES:
-    for form in ("Density", "Projected") + ("None",) * (basis != BASES[0]):
+    for form in ("Density", "Projected"):  # None does not determine these multipliers
         folder, _ = solved("confined %s %s" % (basis, form), confined(
             "confined", wear(str(K)) + slides(SLIDING), "1, 5", "1, 6", form, basis))
         steps = rows(folder, "steps.csv")
