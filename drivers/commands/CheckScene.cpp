@@ -4,6 +4,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -60,9 +61,10 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
   }
 }
 
-/// On a path at all of its times, which begin with 0.
+/// All that a run would refuse of the first mesh.  On a path at all of its times, which begin with 0.
 void evaluateAll(const Scene& scene) {
   const BodySpaces spaces(scene, firstLevel(scene).meshes);
+  aboveCap(0, spaces.totalSize(), scene);
   if (scene.history)
     evaluateAt(scene, spaces, spaces.conditionsAt(0), 0);
   for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)

@@ -179,6 +179,18 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
   return dense;
 }
 
+std::string aboveCap(int level, const Size& size, const Scene& scene) {
+  const long cap = scene.adaptivity.limits.degreesOfFreedom;
+  if (size.dof() <= cap)
+    return "";
+  std::string text =
+      bem::message("level ", level, " would have ", size.dof(),
+                   " degrees of freedom; Adaptivity->Maximum Degrees of Freedom = ", cap);
+  if (level == 0)
+    throw bem::InputError(text + " does not allow a single level");
+  return text;
+}
+
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
                                     const Scene& scene, const BodySpaces& spaces,
                                     const Ranks& ranks) {

@@ -32,6 +32,10 @@ int formedUpTo(int steps);
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore);
 
+/// Reason why a level is not begun: more unknowns than Maximum Degrees of Freedom; empty if
+/// there is none.  \throws bem::InputError for level 0
+std::string aboveCap(int level, const Size& size, const Scene& scene);
+
 /// Reason why a level is not begun: more memory than allowed, or heat conduction on too
 /// fine a mesh; empty if there is none.
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,

@@ -10,15 +10,6 @@ namespace epafi::drivers {
 
 namespace {
 
-std::string capReached(int level, const Size& size, long cap) {
-  std::string text =
-      bem::message("level ", level, " would have ", size.dof(),
-                   " degrees of freedom; Adaptivity->Maximum Degrees of Freedom = ", cap);
-  if (level == 0)
-    throw bem::InputError(text + " does not allow a single level");
-  return text;
-}
-
 /// With dense operators where compressed ones fail and the plan lets it: which is told.  Of several
 /// processes one may have broken down alone: that ends all of them.
 template <class Attempts>
@@ -59,10 +50,9 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
     Size size = spaces.totalSize();
-    if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
-      return {
-          contact::Status::Converged,
-          capReached(number, size, scene.adaptivity.limits.degreesOfFreedom) + missing};
+    const std::string capReached = aboveCap(number, size, scene);
+    if (!capReached.empty())
+      return {contact::Status::Converged, capReached + missing};
     const Plan plan = planOf(scene, spaces, ranks, allowed);
     allowed = plan.allowed;
     size.memory = plan.memory;

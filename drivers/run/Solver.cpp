@@ -1,5 +1,6 @@
 #include "drivers/run/Solver.hpp"
 
+#include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
@@ -94,7 +95,10 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                                  restlessPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
+      const std::string motion = unresisted(scene, spaces, system);
+      if (motion.empty())
+        throw bem::NumericalError(withAdvice(error, motion));
+      throw bem::InputError(withAdvice(error, motion));
     }
   });
 }

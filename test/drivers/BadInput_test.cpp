@@ -277,6 +277,8 @@ TEUCHOS_UNIT_TEST(BadInput, overridesAreCheckedLikeTheScene) {
                        "Elements per Edge"));
   TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"),
                        "Bodies->blok->Geometry: missing"));
+  TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"),
+                       "did you mean Bodies->block?"));
 }
 
 TEUCHOS_UNIT_TEST(BadInput, commandsRefuseArgumentsTheyDoNotKnow) {

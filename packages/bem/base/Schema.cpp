@@ -266,12 +266,14 @@ const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRo
 /// One level of the list against the rows under one pattern.
 class Level {
  public:
+  /// \param meant path of another list of the scene's choice with nearly this name
   Level(const SchemaRows& table, const Constant& constant, const ParameterList& given,
-        const std::string& pattern, std::string path)
+        const std::string& pattern, std::string path, std::string meant = "")
       : table_(table),
         constant_(constant),
         given_(given),
         path_(std::move(path)),
+        meant_(std::move(meant)),
         rows_(childrenOf(table, pattern)) {}
 
   void complete(ParameterList& result) const {
@@ -337,14 +339,25 @@ class Level {
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
     else
-      Level(table_, constant_, sublist, row.path, join(path_, name))
+      Level(table_, constant_, sublist, row.path, join(path_, name),
+            isAnyName(row.name()) ? nearlyNamed(name) : "")
           .complete(result.sublist(name));
+  }
+
+  std::string nearlyNamed(const std::string& name) const {
+    std::vector<std::string> others;
+    for (const auto& item : given_)
+      if (item.first != name)
+        others.push_back(item.first);
+    const std::string near = nearest(name, others);
+    return near.empty() ? "" : join(path_, near);
   }
 
   void fill(const SchemaRow& row, ParameterList& result) const {
     if (row.required)
       throw InputError(join(path_, row.name()), ": missing; ", row.meaning,
-                       row.range().empty() ? "" : ", " + row.range());
+                       row.range().empty() ? "" : ", " + row.range(),
+                       meant_.empty() ? "" : "; did you mean " + meant_ + "?");
     if (row.kind == Kind::List && !isAnyName(row.name()))
       Level(table_, constant_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
@@ -356,6 +369,7 @@ class Level {
   const Constant& constant_;
   const ParameterList& given_;
   std::string path_;
+  std::string meant_;
   std::vector<const SchemaRow*> rows_;
 };
 

@@ -101,12 +101,18 @@ constexpr double blindness = 1e-6;
 /// An arc of 337 degrees: nearly all of a circle.
 constexpr double largestBulge = 10;
 
-/// Twice the signed area, about the first vertex: no digits lost far from the origin.
-double twiceArea(const Loop& loop) {
+/// Twice the signed area between the chords, about the first vertex: no digits lost far from
+/// the origin.
+double twiceAreaOfChords(const Loop& loop) {
   double area = 0;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     area += cross(loop.vertices[i] - loop.vertices[0],
                   loop.vertices[after(i, loop)] - loop.vertices[0]);
+  return area;
+}
+
+double twiceArea(const Loop& loop) {
+  double area = twiceAreaOfChords(loop);
   if (hasArcs(loop))
     for (const Curve& curve : curvesOf(loop))
       area += curve.isStraight() ? 0 : twiceAreaBesideChord(curve);
@@ -143,6 +149,15 @@ void checkVertices(const Loop& loop) {
                        " is not finite");
 }
 
+[[noreturn]] void failToBeSimple(const Loop& loop, std::size_t i, std::size_t j) {
+  // the arcs of a clockwise circle bulge inwards
+  throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i), " and ",
+                   nameOf(loop, j),
+                   hasArcs(loop) && twiceAreaOfChords(loop) < 0
+                       ? "; its vertices run clockwise, list them counter-clockwise"
+                       : "");
+}
+
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.
 void checkFold(const Loop& loop, std::size_t i, double tolerance, double size) {
   const std::size_t j = after(i, loop);
@@ -150,8 +165,7 @@ void checkFold(const Loop& loop, std::size_t i, double tolerance, double size) {
   const Curve second = curveOf(loop, j);
   if (!first.isStraight() || !second.isStraight()) {
     if (meetElsewhere(first, second, tolerance, blindness * size))
-      throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
-                       " and ", nameOf(loop, j));
+      failToBeSimple(loop, i, j);
     return;
   }
   const Vec2 corner = first.to();
@@ -177,8 +191,7 @@ void checkSimple(const Loop& loop) {
     checkFold(loop, i, tolerance, size);
     for (std::size_t j = i + 2; j < n; ++j)
       if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
-        throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
-                         " and ", nameOf(loop, j));
+        failToBeSimple(loop, i, j);
   }
   const double area = twiceArea(loop);
   if (!std::isnormal(area))
