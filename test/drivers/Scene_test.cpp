@@ -359,12 +359,12 @@ TEUCHOS_UNIT_TEST(Scene, shippedScenesPassTheCheck) {
 TEUCHOS_UNIT_TEST(Schema, everyDefaultIsValidAndEveryListStandsBeforeItsKeys) {
   for (const drivers::Parameter& row : drivers::parameters()) {
     TEST_ASSERT(!row.meaning.empty());
-    TEST_ASSERT(!(row.required && !row.standard.empty()));
-    if (!row.allowed.empty() && !row.standard.empty())
-      TEST_ASSERT(std::find(row.allowed.begin(), row.allowed.end(), row.standard) !=
+    TEST_ASSERT(!(row.required && !row.defaultValue.empty()));
+    if (!row.allowed.empty() && !row.defaultValue.empty())
+      TEST_ASSERT(std::find(row.allowed.begin(), row.allowed.end(), row.defaultValue) !=
                   row.allowed.end());
-    if (row.kind == drivers::Kind::Real && !row.standard.empty())
-      TEST_ASSERT(row.interval.contains(std::stod(row.standard)));
+    if (row.kind == drivers::Kind::Real && !row.defaultValue.empty())
+      TEST_ASSERT(row.interval.contains(std::stod(row.defaultValue)));
     if (!row.parent().empty())
       TEST_EQUALITY(bem::declared(drivers::parameters(), row.parent()).path,
                     row.parent());
