@@ -46,9 +46,12 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   number("seconds_total", checkpoint.secondsTotal);
   number("seconds_wall", checkpoint.secondsWall);
   number("checksum", checksum(checkpoint, arrays));
-  for (const auto& [name, columns, numbers, taken] : arrays)
-    std::visit([&](const auto& all) { writer.array(group + "/" + name, all, columns); },
-               numbers);
+  for (const auto& array : arrays)
+    std::visit(
+        [&](const auto& all) {
+          writer.array(group + "/" + array.name, all, array.columns);
+        },
+        array.numbers);
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);

@@ -187,7 +187,7 @@ std::string aboveCap(int level, const Size& size, const Scene& scene) {
       bem::message("level ", level, " would have ", size.dof(),
                    " degrees of freedom; Adaptivity->Maximum Degrees of Freedom = ", cap);
   if (level == 0)
-    throw bem::InputError(text + " does not allow a single level");
+    throw bem::InputError(scene.file, ": ", text, " does not allow a single level");
   return text;
 }
 

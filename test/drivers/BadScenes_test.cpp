@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(BadScenes, openCrossingAndClockwisePolygonsAreRefused) {
       body + "Geometry", "outer polygon", "clockwise");
   SceneText disc = withVertices("4x2:{1,0, 0,-1, -1,0, 0,1}", "{base, right, top, left}");
   disc.geometry += R"(<Parameter name="Bulges" type='Array(double)'
-    value="{0.41421356, 0.41421356, 0.41421356, 0.41421356}"/>)";
+    value="{0.6, 0.6, 0.6, 0.6}"/>)";
   TEST_COMPLAINT(disc.xml(), body + "Geometry", "crosses", "clockwise");
   TEST_COMPLAINT(
       withVertices("4x2:{0,0, 2,0, 2,1, 0,0}", "{base, right, top, left}").xml(),
