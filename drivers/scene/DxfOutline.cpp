@@ -216,8 +216,7 @@ class Drawing {
       else if (pair.code == 42 && !vertices.empty())
         vertices.back().bulge = numberOf(pair);
     }
-    const auto flags = static_cast<int>(numberAt(entity, 70, 0));
-    const bool closed = (flags & 1) != 0;
+    const bool closed = std::fmod(numberAt(entity, 70, 0), 2) == 1;  // the lowest bit
     for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i)
       add(entity, vertices[i].place, vertices[(i + 1) % vertices.size()].place,
           vertices[i].bulge);

@@ -169,6 +169,8 @@ std::vector<Loop> chain(const OutlinePieces& all) {
 
 bem::Loops chained(const OutlinePieces& pieces) {
   std::vector<Loop> loops = chain(pieces);
+  if (loops.empty())
+    throw InputError("all lines have no length");
   for (const Loop& loop : loops)
     if (loop.vertices.size() < (loop.bulges.empty() ? 3 : 2))
       throw InputError("a loop of lines has no area");

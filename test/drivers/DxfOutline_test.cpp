@@ -121,6 +121,8 @@ TEUCHOS_UNIT_TEST(DxfOutline, saysWhatIsNoOutline) {
   complains(drawing({{"0", "LINE", "8", "a", "10", "0"}}), "LINE has no group");
   complains(drawing({{"0", "SPLINE", "8", "a"}}), "SPLINE is not read");
   complains(drawing({arc("0", "0", "-1", "0", "90")}), "radius -1");
+  complains(drawing({{"0", "LWPOLYLINE", "8", "a", "70", "1", "10", "1", "20", "0"}}),
+            "no length");
 }
 
 }  // namespace
