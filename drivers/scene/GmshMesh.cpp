@@ -32,7 +32,7 @@ class Sections {
         return false;
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       line = text_.substr(at_, end - at_);
-      at_ = end + 1;
+      at_ = std::min(end + 1, text_.size());
       ++number_;
       while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
         line.pop_back();

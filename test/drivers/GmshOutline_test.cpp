@@ -149,6 +149,7 @@ TEUCHOS_UNIT_TEST(GmshOutline, aBinaryMeshIsTheSameOutline) {
   for (const std::size_t size : {bytes.size() / 4, bytes.size() / 2})
     TEST_COMPLAINT(bytes.substr(0, size), "the file ends where");
   TEST_COMPLAINT("$MeshFormat\n4.1 1 8\n" + std::string("\0\0\0\1", 4), "order of bytes");
+  TEST_COMPLAINT("$MeshFormat\n4.1 1 8", "the file ends where");
 }
 
 TEUCHOS_UNIT_TEST(GmshOutline, saysHowAnotherFormatIsExportedAgain) {
