@@ -1,6 +1,5 @@
 #include "drivers/run/Solver.hpp"
 
-#include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
@@ -95,10 +94,7 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                                  restlessPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
-      const std::string motion = unresisted(scene, spaces, system);
-      if (motion.empty())
-        throw bem::NumericalError(withAdvice(error, motion));
-      throw bem::InputError(withAdvice(error, motion));
+      throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
     }
   });
 }

@@ -24,8 +24,7 @@ struct SolvedProblem {
 /// Rank 0 broadcasts state, status, iterations, residual, tolerance and reason, so that
 /// all ranks have the same bits; it alone has the histories of steps.  The timer's watch
 /// receives the progress of long solves.
-/// \throws bem::InputError for a load that nothing can balance; see contact::NonlinearSolver;
-///   exceptions of the watch
+/// \throws see contact::NonlinearSolver; exceptions of the watch
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
                     const bem::Processes& processes, PhaseTimer& timer);
