@@ -117,14 +117,16 @@ ParameterEntry table(const std::string& given) {
     if (count.empty() || count.find_first_not_of("0123456789") != std::string::npos ||
         size.size() == text.size())
       throw InputError("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row");
-  Teuchos::TwoDArray<T> result(valueOf<int>(rows), valueOf<int>(columns));
-  const long wanted = static_cast<long>(result.getNumRows()) * result.getNumCols();
+  const int rowCount = valueOf<int>(rows);
+  const int columnCount = valueOf<int>(columns);
+  const long wanted = static_cast<long>(rowCount) * columnCount;
   const Teuchos::Array<T> entries = entriesOf<T>(trimmed(text.substr(size.size() + 1)));
   if (entries.size() != wanted)
     throw InputError("a table ", size, " has ", wanted, " entries; ", entries.size(),
                      " are given");
+  Teuchos::TwoDArray<T> result(rowCount, columnCount);
   for (int k = 0; k < wanted; ++k)
-    result(k / result.getNumCols(), k % result.getNumCols()) = entries[k];
+    result(k / columnCount, k % columnCount) = entries[k];
   return ParameterEntry(result);
 }
 
