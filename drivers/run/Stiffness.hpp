@@ -12,9 +12,10 @@ namespace epafi::drivers {
 /// Collective.
 /// \param krylov solves with V; null: its factor does
 /// \throws bem::NumericalError if a factorisation breaks down
-std::vector<bem::SteklovPoincare> makeStiffness(
-    const Scene& scene, const BodySpaces& spaces, const std::vector<bem::Lame>& lames,
-    bool compressed, const bem::SingleLayerSolver* krylov,
-    const bem::Processes& processes, PhaseTimer& timer);
+std::vector<bem::SteklovPoincare> makeStiffness(const Scene& scene,
+                                                const BodySpaces& spaces, bool compressed,
+                                                const bem::SingleLayerSolver* krylov,
+                                                const bem::Processes& processes,
+                                                PhaseTimer& timer);
 
 }  // namespace epafi::drivers
