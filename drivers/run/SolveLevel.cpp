@@ -146,8 +146,8 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const auto stiffness = makeStiffness(scene, spaces, lames, begun.plan.compressed,
-                                       krylov, processes, begun.timer);
+  const auto stiffness =
+      makeStiffness(scene, spaces, begun.plan.compressed, krylov, processes, begun.timer);
   const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;
