@@ -29,8 +29,8 @@ struct InsidePoint {
   bem::Vec2 x;
 };
 
-/// The fields inside all elastic bodies on a solved level.  The formulas are exact near
-/// the boundary, too.                                           [doc/theory/operators.md]
+/// The fields inside all elastic bodies on a solved level, by closed formulas that are
+/// equally accurate near to and far from the boundary.          [doc/theory/operators.md]
 class BodyInsides {
  public:
   /// Keeps references to both arguments.
