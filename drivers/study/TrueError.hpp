@@ -63,9 +63,8 @@ struct TrueError {
   struct Path {
     double relative = 0;    ///< energyNorm over the largest norm of all steps
     double multiplier = 0;  ///< the same for the multiplier
-    double friction =
-        0;         ///< friction's work so far: error over the total of the reference
-    int step = 0;  ///< step of `relative`: 1, 2, ...
+    double friction = 0;    ///< of friction's work so far, over the reference's total
+    int step = 0;           ///< step of `relative`: 1, 2, ...
   };
   std::optional<Path> path{};  ///< empty without a History
 };
