@@ -26,7 +26,7 @@ using bem::InputError;
                    bem::suggestion(name, known));
 }
 
-/// What CLI11 would say in words of its own.
+/// Reports errors that CLI11 would report in other words.
 void checkValues(const Command& command, const std::vector<std::string>& arguments) {
   for (const Option& option : command.options) {
     const bool wanted = !option.value.empty();
@@ -63,7 +63,7 @@ void checkWords(const Command& command, const Given& given) {
 
 void takeArgument(const Command& command, const std::vector<std::string>& rest,
                   Given& given) {
-  bool options = true;  // until --, behind which no word is one
+  bool options = true;  // false behind --
   for (const std::string& text : rest) {
     if (options && text == "--") {
       options = false;
@@ -101,7 +101,7 @@ std::vector<std::string> Given::values(const std::string& option) const {
 Given parseArguments(const Command& command, const std::vector<std::string>& arguments) {
   checkValues(command, arguments);
   CLI::App app;
-  app.set_help_flag();  // --help is one of ours
+  app.set_help_flag();  // this program has its own --help
   app.allow_extras();
   app.add_flag("-h,--help")->disable_flag_override();
   for (const Option& option : command.options)
@@ -113,7 +113,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
           ->multi_option_policy(option.repeatable ? CLI::MultiOptionPolicy::TakeAll
                                                   : CLI::MultiOptionPolicy::Throw);
   try {
-    // CLI11 takes them from the end
+    // CLI11 expects the reverse order
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {
     throw InputError(command.name, ": ", error.what(), "; usage: ", usageLine(command));

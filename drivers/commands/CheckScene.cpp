@@ -18,7 +18,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Where contact.csv and solution.hdf look at an element.
+/// Points t of an element at which contact.csv and solution.hdf evaluate functions.
 std::vector<double> outputPlaces(const Scene& scene, int degree) {
   const int samples = scene.output.contactSamples;
   std::vector<double> places(bem::at(samples));
@@ -40,7 +40,7 @@ void evaluate(const bem::Mesh& mesh, const std::string& boundary,
           function(mesh.physicalPoint(e, t));
 }
 
-/// By what a run itself makes of the conditions at a time, at its own points.
+/// Makes loads, obstacle and balance at a time as a run does, at the same points.
 void evaluateAt(const Scene& scene, const BodySpaces& spaces,
                 const std::vector<contact::Conditions>& conditions, double t) {
   const bem::Units units = scene.units();
@@ -53,7 +53,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
   }
   try {
     checkBalance(scene, spaces, conditions, t);
-  } catch (const bem::InputError& error) {  // of which a warning may name the cause
+  } catch (const bem::InputError& error) {  // a warning may explain it
     std::string words = scene.file + ": " + error.what();
     for (const std::string& warning : warningsOf(scene))
       words += "\nwarning: " + warning;
@@ -61,7 +61,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
   }
 }
 
-/// All that a run would refuse of the first mesh.  On a path at all of its times, which begin with 0.
+/// Throws what a run would throw on the first mesh, at all times of a path (from 0 on).
 void evaluateAll(const Scene& scene) {
   const BodySpaces spaces(scene, firstLevel(scene).meshes);
   aboveCap(0, spaces.totalSize(), scene);
@@ -119,8 +119,8 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
   return names.empty() ? " none" : names;
 }
 
-/// Condition, traction and gap of a point x of a boundary, which is not at a corner if it is
-/// `inside`: loads and gaps need not exist there.
+/// Condition, traction and gap at a point x of a boundary; if x is not `inside`, it may
+/// be a corner, where loads and gaps need not exist.
 std::vector<std::string> conditionAt(const contact::Conditions& conditions,
                                      const std::string& boundary, bem::Vec2 x,
                                      bool inside) {
@@ -139,7 +139,7 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
   return {held ? "Dirichlet" : "free", "", "", ""};
 }
 
-/// The contacts that a boundary is a side of, whichever: "joint, seat".
+/// The contacts that a boundary belongs to, on either side: "joint, seat".
 std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
                       const std::string& boundary) {
   std::string names;

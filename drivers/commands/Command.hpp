@@ -10,12 +10,12 @@ namespace epafi::drivers {
 
 class Ranks;
 
-/// What the shell offers where a value is wanted.
+/// What the completion of the shell offers for a value.
 enum class Offer { Nothing, Scenes, Folders, Files, Words };
 
-/// What stands behind a command without a name: a scene, a study, a folder.
+/// The argument of a command that has no option name: a scene, a study, a folder.
 struct Argument {
-  std::string name;  ///< as in usages: "SCENE.xml"; empty: the command takes none
+  std::string name;  ///< as in the usage: "SCENE.xml"; empty: no argument
   std::string what;  ///< "scene", for messages
   Offer offer = Offer::Nothing;
   bool required = true;
@@ -24,14 +24,14 @@ struct Argument {
 /// "--output DIR".
 struct Option {
   std::string name;   ///< with its two hyphens
-  std::string value;  ///< as in usages; empty: a switch without a value
+  std::string value;  ///< as in the usage; empty: a switch without a value
   std::string meaning;
   Offer offer = Offer::Nothing;
-  std::vector<std::string> words = {};  ///< that are allowed; empty: any
+  std::vector<std::string> words = {};  ///< allowed values; empty: any
   bool repeatable = false;
 };
 
-/// What the user wrote behind a command's name.
+/// The arguments that the user gave to a command.
 class Given {
  public:
   std::string argument;
@@ -43,14 +43,13 @@ class Given {
   std::vector<std::string> values(const std::string& option) const;
 };
 
-/// A command of the program: all that its help, the man page, the completion and the parser
-/// say and know about it.
+/// A command of the program, with all data for help, man page, completion and parser.
 struct Command {
   std::string name;
   std::string purpose;  ///< one line
   Argument argument;
   std::vector<Option> options;
-  /// Returns the exit code; throws what the codes 1 and 2 stand for.
+  /// Returns the exit code; exceptions become the exit codes 1 and 2.
   int (*run)(const Given& given, std::ostream& out, const Ranks& ranks);
 };
 
@@ -59,13 +58,15 @@ struct Command {
 /// (`description`).
 const std::vector<Command>& commands();
 
-/// Does what the arguments of main say, the program's name left out.  Returns the exit code.
+/// Runs the command that the arguments (without program name) give; returns its exit
+/// code.
 /// \throws bem::InputError for an unknown command, naming the nearest and all others, and
 ///   what the command throws.
 int dispatch(const std::vector<std::string>& arguments, const Ranks& ranks);
 
-/// Of the arguments that follow the command's name, options before or behind the argument,
-/// values as `--key value` or `--key=value`.  `--help` is an option of every command.
+/// Parses the arguments behind the name of a command: options before or behind the
+/// argument, values as `--key value` or `--key=value`.  Every command has the option
+/// `--help`.
 /// \throws bem::InputError for an unknown option, naming the nearest, a missing or
 ///   superfluous value, a word that is not allowed, and anything but one argument where one
 ///   is wanted.
@@ -76,7 +77,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
 int positiveNumber(const std::string& option, const std::string& text,
                    int most = std::numeric_limits<int>::max());
 
-/// --threads; 0: it is not given.
+/// The value of --threads; 0 if it is not given.
 int threadsOf(const Given& given);
 
 }  // namespace epafi::drivers

@@ -15,14 +15,14 @@ namespace {
 
 using boost::algorithm::join;
 
-/// A command that needs one process only: each has it, the first one is heard.
+/// A command that every process runs alone; only the first one prints.
 template <int (*Run)(const Given&, std::ostream&)>
 int alone(const Given& given, std::ostream& out, const Ranks&) {
   return Run(given, out);
 }
 
-/// A command that writes files: the first process alone has it; the others wait and end as it
-/// does.
+/// A command that writes files: only the first process runs it; the others wait for its
+/// end and return the same exit code.
 template <int (*Run)(const Given&, std::ostream&)>
 int onFirst(const Given& given, std::ostream& out, const Ranks& ranks) {
   int code = 0;
@@ -202,7 +202,7 @@ std::vector<Command> makeCommands() {
   };
 }
 
-/// What other programs are asked for help and version by.
+/// The command for the usual options --help, -h and --version.
 std::string synonym(const std::string& name) {
   if (name == "--help" || name == "-h")
     return "help";

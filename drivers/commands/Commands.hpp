@@ -26,33 +26,33 @@ int versionCommand(const Given& given, std::ostream& out);
 /// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--no-plot] [--quiet]`:
 /// solves every variant of every scene of a study and compares them.
 ///
-/// Writes study.csv after every level, a folder per variant with the files of a run (of
-/// sweeps below sweep/, the contact alone), reference-<scene>.hdf, and pictures.  A variant
-/// that fails is listed with the reason and the study goes on; --force keeps references that
-/// still fit.  Returns 0, 3 if a variant failed or did not converge, or 1 if nothing did but
-/// pictures cannot be drawn.
+/// Writes study.csv after every level, a folder per variant with the files of a run (for
+/// sweeps in sweep/, only contact.csv and steps.csv), reference-<scene>.hdf, and
+/// pictures.  A variant that fails is listed with the reason; the study continues.
+/// --force keeps valid references.  Returns 0, 3 if a variant failed or did not converge,
+/// or 1 if only the pictures failed.
 /// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
 /// solved; Interrupted.
 int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 
 /// `epafi fields DIR`: displacement and stress inside a body, after a run.
 ///
-/// On a grid of cells' middles over the body's box, at points of a file (empty rows outside), or
-/// along a boundary at a depth, as csv; with --vtk on triangles of the whole inside for ParaView;
-/// with --step at a step of a load path, --vtk also at every one, as a series.
+/// Evaluates at the centres of a grid, at the points of a file (empty rows outside), or
+/// along a boundary at a depth, as csv; with --vtk on triangles of the whole inside.
+/// --step chooses a step of a path, with --vtk also all steps.
 /// \throws bem::InputError for a folder without a solution and for boundaries and steps that
 ///   there are not.
 int fieldsCommand(const Given& given, std::ostream& out);
-/// --step for all of them.
+/// The value of --step for all steps.
 constexpr const char* everyStep = "all";
-/// Writes the folder's fields.vtu; `step`: as --step gives it, empty: the last one, `everyStep`:
-/// that and the series of all.
+/// Writes fields.vtu of the folder.  `step`: the value of --step; empty: the last step;
+/// `everyStep`: the last step and the series of all.
 void writeInside(const std::string& folder, const std::string& step);
 /// Writes fields-window.csv: a fine grid over a window "X0,Y0,X1,Y1" of the bodies.
-/// \throws bem::InputError for what is no window, or one beside the bodies.
+/// \throws bem::InputError for an invalid window, or one outside of the bodies.
 void writeWindow(const std::string& folder, const std::string& step,
                  const std::string& window);
-/// \throws bem::InputError for what is no window.
+/// \throws bem::InputError for an invalid window.
 void checkWindow(const std::string& window);
 
 /// Options for how pictures look.
@@ -62,13 +62,13 @@ int plotCommand(const Given& given, std::ostream& out);
 /// `epafi report DIR`: a page of HTML with the scene, the numbers and the pictures of a run.
 /// \throws bem::InputError for a folder without a run.
 int reportCommand(const Given& given, std::ostream& out);
-/// What a helper may say.
+/// What the plotting program may print.
 enum class Words { All, Errors };
 /// Draws the pictures of a run's or a study's folder by the Python package python/epafi/plot,
 /// which lies in ../lib/python3.<n>/dist-packages seen from this program.
 ///
-/// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
-/// or the folder's files are missing.
+/// It inherits the standard streams.  Returns its exit code: 0, or 1 if matplotlib or
+/// files of the folder are missing.
 /// \throws bem::InputError if the program or Python is not there.
 ///
 /// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window, looks.
@@ -85,8 +85,7 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
 /// negative, or for a mesh that cannot be made.
 int checkCommand(const Given& given, std::ostream& out);
 std::string checkScene(const Scene& scene);
-/// What drawScene draws, as csv: points along the first meshes with the conditions, loads and gaps
-/// there.
+/// The csv for drawScene: points along the first meshes with conditions, loads and gaps.
 std::string sceneCsv(const Scene& scene);
 
 /// A kind of file that the program reads, by its table of keys.
@@ -97,7 +96,7 @@ struct Grammar {
 /// Scenes and studies; one of them, or both for an empty name.
 std::vector<Grammar> grammars(const std::string& name = "");
 
-/// What the listings say of a key: "string: expression in x, y".
+/// The type of a key in listings: "string: expression in x, y".
 std::string typeOf(const Parameter& row);
 /// Its default, "required", or "may be left out": keys of such a list have their defaults then.
 std::string standardOf(const Parameter& row);
@@ -115,7 +114,7 @@ std::string parametersText(const std::vector<Grammar>& grammars,
 /// Schema of the YAML files.
 int schemaCommand(const Given& given, std::ostream& out);
 
-/// A file that was made of this program's `description` when it was built: share/... beside it.
+/// A file that was generated with this program when it was built, in share/.
 /// \throws bem::InputError if it is not there.
 std::string madeWithProgram(const std::string& file);
 

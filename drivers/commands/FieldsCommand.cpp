@@ -39,7 +39,7 @@ class SavedRun {
 
   const Scene& scene() const { return scene_; }
   const BodyInsides& insides() const { return insides_; }
-  /// Of the steps of a path; none without one.
+  /// Times of the steps of a path; empty without a path.
   std::vector<double> times() const {
     std::vector<double> times;
     for (const StepFields& step : checkpoint_.level.steps)
@@ -90,7 +90,7 @@ std::optional<double> trimmedNumber(const std::string& text) {
   return numberIn<double>(trimmed(text));
 }
 
-/// Of the first body that it lies inside.
+/// The point, assigned to the first body that contains it.
 InsidePoint pointAt(const SavedRun& run, bem::Vec2 x) {
   return {run.scene().bodyAt(x), x};
 }
@@ -131,7 +131,7 @@ Box boxOf(const SavedRun& run) {
   return {low, high};
 }
 
-/// Middles of cells that lie inside a body.
+/// Centres of those cells that lie inside a body.
 Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
   Points points;
   for (int j = 0; j < ny; ++j)
@@ -182,7 +182,7 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
   return points;
 }
 
-/// As many points on an element as boundary.csv has; what is not inside is left out.
+/// Points at a depth below a boundary, 2(p+1) per element; points outside are left out.
 Points alongPoints(const std::string& where, double depth, const SavedRun& run) {
   std::vector<std::string> known;
   Points points;
@@ -248,7 +248,7 @@ void writeVtu(const SavedRun& run, const std::string& file) {
   write(file, vtuFile(fill(run.insides())));
 }
 
-/// A file, with what it holds told to `out`; "-" is `out` itself.
+/// Writes a file and prints the summary to `out`; "-" writes the text to `out`.
 void deliver(const std::string& file, const std::string& text, const std::string& summary,
              std::ostream& out) {
   if (file == "-") {

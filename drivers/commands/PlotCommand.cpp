@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Debian's own: matplotlib belongs to it, whatever else PATH may offer first.
+// Debian installs matplotlib for this Python; PATH may begin with another one.
 constexpr const char* python = "/usr/bin/python3";
 
-/// The plotting program with arguments; its exit code, 0 or 1.
+/// Runs the plotting program; returns 0 or 1.
 int callPlot(std::vector<std::string> arguments) {
   const std::string program = besideProgram(EPAFI_PYTHON "/epafi/plot/__main__.py");
   if (!fs::exists(program))
@@ -30,7 +30,7 @@ int callPlot(std::vector<std::string> arguments) {
   return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
 }
 
-/// Those of `looks` that are given.
+/// The given options of `looks`.
 std::vector<std::string> looksOf(const Given& given) {
   std::vector<std::string> texts;
   for (const auto& [name, value, meaning, offer, words, repeatable] : looks())
@@ -52,7 +52,7 @@ int drawPictures(const std::string& folder, Words words,
 
 int drawScene(const std::string& csv, const std::string& title, const std::string& file,
               Words words) {
-  /// Gone with the scope, also where nothing can be drawn.
+  /// A temporary file, deleted also if drawing fails.
   struct Table {
     ~Table() {
       std::error_code ignored;

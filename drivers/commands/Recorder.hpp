@@ -16,16 +16,16 @@
 
 namespace epafi::drivers {
 
-/// Takes the levels of a run as they are solved: as lines of the table, and into the files of
-/// the folder, which the first process alone has; `written` is told the level, or the step on the
-/// way to one, whose files these are.
+/// Records the levels of a run: prints table rows, and writes the files of the folder
+/// (first process only).  `written` is called with the level or step whose files were
+/// written.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
            std::ostream& table, std::function<void(const Level&)> written);
 
-  /// A solved level; its files are written now or, if they were written a moment ago, later.
+  /// Records a level; its files are written now or, after a recent writing, later.
   void take(const SolvedLevel& level);
   /// A step on the way to a level: what a run that is killed goes on from once it is written, now
   /// or later likewise, unless the earlier run has left more.
@@ -34,12 +34,12 @@ class Recorder {
   /// before, which a restart begins with last.
   /// \throws bem::InputError for a file that cannot be written.
   void write();
-  /// What is written once, from the last level that there is.
+  /// Writes what is written once, from the last level.
   void finish(PhaseTimer& timer);
   void writeTimings(PhaseTimer& timer);
 
   int levels() const { return levels_; }
-  /// Of the last level.
+  /// Warnings of the last level.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -47,7 +47,7 @@ class Recorder {
   /// the operators are gone.
   using File = std::pair<std::string, std::function<std::string()>>;
 
-  /// What solution.hdf is made from.
+  /// The data of solution.hdf.
   struct Solved {
     Level level;
     LevelRow row;
@@ -55,7 +55,7 @@ class Recorder {
   };
 
   Solved solvedOf(const SolvedLevel& level) const;
-  /// Is the last step one that the earlier run went beyond?  Its files would replace more.
+  /// Does the earlier run have a later step?  Then its files must not be replaced.
   bool isKnown(const Level& level) const;
   void writeIfDue();
 

@@ -24,14 +24,14 @@ namespace epafi::drivers {
 
 namespace {
 
-/// What a run goes on from, and where it writes.
+/// The checkpoint that a run continues, and its folder.
 struct Beginning {
   std::optional<Checkpoint> earlier;
   std::string folder;
   EarlierRun earlierRun = EarlierRun::Refuse;
 };
 
-/// Reads before anything is touched.
+/// Reads all input before any file is changed.
 Beginning begin(const Given& given, const Scene& scene) {
   const bool force = given.has("--force");
   const std::string output = given.value("--output");
@@ -93,7 +93,7 @@ std::string processesAndThreads(int processes) {
              : counted(processes, "process", "processes") + " with " + text + " each";
 }
 
-/// A file's name as one word of a command, and no option.
+/// The name of a file as one word of a shell that is not taken for an option.
 std::string fileWord(const std::string& name) {
   return shellWord(name.rfind('-', 0) == 0 ? "./" + name : name);
 }
@@ -114,7 +114,7 @@ std::string advice(const Given& given, const Scene& scene, const std::string& fo
                       " --restart ", fileWord(folder));
 }
 
-/// For people, so not under --quiet.
+/// Prints warnings unless --quiet is given.
 void warn(const std::vector<std::string>& warnings, bool quiet) {
   if (!quiet)
     for (const std::string& warning : warnings)
@@ -133,7 +133,7 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
     try {
       recorder.write();
       recorder.writeTimings(timer);
-    } catch (const bem::InputError&) {  // what went wrong first is what is told
+    } catch (const bem::InputError&) {  // report the first error
     }
     throwIfInterrupted();  // with the advice of what is written now
     throw;

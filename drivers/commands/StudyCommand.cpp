@@ -27,7 +27,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// A name as a file name: one in this folder, and not hidden.
+/// A name as the name of a file that is neither hidden nor in another folder.
 std::string fileName(const std::string& name) {
   std::string result;
   for (const char c : name) {
@@ -89,7 +89,7 @@ class StudyRun {
         out_(out),
         progress_(out.rdbuf() != nullptr) {}
 
-  /// How many variants are not solved on all their levels.
+  /// Solves everything; returns the number of variants that failed or did not converge.
   int run() {
     for (const StudiedScene& scene : study_.scenes) {
       const std::optional<Reference> reference = referenceOf(scene);
@@ -108,7 +108,7 @@ class StudyRun {
     });
   }
 
-  /// Kept, or computed now; nothing if there is none or it could not be solved.
+  /// The stored or newly computed reference; nothing if there is none or it failed.
   std::optional<Reference> referenceOf(const StudiedScene& scene) {
     if (!scene.reference)
       return std::nullopt;
@@ -251,7 +251,7 @@ class StudyRun {
          << std::flush;
   }
 
-  /// Of sweeps, which may have hundreds, the contact alone.
+  /// Of sweeps, which may have hundreds of values, only contact.csv and steps.csv.
   void writeFiles(const Variant& variant, const SolvedLevel& level,
                   const RunTables& tables, OutputFolder& folder) const {
     const Scene& scene = variant.scene;

@@ -16,7 +16,7 @@ void add(bem::Vec2 vector, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {vector.x, vector.y, 0});
 }
 
-/// A point of a line; `contact`: null where there is none.
+/// Adds a point.  `contact`: null where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
               const contact::ContactPoint* contact, BoundaryLines& grid) {
   add(place, grid.points);
@@ -29,7 +29,7 @@ void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
   grid.friction.push_back(contact == nullptr ? -1 : numberOf(contact->friction));
 }
 
-/// Lines through the points added last.
+/// Adds the `lines` segments between the `lines` + 1 points that were added last.
 void addLines(int lines, int element, int degree, int boundary, int body,
               BoundaryLines& grid) {
   const auto first = static_cast<long long>(grid.pressure.size()) - lines - 1;
@@ -46,14 +46,14 @@ int placeOf(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// One for every 5 degrees.
+/// Number of segments of an arc: one for every 5 degrees.
 int linesOf(const bem::Curve& curve) {
   constexpr double degreesALine = 5;
   const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
   return std::max(1, static_cast<int>(std::ceil(angle / degreesALine)));
 }
 
-/// Fills a grid element by element.
+/// Samples the boundary of one elastic body, element by element.
 class Sampler {
  public:
   Sampler(const contact::Solved& solved, const bem::Vector& density, int body,
@@ -103,7 +103,7 @@ class Sampler {
   std::vector<const contact::ContactFields::Element*> contacts_;
 };
 
-/// An outline that does not deform, moved in the user's units.
+/// Adds the outline of a rigid body, moved by `motion`, in the user's units.
 void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
               int firstBoundary, BoundaryLines& grid) {
   const bem::Outline& outline = *body.outline;

@@ -10,14 +10,14 @@
 
 namespace epafi::drivers {
 
-/// The boundary as short straight lines with the fields on them, for pictures, in the
-/// user's units; vectors as three numbers each.
+/// The boundary as short straight segments with the fields at their ends, for plots.  All
+/// values are in the user's units; vectors have three components.
 ///
-/// An element of degree p has 2(p+1) lines and its own points at both ends, since
-/// tractions jump from element to element.  Points without contact have no pressure,
-/// shear and gap (NaN) and -1 as states; states are numbered as in contact.csv.
+/// Elements of degree p have at least 2(p+1) segments, arcs at least one per 5 degrees;
+/// they share no points, since tractions jump.  Points without contact have NaN as
+/// pressure, shear and gap, -1 as states, which are numbered as in contact.csv.
 struct BoundaryLines {
-  std::vector<double> points;        ///< x, y, 0, not displaced
+  std::vector<double> points;        ///< x, y, 0 of the undeformed boundary
   std::vector<double> displacement;  ///< ux, uy, 0
   std::vector<double> traction;      ///< tx, ty, 0
   std::vector<double> pressure;      ///< λₙ
@@ -26,24 +26,24 @@ struct BoundaryLines {
   std::vector<int> contact;
   std::vector<int> friction;
 
-  std::vector<long long> ends;  ///< of each line, two points
-  std::vector<int> element;     ///< of each line
+  std::vector<long long> ends;  ///< indices of the two end points of each segment
+  std::vector<int> element;     ///< of each segment
   std::vector<int> degree;
-  std::vector<int> boundary;  ///< index into boundaryNames of all bodies
+  std::vector<int> boundary;  ///< index into namesOfBoundaries
   std::vector<int> body;
 };
 
-/// Of all bodies, one after the other, those that do not deform last, their edges as elements;
-/// boundaries are numbered likewise, and named so.
+/// The boundaries of all bodies in the order of the scene, rigid bodies last with edges
+/// as elements.  Boundaries are numbered in the same order, by namesOfBoundaries.
 BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level);
 std::vector<std::string> namesOfBoundaries(const Scene& scene);
 
-/// As files number them: 0 none, 1 stick, 2 slip.
+/// The number of a friction state in the files: 0 none, 1 stick, 2 slip.
 inline int numberOf(contact::FrictionKind friction) { return static_cast<int>(friction); }
 
-/// boundary.csv: displacement and traction along the whole boundary of what deforms, element
-/// by element, both ends included, with the element's boundary, number and degree; the
-/// traction is the density ψ of Steklov-Poincaré's operator.
+/// boundary.csv: displacement and traction at the points of all elastic bodies, element
+/// by element, with boundary, number and degree of the element.  The traction is the
+/// density ψ plus the traction of the particular solution for body loads.
 std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid);
 
 }  // namespace epafi::drivers

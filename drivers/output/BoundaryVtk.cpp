@@ -13,7 +13,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Adds bytes in letters of RFC 4648.
+/// Appends the bytes as Base64 (RFC 4648).
 void addBase64(std::string bytes, std::string& text) {
   constexpr char letters[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -40,7 +40,7 @@ constexpr const char* typeName() {
 
 constexpr unsigned char vtkLine = 3;
 
-/// visit(name, array, columns) of what is known at the points.
+/// Calls visit(name, array, columns) for each field at the points.
 template <class Visit>
 void forPointData(const BoundaryLines& grid, const Visit& visit) {
   visit("displacement", grid.displacement, 3);
@@ -52,7 +52,7 @@ void forPointData(const BoundaryLines& grid, const Visit& visit) {
   visit("friction", grid.friction, 1);
 }
 
-/// The same of the lines.
+/// The same for the fields of the segments.
 template <class Visit>
 void forCellData(const BoundaryLines& grid, const Visit& visit) {
   visit("element", grid.element, 1);
@@ -61,7 +61,7 @@ void forCellData(const BoundaryLines& grid, const Visit& visit) {
   visit("body", grid.body, 1);
 }
 
-/// Where the points of lines first ... last end, among all.
+/// VTK offsets of segments first ... last: each has two points.
 std::vector<long long> offsetsOf(std::size_t first, std::size_t last) {
   std::vector<long long> offsets;
   for (std::size_t line = first; line <= last; ++line)
@@ -74,7 +74,7 @@ const std::string format =
 
 }  // namespace
 
-// The number of bytes goes before them.
+// The data begin with their number of bytes.
 template <class T>
 std::string dataArray(const char* name, const std::vector<T>& values, int components) {
   const std::uint64_t size = values.size() * sizeof(T);
@@ -110,7 +110,7 @@ std::string vtuText(const VtuGrid& grid) {
   add(grid.cellData, "</CellData>\n<Points>\n");
   add(grid.places, "</Points>\n<Cells>\n");
   add(grid.topology, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  // with memory for all of them at once: what is long and grows is copied again and again
+  // reserve once: appending long texts would copy them again and again
   std::size_t size = 0;
   for (const std::string_view part : parts)
     size += part.size();

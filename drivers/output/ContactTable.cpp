@@ -7,13 +7,13 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Where contact boundaries are: the distance along them from where each chain of elements
-/// that follow one another begins.
+/// Arc length along a contact boundary.  It starts at 0 on each chain of consecutive
+/// elements of one contact.
 class ArcLength {
  public:
   ArcLength(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
 
-  /// Of the elements in the order of a multiplier; t in [-1, 1].
+  /// Elements must come in the order of the multiplier; t in [-1, 1].  Returns a length.
   double at(const contact::MultiplierSpace::ContactElement& element, double t) {
     if (&element != last_) {
       const bool follows = last_ != nullptr &&

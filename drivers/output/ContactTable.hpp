@@ -9,7 +9,7 @@
 
 namespace epafi::drivers {
 
-/// Columns behind those of contact.csv, and their cells at a point.
+/// Additional columns of contact.csv, and their cells at a point.
 struct MoreContactColumns {
   std::vector<std::string> names;
   std::function<std::vector<std::string>(std::size_t body,
@@ -18,7 +18,7 @@ struct MoreContactColumns {
       cells;
 };
 
-/// contact.csv: `samples` points t = -1 + (2k+1)/samples on each contact element.
+/// contact.csv: on each contact element the points t = -1 + (2k+1)/samples, k < samples.
 std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
                        const MoreContactColumns& more = {});
 

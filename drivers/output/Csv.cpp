@@ -7,7 +7,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Quoted where RFC 4180 wants it: boundary names are the user's.
+/// Appends a cell, quoted where RFC 4180 requires it: users choose names freely.
 void add(const std::string& cell, std::string& line) {
   const auto isSpecial = [](char c) {
     return c == ',' || c == '"' || c == '\r' || c == '\n';
@@ -25,7 +25,7 @@ void add(const std::string& cell, std::string& line) {
 }  // namespace
 
 std::string exactly(double value) {
-  char text[32];  // as printf's %.17g, in a fraction of its time
+  char text[32];  // as %.17g of printf, but much faster
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17);
   return {text, end.ptr};

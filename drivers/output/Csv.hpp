@@ -6,10 +6,10 @@
 
 namespace epafi::drivers {
 
-/// A number with all its digits: 17 significant ones.
+/// A number with 17 significant digits, enough to read back the same double.
 std::string exactly(double value);
 
-/// A number as a cell: whole ones as they are, others exactly.
+/// A number as a cell: integers as they are, others with `exactly`.
 template <class Number>
 std::string number(Number value) {
   if constexpr (std::is_integral_v<Number>)
@@ -18,14 +18,14 @@ std::string number(Number value) {
     return exactly(value);
 }
 
-/// A column of a table: its name, and what a row has there.
+/// A column of a table: its name, and the function that returns its cell of a row.
 template <class Row>
 struct Column {
   const char* name;
   std::string (*cell)(const Row& row);
 };
 
-/// What a chain of members leads to.
+/// The cell of a (nested) member of a row: row.a.b for &Row::a, &A::b.
 template <class Row, auto... members>
 std::string cellOf(const Row& row) {
   return number((row.*....*members));
@@ -48,7 +48,7 @@ void addCells(const Column<Row> (&columns)[count], const Row& row,
 /// One line of comma-separated values.
 std::string csvLine(const std::vector<std::string>& cells);
 
-/// A table of columns alone: its first line, and that of a row.
+/// The first line of a table with these columns, and the line of a row.
 template <class Row, std::size_t count>
 std::string csvHead(const Column<Row> (&columns)[count]) {
   std::vector<std::string> names;
@@ -63,7 +63,7 @@ std::string csvRow(const Column<Row> (&columns)[count], const Row& row) {
   return csvLine(cells);
 }
 
-/// The cells of such a line, with or without its end.
+/// The cells of a line of csvLine, with or without the line end.
 std::vector<std::string> csvCells(const std::string& line);
 
 }  // namespace epafi::drivers

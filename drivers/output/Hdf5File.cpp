@@ -98,7 +98,7 @@ Hdf5Handle Hdf5Reader::dataset(const std::string& name) const {
                  name + " is missing");
 }
 
-// Before memory is taken: a damaged file may say anything.
+// Checks the shape before memory is allocated: a damaged file may contain any size.
 hsize_t Hdf5Reader::rowsOf(const Hdf5Handle& dataset, const std::string& name,
                            hsize_t columns, std::size_t bytes) const {
   const Hdf5Handle space =

@@ -8,27 +8,27 @@
 
 namespace epafi::drivers {
 
-/// An HDF5 file, made as an image in memory: a full disk is then the business of who
-/// writes the bytes, which HDF5 itself would not survive.  Names are paths; groups are
-/// made on the way.
+/// An HDF5 file, built as an image in memory: HDF5 itself does not survive a full disk,
+/// so the caller writes the bytes and handles such errors.  Names are paths; missing
+/// groups are created.
 ///
-/// All methods throw bem::InputError with HDF5's cause.
+/// All methods throw bem::InputError with the cause that HDF5 gives.
 class Hdf5Writer {
  public:
   Hdf5Writer();
 
-  /// Row by row, `columns` numbers each.
+  /// Writes an array row by row, `columns` numbers each.
   template <class T>
   void array(const std::string& name, const std::vector<T>& values, hsize_t columns = 1) {
     const std::array<hsize_t, 2> size = {values.size() / columns, columns};
-    const T none{};  // HDF5 wants an address
+    const T none{};  // HDF5 requires an address
     dataset(name, hdf5Type<T>(), simpleSpace(columns == 1 ? 1 : 2, size.data()),
             values.empty() ? &none : values.data());
   }
-  /// A text of any length, in ASCII or UTF-8, as one string of fixed length.
+  /// Writes a text (ASCII or UTF-8) as one string of fixed length.
   void text(const std::string& name, const std::string& value);
 
-  /// Attributes of a group.  One number is stored without dimension.
+  /// Writes an attribute of a group; a single number as a scalar.
   template <class T>
   void attribute(const std::string& group, const std::string& name,
                  const std::vector<T>& values) {
@@ -39,7 +39,7 @@ class Hdf5Writer {
   void attribute(const std::string& group, const std::string& name,
                  const std::string& value);
 
-  /// The file.  The same calls make the same bytes.
+  /// The bytes of the file.  The same calls give the same bytes.
   std::string bytes() const;
 
  private:
@@ -50,21 +50,21 @@ class Hdf5Writer {
                  const Hdf5Handle& space, const void* value);
 
   QuietHdf5 quiet_;
-  Hdf5Handle links_;     ///< groups on the way to a name are made
-  Hdf5Handle creation_;  ///< without times the same calls make the same bytes
+  Hdf5Handle links_;     ///< creates the missing groups of a path
+  Hdf5Handle creation_;  ///< no time stamps, so that the same calls give the same bytes
   Hdf5Handle file_;
 };
 
-/// Reads an HDF5 file that may be anything: all methods throw bem::InputError saying what
-/// is missing or damaged, without the file's name.
+/// Reads an HDF5 file, which may be damaged: all methods throw bem::InputError with what
+/// is missing or damaged, without the name of the file.
 class Hdf5Reader {
  public:
-  /// \throws bem::InputError if there is no such file or it is not (all of) an HDF5 file.
+  /// \throws bem::InputError if the file is missing, incomplete or not an HDF5 file.
   explicit Hdf5Reader(const std::string& path);
 
   bool has(const std::string& name) const;
 
-  /// All numbers of an array of `columns` columns, row by row.
+  /// Reads an array of `columns` columns, row by row.
   template <class T>
   std::vector<T> array(const std::string& name, hsize_t columns) const {
     const Hdf5Handle data = dataset(name);
@@ -74,7 +74,7 @@ class Hdf5Reader {
   }
   std::string text(const std::string& name) const;
 
-  /// One number, an attribute of a group.
+  /// Reads an attribute of a group that is a single number.
   template <class T>
   T attribute(const std::string& group, const std::string& name) const {
     T value{};

@@ -9,7 +9,7 @@
 
 namespace epafi::drivers {
 
-/// Keeps HDF5 from printing its errors for as long as it lives: they are asked for.
+/// Stops HDF5 from printing errors while it exists: this program handles them.
 class QuietHdf5 {
  public:
   QuietHdf5() {
@@ -25,19 +25,19 @@ class QuietHdf5 {
   void* data_ = nullptr;
 };
 
-/// What HDF5 says about its last error, from where it happened.
+/// The description of the last HDF5 error, from where the error arose.
 inline std::string hdf5Cause() {
   std::string cause = "HDF5 gives no cause";
   const auto innermost = [](unsigned, const H5E_error2_t* error, void* text) -> herr_t {
     if (error->desc != nullptr && *error->desc != '\0')
       *static_cast<std::string*>(text) = error->desc;
-    return 1;  // the first one is enough
+    return 1;  // stop at the first one
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &cause);
   return cause;
 }
 
-/// An open object of HDF5, closed at the end of its scope.  May be empty.
+/// Owns an open HDF5 object and closes it in the destructor.  May be empty.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -62,19 +62,19 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
-/// \throws bem::InputError with HDF5's cause, behind what it means if that is said.
+/// \throws bem::InputError if not `good`, with `what` and the cause from HDF5.
 inline void check(bool good, const std::string& what = "") {
   if (!good)
     throw bem::InputError(what, what.empty() ? "" : ": ", hdf5Cause());
 }
-/// Of an object that was opened.  \throws likewise.
+/// The handle of an object that was opened.  \throws as check, if `id` is negative.
 inline Hdf5Handle checked(hid_t id, Hdf5Handle::Close close,
                           const std::string& what = "") {
   check(id >= 0, what);
   return {id, close};
 }
 
-/// HDF5's type of a number, as it is in memory.
+/// The HDF5 type of a number in memory.
 template <class T>
 hid_t hdf5Type() {
   if constexpr (std::is_same_v<T, double>)

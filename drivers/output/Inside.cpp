@@ -9,9 +9,9 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Depth of what stands for the boundary, in halves of the element.
+/// Depth of the points that stand for the boundary, over half the element length.
 constexpr double skin = 1e-3;
-/// How near to an element's end, in halves of the element.
+/// Smallest distance to the ends of an element, over half the element length.
 constexpr double end = 0.05;
 
 }  // namespace

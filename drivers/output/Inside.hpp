@@ -15,25 +15,25 @@ struct InsideValue {
   double xx = 0;
   double yy = 0;
   double xy = 0;
-  double zz = 0;  ///< across the plane: ν (σxx + σyy) - E α T, or 0 in plane stress
-  double vonMises = 0;  ///< √(½ Σ of squared differences of normal stresses + 3 σxy²)
+  double zz = 0;  ///< normal to the plane: ν (σxx + σyy) - E α T, or 0 in plane stress
+  double vonMises = 0;    ///< √(½ Σ (normal stress differences)² + 3 σxy²)
   double principal1 = 0;  ///< the larger principal stress in the plane
   double principal2 = 0;
   double temperature = 0;  ///< above the stress-free state [temperature]
 };
 
-/// A point inside a body, in the user's coordinates.  As drawn bodies may overlap: the point alone
-/// does not say whose it is.
+/// A point inside a body, in the user's coordinates.  Bodies may overlap in the
+/// undeformed state, so that the point alone does not determine its body.
 struct InsidePoint {
-  std::size_t body = 0;  ///< as many as there are bodies: it is outside of all
+  std::size_t body = 0;  ///< index; the number of bodies if the point is outside all
   bem::Vec2 x;
 };
 
-/// The fields inside all elastic bodies on a solved level: closed forms, as accurate next to the
-/// boundary as far from it.                                    [doc/theory/operators.md]
+/// The fields inside all elastic bodies on a solved level, by closed formulas that are
+/// equally accurate near to and far from the boundary.          [doc/theory/operators.md]
 class BodyInsides {
  public:
-  /// Refers to both.
+  /// Keeps references to both arguments.
   BodyInsides(const Scene& scene, const Level& level);
 
   std::size_t size() const { return spaces_.size(); }
@@ -42,17 +42,17 @@ class BodyInsides {
   InsideValue at(const InsidePoint& point) const {
     return at(std::vector{point}).front();
   }
-  /// At a body's boundary, t in [-1, 1] on element e: just inside, and off the element's ends,
-  /// where the stress of a piecewise density has logarithms.
+  /// At t in [-1, 1] on element e of body b; stresses just inside the boundary and not at
+  /// the ends of the element, where they have logarithmic singularities.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
 
-  /// Of a value in body b [ns], see Parallel.hpp.
+  /// Estimated work of one evaluation in body b [ns], see Parallel.hpp.
   double workAtPoint(std::size_t b) const;
 
-  /// In parallel; eight points of a body take as long as one.  0 outside.
+  /// Computed in parallel; eight points of a body take as long as one.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
-  /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2,temperature: a row per
-  /// point, empty behind y for one outside.
+  /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2,temperature: a row
+  /// per point; outside of all bodies only x and y are given.
   std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 

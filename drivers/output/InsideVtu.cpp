@@ -30,7 +30,7 @@ constexpr Field fields[] = {
     {"temperature", [](const InsideValue& v) { return v.temperature; }},
 };
 
-/// Where a point of the boundary lies.
+/// A point of the boundary: element and t in [-1, 1].
 struct Foot {
   int element = 0;
   double t = 0;
@@ -141,7 +141,7 @@ std::string vtuFile(const FilledBodies& bodies) {
     ends.insert(ends.end(), corners.begin(), corners.end());
     offsets.push_back(static_cast<long long>(ends.size()));
   }
-  constexpr unsigned char triangle = 5;  // VTK's number
+  constexpr unsigned char triangle = 5;  // VTK_TRIANGLE
   vtu.topology = {dataArray("connectivity", ends), dataArray("offsets", offsets),
                   dataArray("types", std::vector<unsigned char>(cells, triangle))};
   return vtuText(vtu);

@@ -8,8 +8,8 @@
 
 namespace epafi::drivers {
 
-/// All bodies as triangles with the values at their points, up to the boundary: there the
-/// mean of what the elements say that meet at the point.
+/// All bodies as triangles with the values at their corners.  At a node of the boundary
+/// the value is the mean over the two elements that meet there.
 struct FilledBodies {
   std::vector<InsidePoint> points;
   std::vector<InsideValue> values;          ///< of each point
@@ -17,11 +17,11 @@ struct FilledBodies {
 };
 FilledBodies fill(const BodyInsides& insides);
 
-/// A VTK file (.vtu, UnstructuredGrid) that ParaView opens: the triangles with
-/// displacement, the stresses by the names of fields.csv, and the body's number.
+/// A file for ParaView (.vtu, UnstructuredGrid): the triangles with displacement, the
+/// scalar fields of fieldNames() and the number of the body.
 std::string vtuFile(const FilledBodies& bodies);
 
-/// The names of the scalar fields of a file.
+/// The names of the scalar fields of such a file.
 std::vector<std::string> fieldNames();
 
 }  // namespace epafi::drivers

@@ -19,17 +19,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All files that a run may write; only these and what is made of them are ever deleted.
+/// All files that a run may write; only these and files derived from them are deleted.
 constexpr const char* outputFiles[] = {"history.csv",  "steps.csv",  "contact.csv",
                                        "boundary.csv", "bodies.csv", "interior.csv",
                                        "solution.hdf", "used.xml",   "timings.txt",
                                        "study.csv",    "steps.pvd"};
 
-/// What `epafi fields` and `epafi plot` make of them, beside pictures.
+/// Files that `epafi fields` and `epafi plot` derive from them, beside pictures.
 constexpr const char* madeFiles[] = {"fields.csv", "fields.vtu", "fields-window.csv",
                                      "fields.pvd", "movie.gif",  "report.html"};
 
-/// Pictures of these names, or of fields, .png, .svg and .pdf.    [python/epafi/plot]
+/// Names of pictures (.png, .svg, .pdf) beside those of fields.       [python/epafi/plot]
 constexpr const char* pictures[] = {
     "convergence",   "time",           "contributions", "mesh",  "deformed",
     "contact",       "path",           "rigid",         "steps", "contact_stress",
@@ -54,7 +54,7 @@ bool isMade(const std::string& name) {
   return isAmong(pictures, stem) || isAmong(fieldNames(), stem);
 }
 
-/// Those of them that a folder has.
+/// The derived files that a folder contains.
 std::vector<std::string> madeIn(const fs::path& path) {
   std::vector<std::string> names;
   std::error_code ignored;
@@ -65,7 +65,7 @@ std::vector<std::string> madeIn(const fs::path& path) {
   return names;
 }
 
-/// All files of an earlier run that a folder has.
+/// All files of an earlier run that a folder contains.
 std::vector<std::string> filesIn(const fs::path& path) {
   std::vector<std::string> names;
   for (const char* name : outputFiles) {
@@ -78,7 +78,7 @@ std::vector<std::string> filesIn(const fs::path& path) {
   return names;
 }
 
-/// Where a file stands in a folder while it is staged.
+/// The temporary path of a staged file.
 std::string temporaryFile(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name;
   return (file.parent_path() / ("." + file.filename().string() + ".part")).string();
@@ -95,7 +95,7 @@ void makeFolder(const fs::path& path) {
                           "' cannot be made: ", error.message());
 }
 
-/// Has a table of levels a row under its head?
+/// Does a table of levels have a row below its head?
 bool hasRows(const fs::path& table) {
   std::ifstream stream(table);
   std::string line;
@@ -103,8 +103,8 @@ bool hasRows(const fs::path& table) {
   return std::getline(stream, line) && !line.empty();
 }
 
-/// A run that ended before its first level was solved leaves what repeats and times it: not
-/// worth keeping, and no reason to refuse the next one.
+/// Is there more than used.xml, timings.txt and tables without rows?  A run that ended
+/// before its first level was solved leaves only these; they need not be kept.
 bool holdsSolvedLevel(const fs::path& path) {
   for (const std::string& name : filesIn(path)) {
     const bool table = name == "history.csv" || name == "study.csv";
@@ -130,7 +130,7 @@ bool holdsSolvedLevel(const fs::path& path) {
       "elsewhere");
 }
 
-/// The files of steps/<k>, and the folders that hold nothing else.
+/// Deletes the files of a run in steps/<k>, and those folders that are empty then.
 void deleteSteps(const fs::path& path) {
   std::error_code ignored;
   std::vector<fs::path> folders;
@@ -144,7 +144,7 @@ void deleteSteps(const fs::path& path) {
       fs::remove(folder / file, ignored);
       fs::remove(temporaryFile(folder, file), ignored);
     }
-    fs::remove(folder, ignored);  // an empty one only
+    fs::remove(folder, ignored);  // fails unless the folder is empty
   }
   fs::remove(path / "steps", ignored);
 }
@@ -176,9 +176,9 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
       bem::message("--output: '", file.string(), "' cannot be written: ", cause));
 }
 
-/// Keeps other runs out of a folder while it lives, also those of other processes; where the
-/// file system knows no locks it does nothing.
-/// \throws bem::InputError if another run writes into the folder now.
+/// Locks a folder against other runs, also of other processes, while the result exists.
+/// Does nothing on a file system without locks.
+/// \throws bem::InputError if another run has locked the folder.
 std::shared_ptr<const void> locked(const std::string& path) {
   const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0)
@@ -200,7 +200,7 @@ OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
   makeFolder(path_);
   lock_ = locked(path_);
   deleteEarlierRun(path_, earlier);
-  // Better now than after hours of computing.
+  // Fail now rather than after hours of computing.
   const fs::path probe = fs::path(path_) / ".epafi.probe";
   errno = 0;
   if (!std::ofstream(probe))

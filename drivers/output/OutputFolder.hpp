@@ -9,38 +9,38 @@ namespace epafi::drivers {
 /// What to do with the files of an earlier run in the same folder.
 enum class EarlierRun { Refuse, Delete, Continue };
 
-/// The folder that a run writes into.
+/// The folder into which a run writes its files.
 ///
-/// Files appear as a whole: they are written under temporary names, stage(), and when all are,
-/// renamed one after the other, commit(), so that what goes wrong while writing leaves the earlier
-/// files as they are.
+/// Files are replaced as a whole: stage() writes all of them under temporary names,
+/// commit() renames them one after the other.  If writing fails, the earlier files remain
+/// unchanged.
 class OutputFolder {
  public:
-  /// Makes the folder and its parents; removes what an interrupted run has left staged, and
-  /// what is left of a run or a study that has not solved a level.
-  /// \throws bem::InputError if an earlier run's files are there and must not be touched,
-  /// if the path is a file, if nothing can be written there, or if another run does now.
+  /// Creates the folder and its parents.  Removes files that an interrupted run has
+  /// staged, and the files of an earlier run or study that solved no level.
+  /// \throws bem::InputError if the folder holds an earlier run that must be kept, if the
+  ///   path is a file, if it is not writable, or if another run is writing there.
   OutputFolder(std::string path, EarlierRun earlier);
-  /// Removes what is staged.
+  /// Removes all staged files.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// \throws bem::InputError if the file cannot be written (disk full, permissions); then
-  /// nothing is staged any more.
+  ///   no file remains staged.
   void stage(const std::string& name, const std::string& text);
 
-  /// The staged files take the places of the earlier ones, in the order of staging.
+  /// Replaces the earlier files by the staged ones, in the order of staging.
   /// \throws bem::InputError if a file cannot be renamed.
   void commit();
 
-  /// Both for one file.
+  /// Stages and commits one file.
   void write(const std::string& name, const std::string& text);
 
-  /// Deletes an earlier run's file that this run does not write.
+  /// Deletes a file of an earlier run that this run does not write.
   void drop(const std::string& name) const;
-  /// Deletes fields and pictures that other commands have made of a solution which is no longer
-  /// the folder's.
+  /// Deletes the fields and pictures that other commands derived from the earlier
+  /// solution.
   void dropMade() const;
 
   const std::string& path() const { return path_; }
@@ -51,7 +51,7 @@ class OutputFolder {
   void discard();
 
   std::string path_;
-  std::shared_ptr<const void> lock_;  ///< keeps other runs out
+  std::shared_ptr<const void> lock_;  ///< lock against other runs
   std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };

@@ -8,26 +8,26 @@
 
 namespace epafi::drivers {
 
-/// A number by so many digits.
+/// A number with `digits` significant digits.
 std::string significant(double value, int digits);
 
-/// The table that a run prints: its head, and one line per level.
+/// The table that a run prints: its head, and a line per level.
 std::string tableHead();
 std::string tableLine(const LevelRow& row);
 
 /// One line per step of a path.
 std::string tableLine(const StepRow& row);
 
-/// Says of a level that it has got less than the wanted γ₀; else empty.
+/// A note if the level uses a smaller γ₀ than `wanted`; else empty.
 std::string gamma0Note(const LevelRow& row, double wanted);
 
-/// Says what became of a level's operators, or what would cost less; else empty.
+/// The note on the operators of a level: a fallback or a cheaper choice; else empty.
 std::string operatorsNote(const LevelRow& row);
 
-/// Says of a level of a path which step has the largest estimated error; else empty.
+/// A note with the step of a path that has the largest estimated error; else empty.
 std::string worstStepNote(const LevelRow& row);
 
-/// Where the time went, for the end of a run.
+/// CPU and elapsed time, time of each phase and peak memory, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 
 }  // namespace epafi::drivers

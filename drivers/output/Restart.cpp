@@ -15,7 +15,7 @@ namespace {
 using bem::InputError;
 using Teuchos::ParameterList;
 
-/// The path of the first key that two lists do not agree on; empty if there is none.
+/// The path of the first key in which two lists differ; empty if they are equal.
 std::string difference(const ParameterList& a, const ParameterList& b,
                        const std::string& path);
 
@@ -42,7 +42,7 @@ std::string difference(const ParameterList& a, const ParameterList& b,
   return "";
 }
 
-/// The scene that a file was written by.
+/// The scene for which a checkpoint was written.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
   return *drivers::sceneOf(checkpoint.used, "used.xml", {}).used;
 }
@@ -74,7 +74,7 @@ void checkHead(const std::string& table, const std::string& head) {
         "scene again");
 }
 
-/// Numbers and columns must be those of the meshes; a checksum does not know what they mean.
+/// Checks that sizes, indices and columns fit the meshes; the checksum cannot.
 void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
   const Level& level = checkpoint.level;
   if (level.bodies.size() != scene.bodies.size())
@@ -107,7 +107,7 @@ void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
     checkHead(checkpoint.steps, stepsHead(emptyRow(scene, spaces)));
 }
 
-/// Rows of the levels that the run goes on behind.
+/// history.csv without a last level that has not converged: it is solved again.
 std::string historyBehind(const Checkpoint& checkpoint) {
   const std::string& text = checkpoint.history;
   checkHead(text, historyHead());
@@ -119,8 +119,8 @@ std::string historyBehind(const Checkpoint& checkpoint) {
   return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
 }
 
-/// Of a table whose rows begin with the level: those of the levels before the one that is
-/// solved again, or all.
+/// The same for a table whose rows begin with the level; drops all rows of a level that
+/// is solved again.
 std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
   if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
     return text;

@@ -7,18 +7,18 @@
 
 namespace epafi::drivers {
 
-/// The last level of the run in a folder, for a scene to go on from.
+/// Reads the last level of the run in a folder, from which `scene` is continued.
 ///
-/// The scene must say the same as the earlier run's about Bodies, Geometry, Contacts, Constants,
-/// Tables, History, Discretization and how errors are estimated (Adaptivity->Weights, Residual Factor);
-/// Solver, Output and the rest of Adaptivity may differ.  Of a level that has not converged, the row of
-/// history.csv is left out: it is solved again.
-/// \throws bem::InputError naming the file and what is wrong with it, or the first key
-///   that differs.
+/// Bodies, Geometry, Contacts, Constants, Tables, History, Discretization and the
+/// parameters of the estimate (Adaptivity->Weights, Residual Factor) must be those of the
+/// earlier run.  Solver, Output and the rest of Adaptivity may differ.  A last level that
+/// has not converged is solved again; its rows are left out of the tables.
+/// \throws bem::InputError with the file and its defect, or with the first key that
+///   differs.
 Checkpoint readRestart(const std::string& folder, const Scene& scene);
 
-/// The level in a file, or nothing if that is damaged, of another format or of a scene
-/// that differs in more than Output.
+/// The level in a file; nothing if the file is missing, damaged, of another format,
+/// incomplete, or if its scene differs in more than Output and Versions.
 std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path);
 
 }  // namespace epafi::drivers

@@ -11,7 +11,7 @@
 
 namespace epafi::drivers {
 
-// Order and names of columns are a contract: add, never rename.
+// Users rely on order and names of columns: append new ones, never rename.
 namespace {
 
 using adaptivity::Source;
@@ -138,7 +138,7 @@ constexpr Column<ContactRow> contactColumns[] = {
     {"pressure_max", [](const ContactRow& c) { return number(c.summary.pressureMax); }},
 };
 
-/// Where a body without elasticity is, and what moves or holds it there.
+/// Motion of a rigid body, and the forces that move or hold it.
 constexpr Column<RigidRow> rigidColumns[] = {
     {"motion_x", [](const RigidRow& r) { return number(r.motion.slide.x); }},
     {"motion_y", [](const RigidRow& r) { return number(r.motion.slide.y); }},
@@ -182,13 +182,13 @@ constexpr Column<BodyRow> bodyColumns[] = {
     {"body_moment", body<&Summary::inside, &Resultant::moment>},
 };
 
-/// Moments about the origin of the user's coordinates, as those of elastic bodies.
+/// Moves the moment to the origin of the user's coordinates, as for elastic bodies.
 contact::Resultant aboutOrigin(contact::Resultant sum, bem::Vec2 pole) {
   sum.moment += cross(pole, {sum.x, sum.y});
   return sum;
 }
 
-/// Of a body that does not deform.
+/// The summary of a rigid body.
 Summary summaryOf(const RigidRow& row) {
   Summary summary;
   summary.load = aboutOrigin(row.load, row.pole);
@@ -199,7 +199,7 @@ Summary summaryOf(const RigidRow& row) {
   return summary;
 }
 
-/// A column's place.  \pre there is one of this name
+/// Index of a column.  \pre a column has this name
 template <class Row, std::size_t count>
 std::size_t placeOf(const std::string& name, const Column<Row> (&columns)[count]) {
   const auto at =

@@ -9,41 +9,41 @@
 
 namespace epafi::drivers {
 
-/// history.csv, a row per level: its columns, and a row in their order.
+/// history.csv, a row per level: names of columns, cells of a row, first line.
 std::vector<std::string> historyColumns();
 std::vector<std::string> historyCells(const LevelRow& row);
 std::string historyHead();
-/// Where a column stands.  \pre there is one of this name
+/// Index of a column.  \pre a column has this name
 std::size_t historyColumn(const std::string& name);
 
-/// The cells of the last line of a history.csv of this version.
+/// Cells of the last line of a history.csv that this version has written.
 std::vector<std::string> lastCells(const std::string& history);
-/// The number in a column, as such cells have it.
+/// The number in a column of such cells.
 double valueOf(const std::vector<std::string>& cells, const std::string& name);
-/// strain and surface energy - fᵀ u + friction's work as such cells have it [stress length²].
+/// Strain and surface energy - fᵀ u + work of friction, from such cells [stress length²].
 double energyOf(const std::vector<std::string>& cells);
 
-/// steps.csv, a row per level and step: columns of its own, of each contact and of each body
-/// without elasticity.
+/// First line of steps.csv, a row per level and step: columns of the step, of each
+/// contact and of each rigid body.
 std::string stepsHead(const StepRow& row);
-/// Friction's work up to each step of a level, as steps.csv has it; nothing of an empty text.
+/// Work of friction up to each step of a level, from steps.csv; empty for an empty text.
 std::vector<double> dissipatedOf(const std::string& steps, int level);
 
-/// bodies.csv, a row per level, step of a path (else 0) and body: the resultants of loads,
-/// contact and what holds it, which add up to nothing, and its motion: of a body that deforms
-/// the mean over its boundary, of another one that of its reference point.
+/// bodies.csv, a row per level, step (0 without a path) and body: resultants of loads,
+/// body loads, contact forces and reactions, which sum to zero, and the motion: of an
+/// elastic body the mean over its boundary, of a rigid one that of its reference point.
 std::string bodiesHead();
 
-/// The tables of a run's levels so far, as they stand in its files.
+/// The tables of a run up to now, as text.
 struct RunTables {
-  /// `earlier`: what the run goes on from.
+  /// `earlier`: the checkpoint that the run continues.
   explicit RunTables(const Scene& scene, const std::optional<Checkpoint>& earlier = {});
 
   void addStep(const StepRow& row);
-  /// Behind its steps.
+  /// Call it after addStep for the steps of the level.
   void addLevel(const SolvedLevel& level, const LevelRow& row);
 
-  /// solution.hdf of a level whose row this is.
+  /// The bytes of solution.hdf for a level with this row of history.csv.
   std::string solution(const Level& level, const LevelRow& row,
                        const BoundaryLines& grid) const;
 
@@ -51,7 +51,7 @@ struct RunTables {
   std::string used;
   std::string history;
   std::string steps;   ///< empty without a History
-  std::string bodies;  ///< empty where there is nothing to tell of bodies
+  std::string bodies;  ///< empty unless Scene::tellsBodies
 };
 
 }  // namespace epafi::drivers

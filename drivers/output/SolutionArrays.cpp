@@ -15,7 +15,7 @@ std::size_t sizeOf(const SolutionArray& array) {
   return std::visit([](const auto& numbers) { return numbers.size(); }, array.numbers);
 }
 
-/// Takes what it visits from a level to arrays, or back.
+/// Copies the values that it visits from a level to arrays, or back.
 class Archive {
  public:
   enum class To { Arrays, Level };
@@ -45,7 +45,7 @@ class Archive {
     }
   }
 
-  /// The sizes of vectors.
+  /// Writes the sizes of vectors, or resizes the vectors to the stored sizes.
   template <class... T>
   void sizes(const char* name, std::vector<T>&... all) {
     const auto size = [&](auto& vector) {
@@ -55,7 +55,7 @@ class Archive {
     };
     (size(all), ...);
   }
-  /// How long a vector of a level is, if it is none yet.
+  /// Resizes a vector of a level that is read; does nothing when writing.
   template <class T>
   void resize(std::vector<T>& vector, std::size_t size) const {
     if (to_ == To::Arrays)
@@ -64,7 +64,7 @@ class Archive {
       throw bem::InputError(apart);
     vector.resize(size);
   }
-  /// How many rows an array has for each of so many parts.
+  /// Rows of an array, divided by `parts`.
   std::size_t rows(const char* name, std::size_t parts = 1) {
     const SolutionArray& array = named(name);
     return sizeOf(array) / array.columns / parts;
@@ -92,7 +92,7 @@ class Archive {
 
   SolutionArrays& arrays_;
   To to_;
-  std::size_t most_ = 0;  ///< numbers: a damaged file may say anything
+  std::size_t most_ = 0;  ///< all numbers; no size in a file may be larger
 };
 
 void visit(Archive& archive, BodyLevel& body) {

@@ -7,26 +7,25 @@
 
 namespace epafi::drivers {
 
-/// An array of solution.hdf, row by row.
+/// An array of solution.hdf, stored row by row.
 struct SolutionArray {
   const char* name = nullptr;
   std::size_t columns = 1;
   std::variant<std::vector<double>, std::vector<int>> numbers{};
-  std::size_t taken = 0;  ///< how many have gone into a level
+  std::size_t taken = 0;  ///< how many numbers have been read into a level
 };
 
-/// A level's numbers as they stand in solution.hdf, in the order of the checksum: those of the
-/// bodies one body after the other, those of a path one step after the other, in a step again
-/// the bodies.
+/// The numbers of a level as in solution.hdf and in the order of the checksum: body by
+/// body; for a path step by step, within a step body by body.
 using SolutionArrays = std::vector<SolutionArray>;
 
-/// All of them, without numbers.
+/// All arrays of solution.hdf, empty.
 SolutionArrays emptyArrays();
 
 SolutionArrays arraysOf(Level level);
 
-/// And back, what arrays say of a level.
-/// \throws bem::InputError if they do not go together, or hold a state that there is not.
+/// The inverse of arraysOf.
+/// \throws bem::InputError if the sizes do not match, or for an unknown state.
 Level levelOf(SolutionArrays arrays);
 
 }  // namespace epafi::drivers

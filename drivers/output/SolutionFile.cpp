@@ -11,12 +11,12 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 6;  // 1 to 5 were before the first version
+constexpr int format = 6;  // formats 1 to 5 were never released
 const std::string group = "/Epafi";
 
 bool converged(const Level& level) { return level.status == contact::Status::Converged; }
 
-/// Of everything that a restart is made from.
+/// CRC-32 of everything that a restart reads.
 unsigned long long checksum(const Checkpoint& checkpoint, const SolutionArrays& arrays) {
   const Level& level = checkpoint.level;
   boost::crc_32_type sum;

@@ -8,29 +8,29 @@
 
 namespace epafi::drivers {
 
-/// A level with what stands around it in its run: what solution.hdf keeps for a run that
-/// goes on later, and a study for a reference.
+/// A level with the tables of its run: the content of solution.hdf, for a restart or for
+/// the reference of a study.
 struct Checkpoint {
   Level level;
   std::string used;      ///< used.xml
   std::string history;   ///< history.csv up to the level
   std::string steps;     ///< steps.csv up to the step; empty without a History
-  std::string bodies{};  ///< bodies.csv up to the level; empty of one body
+  std::string bodies{};  ///< bodies.csv up to the level; may be empty, see tellsBodies
   double secondsTotal = 0;
   double secondsWall = 0;
 };
 
-/// solution.hdf: a level to look at and to go on from.             [doc/solution-file.md]
+/// solution.hdf: a level for plots and for a restart.              [doc/solution-file.md]
 ///
-///   /VTKHDF  the boundary as lines with the fields on them, which ParaView opens
-///   /Epafi   all numbers that the next level is made from, with a checksum
+///   /VTKHDF  segments of the boundary with the fields, which ParaView can open
+///   /Epafi   all numbers of the level and the tables of its run, with a checksum
 ///
-/// Its bytes, from what every process has whole: a checkpoint and its boundaryLines.
+/// Returns the bytes.  Every process holds all of the arguments: not collective.
 std::string solutionFile(const Scene& scene, const Checkpoint& checkpoint,
                          const BoundaryLines& grid);
 
-/// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
-///   of a format that this version does not know.
+/// \throws bem::InputError with the name of the file, if it is missing, incomplete,
+///   damaged, or of another format.
 Checkpoint readSolution(const std::string& path);
 
 }  // namespace epafi::drivers

@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Relative to the outline.
+/// Largest size of a triangle, over the diameter of the outline.
 constexpr double largest = 1.0 / 40;
-/// Nodes that are closer than this are one point: no picture shows them apart.
+/// Nodes closer than this are merged: no plot can separate them.
 constexpr double smallest = 1e-7;
 
-/// A folder that exists while the object does.
+/// A temporary folder, deleted by the destructor.
 class Scratch {
  public:
   Scratch() {
@@ -47,7 +47,7 @@ class Scratch {
   fs::path path_;
 };
 
-/// The corners of each closed line.
+/// The vertices of each closed line.
 std::vector<std::vector<bem::Vec2>> polygons(const bem::Mesh& mesh) {
   std::vector<std::vector<bem::Vec2>> loops(
       static_cast<std::size_t>(mesh.outline().loops()));

@@ -7,19 +7,19 @@
 
 namespace epafi::drivers {
 
-/// The inside of a body as triangles, small at small elements.
+/// The inside of a body as triangles, which are small at small elements.
 struct Triangulation {
   std::vector<bem::Vec2> points;            ///< in the user's coordinates
   std::vector<bool> onBoundary;             ///< of each point
   std::vector<std::array<int, 3>> corners;  ///< of each triangle, counter-clockwise
 };
 
-/// Delaunay triangles without angles below 20 degrees, as far as the outline lets them, no
-/// larger than a fortieth of the outline.  They end at the elements' nodes and at as many
-/// points between them as the size wants.
+/// Delaunay triangles with angles of at least 20 degrees where the outline permits, and
+/// sizes up to a fortieth of its diameter.  Their boundary consists of the nodes of the
+/// elements and of points between them as the size requires.
 ///
-/// By ../libexec/epafi/triangulate seen from this program, which uses CGAL.
-/// \throws bem::InputError if that is not there or fails.
+/// Runs ../libexec/epafi/triangulate (relative to this program), which uses CGAL.
+/// \throws bem::InputError if that program is missing or fails.
 Triangulation triangulate(const bem::Mesh& mesh);
 
 }  // namespace epafi::drivers

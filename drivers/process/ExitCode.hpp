@@ -2,7 +2,7 @@
 
 namespace epafi::drivers {
 
-/// What the program ends with, and what `epafi --help` says of it.
+/// Exit codes of the program, and their meanings in `epafi --help`.
 enum ExitCode {
   Solved = 0,
   BadInput = 1,
@@ -13,7 +13,7 @@ enum ExitCode {
 
 struct ExitMeaning {
   ExitCode code;
-  const char* more;  ///< what is added to it
+  const char* more;  ///< text behind the number of the code
   const char* meaning;
 };
 

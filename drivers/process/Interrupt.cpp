@@ -10,9 +10,9 @@ namespace epafi::drivers {
 
 namespace {
 
-// What a signal handler can reach: plain memory, of which two halves take turns, so that
-// one is whole while the other is written.
-constexpr std::size_t room = 1 << 14;  // a command that is cut off is another one
+// State that the signal handler may read: plain memory.  Two buffers take turns, so that
+// one is complete while the other is written.
+constexpr std::size_t room = 1 << 14;  // a truncated command would be wrong
 std::array<std::array<char, room>, 2> advice{};
 volatile std::sig_atomic_t current = 0;
 volatile std::sig_atomic_t length = 0;
@@ -28,11 +28,11 @@ void startTimer() {
 
 void endNow(int) {
   if (!speaks)
-    sleep(2);  // when one rank ends mpirun kills the others, and the first is to speak
+    sleep(2);  // mpirun kills all ranks when one ends; the first rank prints before that
   const auto& text = advice[current];
   if (length > 0 &&
       write(STDERR_FILENO, text.data(), static_cast<std::size_t>(length)) < 0)
-    _exit(128 + received);  // nobody is left to tell
+    _exit(128 + received);  // the message cannot be printed
   _exit(128 + received);
 }
 
@@ -59,7 +59,7 @@ void catchSignals(Grace grace, Voice voice) {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // A file above the user's limit (ulimit -f) shall be an error like a full disk.
+  // A file above the limit of ulimit -f is then an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -69,7 +69,7 @@ void adviseOnInterrupt(const std::string& text) {
   const std::size_t other = 1 - current;
   const std::size_t size = std::min(line.size(), room);
   std::copy_n(line.begin(), size, advice[other].begin());
-  length = 0;  // between two texts: none
+  length = 0;  // no text is valid while the buffers are switched
   current = static_cast<std::sig_atomic_t>(other);
   length = static_cast<std::sig_atomic_t>(size);
 }
@@ -77,7 +77,7 @@ void adviseOnInterrupt(const std::string& text) {
 void throwIfInterrupted() {
   if (received == 0)
     return;
-  startTimer();  // anew: the way out has to wait for the other ranks
+  startTimer();  // restart the timer: the orderly end has to wait for the other ranks
   throw Interrupted{received, told};
 }
 

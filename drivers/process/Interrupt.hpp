@@ -4,10 +4,10 @@
 
 namespace epafi::drivers {
 
-/// SIGINT or SIGTERM came; thrown between two phases of a run, when all files are whole.
+/// Thrown after SIGINT or SIGTERM between two phases of a run, when files are complete.
 struct Interrupted {
   int signal = 0;
-  std::string advice;  ///< what was said last by adviseOnInterrupt
+  std::string advice;  ///< the text of the last adviseOnInterrupt
 };
 
 /// How long a phase may go on after a signal.
@@ -16,19 +16,19 @@ enum class Grace {
   None     ///< under mpirun, which soon kills its ranks
 };
 
-/// Whether this process says anything: one of several ranks does.
+/// Does this process print messages?  Only the first of several ranks does.
 enum class Voice { Loud, Silent };
 
-/// From now on the first SIGINT or SIGTERM is noted, and ends the program between two
-/// phases, or within the grace: then at once, with the advice on standard error and exit
-/// code 128 + signal, as the second signal does.  Files are whole in any case.  A file that
-/// is too large no longer ends the program.
+/// Installs the signal handlers.  After SIGINT or SIGTERM the program ends at the next
+/// phase.  After the grace or a second signal it ends at once, with the advice on
+/// standard error and exit code 128 + signal.  Files are always complete.  Writing above
+/// the file size limit fails but no longer ends the program.
 void catchSignals(Grace grace, Voice voice);
 
-/// What to say from now on if the program is interrupted: what is kept, and how to go on.
+/// Sets the message for an interrupt: what is saved, and how to continue.
 void adviseOnInterrupt(const std::string& advice);
 
-/// \throws Interrupted if a signal has come.
+/// \throws Interrupted if a signal has been received.
 void throwIfInterrupted();
 
 }  // namespace epafi::drivers

@@ -30,37 +30,37 @@ const char* nameOf(Phase phase);
 /// Times the phases of a run.
 class PhaseTimer {
  public:
-  /// Is told ahead of each phase what begins, and of long ones how far they are; what it throws
-  /// ends the run there.
+  /// Called before each phase with its name, and during long ones with their progress.
+  /// An exception that it throws ends the run there.
   using Watch = std::function<void(const std::string& phase)>;
   explicit PhaseTimer(Watch watch = [](const std::string&) {});
   ~PhaseTimer();
 
   void startLevel(int level);
   void endLevel();
-  /// The step of a path that begins, from 1 on; the watch is told what the others may take.
+  /// Starts a step of a path, 1 <= step <= steps; messages then estimate the time left.
   void startStep(int step, int steps);
 
-  /// work(), timed.
+  /// Returns work() and adds its CPU time to the phase.
   template <class Work>
   auto run(Phase phase, const Work& work) {
     const Scope scope(*this, phase);
     return work();
   }
 
-  /// Tells the watch how far a phase is.
+  /// Passes a message on the progress of a phase to the watch.
   void tell(const std::string& progress);
 
-  /// CPU seconds of the phases, all threads: of this level, of all.
+  /// CPU seconds of the phases over all threads: of this level, and of all levels.
   const std::array<double, phaseCount>& levelSeconds() const { return level_; }
   double totalSeconds(Phase phase) const { return total_[at(phase)]; }
-  /// Since construction, by the clock on the wall.
+  /// Elapsed seconds since construction.
   double wallSeconds() const {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  /// What timings.txt says, first how long the process took to get to this object: loading
-  /// libraries, reading and checking.  Ends the timing.
+  /// Ends the timing and returns the text of timings.txt, first the seconds from the
+  /// start of the process to the construction of this object.
   std::string report();
 
  private:
@@ -86,9 +86,9 @@ class PhaseTimer {
   Clock::time_point begin_ = Clock::now();
   Teuchos::RCP<Teuchos::StackedTimer> stack_;
   std::string levelName_;
-  int step_ = 0;  ///< of `steps_`, where there is a path
+  int step_ = 0;  ///< current step; 0 without a path
   int steps_ = 0;
-  double stepsBegin_ = 0;  ///< of this level [s]
+  double stepsBegin_ = 0;  ///< begin of the first step of this level [s]
   std::array<double, phaseCount> level_{};
   std::array<double, phaseCount> total_{};
 };

@@ -6,10 +6,10 @@
 
 namespace epafi::drivers {
 
-/// One line on the terminal that says what is going on; each replaces the one before.
+/// A line on the terminal with the current activity; each text replaces the one before.
 class ProgressLine {
  public:
-  /// Shown if standard error is a terminal and the user `wants` to see it.
+  /// Shown only if standard error is a terminal and `wants` is true.
   explicit ProgressLine(bool wants) : isShown_(wants && isatty(STDERR_FILENO) != 0) {}
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
@@ -21,7 +21,7 @@ class ProgressLine {
       std::fflush(stderr);
     }
   }
-  /// Makes room for other output.
+  /// Erases the line before other output.
   void clear() const { show(""); }
 
  private:

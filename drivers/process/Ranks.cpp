@@ -17,7 +17,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Open MPI, MPICH and its kin, and Slurm's srun tell their children.
+/// Environment variables that Open MPI, MPICH, its derivatives and srun of Slurm set.
 bool startedByLauncher() {
   const char* variables[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK",
                              "MPI_LOCALNRANKS"};
@@ -36,7 +36,7 @@ Ranks::~Ranks() = default;
 
 const bem::MpiProcesses& Ranks::tpetra() const {
   if (tpetra_ == nullptr) {
-    // not main's arguments: Kokkos would take --threads and --help for its own
+    // not the arguments of main: Kokkos would interpret --threads and --help
     std::string name = "epafi";
     char* names[] = {name.data(), nullptr};
     char** argv = names;
@@ -74,7 +74,7 @@ bem::Failure Ranks::currentFailure() {
     return {Breakdown, "the memory does not suffice for this level"};
   } catch (const std::exception& error) {
     return {Breakdown, error.what()};
-  } catch (const char* error) {  // NOX throws these
+  } catch (const char* error) {  // NOX throws strings
     return {Breakdown, error};
   } catch (...) {
     return {Breakdown, "an unknown exception"};
@@ -91,7 +91,7 @@ bem::Failure Ranks::agree(const bem::Failure& mine) const {
 }
 
 void tell(const bem::Failure& failure) {
-  // in one piece, or mpirun's own words fall between
+  // one write, so that messages of mpirun do not split it
   std::cerr << "epafi: " + failure.message + "\n" << std::flush;
 }
 

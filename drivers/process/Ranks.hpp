@@ -18,8 +18,8 @@ class MpiProcesses;
 
 namespace epafi::drivers {
 
-/// The processes of a run: those that mpirun has started, else this one, which then
-/// leaves MPI alone.
+/// The processes of a run: all ranks under mpirun, otherwise this process alone, which
+/// does not start MPI unless it is needed.
 class Ranks {
  public:
   /// Starts MPI under mpirun.
@@ -30,18 +30,18 @@ class Ranks {
 
   const bem::Processes& processes() const;
 
-  /// Starts MPI, if that is still to be done: Belos does not work without.
+  /// Starts MPI if necessary: Belos needs it.
   std::unique_ptr<const bem::SingleLayerSolver> belosSolver(
       const bem::BelosOptions& options) const;
 
-  /// One rank writes files and speaks.
+  /// Only the first rank writes files and prints.
   bool isFirst() const { return processes().rank() == 0; }
   bool underMpirun() const { return underMpirun_; }
-  /// catchSignals as is right for this rank.
+  /// Calls catchSignals with the grace and voice of this rank.
   void listenToSignals() const;
 
-  /// Does work() and returns nothing, or what kept one of the ranks from doing it: the
-  /// same on all of them.
+  /// Calls work().  Returns nothing, or, on all ranks, the same failure of one of them.
+  /// Collective.
   template <class Work>
   std::optional<bem::Failure> attempt(const Work& work) const {
     try {
@@ -64,15 +64,15 @@ class Ranks {
 
   bool underMpirun_;
   bem::OneProcess alone_;
-  // made when they are needed; scope_ ends MPI, last of all
+  // created on demand; scope_ is destroyed last and ends MPI
   mutable std::unique_ptr<Tpetra::ScopeGuard> scope_;
   mutable std::unique_ptr<const bem::MpiProcesses> tpetra_;
 };
 
-/// Prints the one message of a run that fails.
+/// Prints the error message of a run that fails.
 void tell(const bem::Failure& failure);
 
-/// The largest over all ranks, number by number.
+/// Maximum over all ranks, entry by entry.  Collective.
 bem::Vector largestOverRanks(const bem::Processes& processes, const bem::Vector& mine);
 
 }  // namespace epafi::drivers

@@ -16,13 +16,13 @@ namespace {
 constexpr double mebi = 1024.0 * 1024.0;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The number in a file that holds one; `otherwise` without the file, and for "max".
+/// The number in a file; `otherwise` if there is no file or no number ("max").
 double numberIn(const std::string& file, double otherwise) {
   double value = 0;
   return std::ifstream(file) >> value ? value : otherwise;
 }
 
-/// The number behind a word at the start of a line.
+/// The number after `word` at the start of a line; `otherwise` if there is none.
 double numberBehind(const std::string& file, const std::string& word, double otherwise) {
   std::ifstream lines(file);
   std::string first;
@@ -34,14 +34,14 @@ double numberBehind(const std::string& file, const std::string& word, double oth
   return otherwise;
 }
 
-/// What the names of the files in a folder of control groups are.
+/// Names of the files of a control group.
 struct Names {
   const char* limit;
   const char* used;
   const char* cache;  ///< in memory.stat
 };
 
-/// The least that a group and those above it leave; a limit as large as addresses is none.
+/// The least that a group and its parents leave [bytes]; limits from 1e18 on mean none.
 double leftIn(const std::string& hierarchy, std::string group, const Names& names) {
   double left = unlimited;
   for (;;) {
@@ -118,7 +118,7 @@ double cpuSeconds() {
 double secondsSinceStart() {
   std::string line;
   std::getline(std::ifstream("/proc/self/stat"), line);
-  // the 22nd number, of which the second is a name in parentheses
+  // the start time is field 22; field 2 is a name in parentheses and may contain blanks
   std::istringstream numbers(line.substr(line.rfind(')') + 1));
   std::string skipped;
   for (int k = 3; k < 22; ++k)

@@ -4,15 +4,15 @@
 
 namespace epafi::drivers {
 
-/// What this process can still get before the kernel ends something [MiB]: the least of what
-/// the machine has free, what the control groups that it belongs to allow (v2 and v1; caches
-/// count as free), and its own limit on addresses.
+/// Memory that this process can still allocate [MiB]: the minimum of the free memory of
+/// the machine, the limits of its control groups (v1 and v2; caches count as free) and
+/// its limit on address space.
 ///
-/// `root`: stands before /proc and /sys, for tests.
+/// `root`: prefix of /proc and /sys, for tests.
 double freeMemory(const std::string& root = "");
 
-/// Has the heap keep up to 16 MiB that are free, for the next level: by itself glibc gives them
-/// back, and the system clears every page again.  Blocks of 4 MiB and more are mapped.
+/// Lets the heap keep up to 16 MiB of freed memory: by default glibc returns it, and the
+/// system clears each page again for the next level.  Blocks from 4 MiB on are mapped.
 void keepFreedMemory();
 
 /// Resident memory of this process now [MiB].
@@ -21,7 +21,7 @@ double ownMemory();
 /// CPU seconds of this process since it started, all threads.
 double cpuSeconds();
 
-/// Seconds by the clock since this process started, counted in hundredths.
+/// Elapsed seconds since the start of this process, in steps of 0.01 s.
 double secondsSinceStart();
 
 /// Largest resident memory of this process so far [MiB].

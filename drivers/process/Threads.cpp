@@ -16,23 +16,23 @@ namespace {
 constexpr const char* coreVariable = "OPENBLAS_CORETYPE";
 constexpr const char* waitVariable = "OPENBLAS_THREAD_TIMEOUT";
 
-/// log2 of the cycles that a thread of OpenBLAS without work keeps asking for some: 20
-/// microseconds.  OpenBLAS' own 20 milliseconds take the processor from other threads
-/// in between, so that on small levels two threads are slower than one.
+/// log2 of the cycles that an idle thread of OpenBLAS waits actively: 20 microseconds.
+/// The default of 20 milliseconds takes the processor from other threads, so that two
+/// threads are slower than one on small levels.
 constexpr const char* shortWait = "16";
 
-/// A function of the BLAS that is loaded, null if that is not OpenBLAS.
+/// A function of the loaded BLAS; null unless it is OpenBLAS.
 template <class Function>
 Function* blasFunction(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// The kernels that suit this processor and its operating system; null: any will do.
+/// The name of the kernels for this processor and operating system; null: no preference.
 const char* fittingCore() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  // AMD's family 19h has AVX-512 in halves: products as fast, triangular solves with
-  // OpenBLAS' kernels for it at 0.65 of the speed of those for AVX2.
+  // AMD family 19h executes AVX-512 in two halves: products are not faster than with the
+  // AVX2 kernels of OpenBLAS, triangular solves reach only 0.65 of their speed.
   const bool hasHalves = __builtin_cpu_is("amdfam19h");
   if (!hasHalves && __builtin_cpu_supports("avx512f") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
@@ -44,7 +44,7 @@ const char* fittingCore() {
   return nullptr;
 }
 
-/// Is what OpenBLAS chose as good as what fits?
+/// Are the kernels that OpenBLAS chose as fast as the fitting ones?
 bool isAsGood(const std::string& chosen, const std::string& fitting) {
   const char* wide[] = {"SkylakeX", "Cooperlake", "Sapphirerapids"};
   const char* avx2[] = {"Haswell", "Zen", "Excavator"};

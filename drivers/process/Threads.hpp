@@ -6,32 +6,32 @@ namespace epafi::drivers {
 
 class Ranks;
 
-/// More, and stacks take all of the memory.
+/// Largest number of threads; the stacks of more would take all memory.
 constexpr int mostThreads = 4096;
 
-/// At most so many threads for loops, see bem/base/Parallel, and for BLAS.
+/// Limits the threads of parallel loops (bem/base/Parallel) and of BLAS.
 void setThreads(int threads);
 
-/// As many as are wanted; 0: the default, all cores or what the environment says, but one for each
-/// process under mpirun.
+/// Sets the number of threads to `wanted`; 0: the default, which is all cores or the
+/// value of the environment, but one per process under mpirun.
 void chooseThreads(int wanted, const Ranks& ranks);
 
-/// At most so many are used.
+/// The largest number of threads of a parallel loop.
 int threads();
 
-/// The kernels that OpenBLAS chose, "unknown" for another BLAS.
+/// The name of the kernels that OpenBLAS chose; "unknown" for another BLAS.
 std::string blasCore();
 
-/// Sets variables that OpenBLAS reads when it is loaded, and has it read them again:
+/// Sets environment variables of OpenBLAS and lets it read them again:
 ///
-///   OPENBLAS_CORETYPE        if it has chosen kernels below what the processor has:
-///                            Debian's does not know newer processors and then computes
-///                            five times slower; the table of kernels is chosen again
-///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at others' expense;
-///                            they end, and begin again when they are asked for
+///   OPENBLAS_CORETYPE        if its kernels do not fit the processor: the OpenBLAS of
+///                            Debian does not know newer processors and is then five
+///                            times slower; the kernels are chosen again
+///   OPENBLAS_THREAD_TIMEOUT  if it has threads: idle ones shall not use a processor for
+///                            long; they end now and start again when needed
 ///
-/// Call it first in main, before MPI_Init and threads.  A user's own variables and another
-/// BLAS are left alone.
+/// Call it first in main, before MPI_Init and before threads start.  Variables that the
+/// user has set and other BLAS libraries are not changed.
 void tuneBlas();
 
 }  // namespace epafi::drivers

@@ -9,7 +9,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// The first line of what the library says of itself; allowed before MPI_Init.
+/// The version text of the library up to a comma or line end; allowed before MPI_Init.
 std::string mpiVersion() {
   char text[MPI_MAX_LIBRARY_VERSION_STRING] = "";
   int length = 0;

@@ -4,7 +4,7 @@
 
 namespace epafi::drivers {
 
-/// What computed a result.
+/// Versions of the program and the libraries that compute a result.
 struct Versions {
   std::string epafi;
   std::string trilinos;

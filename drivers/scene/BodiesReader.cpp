@@ -90,7 +90,7 @@ RigidBody readRigid(const Part& part, const std::string& name, const Scene& scen
   body.pole = motion.has("Reference Point") ? motion.point("Reference Point")
                                             : centroidOf(*body.outline, scene.symmetry);
   const bool isCut = scene.symmetry.cuts(*body.outline);
-  const double share = isCut ? 0.5 : 1;  // of what acts on the whole body
+  const double share = isCut ? 0.5 : 1;  // of force and stiffness of the whole body
   const auto course = [&](const std::string& key,
                           double factor) -> RigidBody::Component::Course {
     if (!motion.has(key))
@@ -128,7 +128,7 @@ RigidBody readRigid(const Part& part, const std::string& name, const Scene& scen
                    pole = body.pole](double t) {
       return BodyLoadsReader(root.then(t), name).resultant(*outline, pole);
     };
-    body.inside(1);  // what contradicts itself shall be said at once
+    body.inside(1);  // evaluate once, so that errors are reported now
   }
   return body;
 }

@@ -4,12 +4,12 @@
 
 namespace epafi::drivers {
 
-/// Reads the bodies of a scene that has its file, constants and validated list.
+/// Reads the bodies of a scene whose file, constants and validated list are set.
 ///
-/// Elastic bodies share one length, that of the largest, and one stress, that of the
-/// softest.  Rigid ones do not count: they must not change what the others do.
-/// \throws bem::InputError for a rigid body with what elastic ones have or the other way
-///   round, no elastic body, and what readLoops, readConditions, readMesh refuse.
+/// All elastic bodies are scaled by the length of the largest and the Young's modulus of
+/// the softest.  Rigid bodies do not count: they must not change the results of others.
+/// \throws bem::InputError for a rigid body with keys of elastic ones or vice versa, if
+///   no body is elastic, and as readLoops, readConditions and readMesh.
 void readBodies(Scene& scene);
 
 }  // namespace epafi::drivers

@@ -21,9 +21,9 @@ using bem::Complex;
 using bem::InputError;
 using bem::Vec2;
 
-constexpr int highest = 4;  ///< degree
+constexpr int highest = 4;  ///< highest degree of the polynomial
 
-/// visit(i, j) of each xⁱ yʲ.
+/// Calls visit(i, j) for each monomial xⁱ yʲ.
 template <class Visit>
 void forEachPower(const Visit& visit) {
   for (int i = 0; i <= highest; ++i)
@@ -31,8 +31,8 @@ void forEachPower(const Visit& visit) {
       visit(i, j);
 }
 
-/// Of values at points, by least squares in powers of x and y over their largest: on a thin body
-/// those of z are nearly alike.
+/// Least squares fit of the values by monomials in x and y, each scaled to [-1, 1]: on a
+/// thin body monomials in z would be nearly linearly dependent.
 contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
                               const std::vector<double>& values) {
   Vec2 size{0, 0};
@@ -51,7 +51,7 @@ contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
   const bem::LuFactor factor(bem::transposedTimes(rows, rows));
   bem::Vector c(bem::at(powers), 0.0);
   bem::Vector left = values;
-  for (int round = 0; round < 2; ++round) {  // once more for the last digits
+  for (int round = 0; round < 2; ++round) {  // one step of iterative refinement
     bem::Vector more = columnOf(bem::transposedTimes(rows, bem::asColumn(left)), 0);
     factor.solve(more);
     bem::axpy(1, more, c);
@@ -157,7 +157,7 @@ BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin) const {
   return force;
 }
 
-// A uniform force and what turns, seen from the origin, which lies on the line.
+// Checks the force at the origin of coordinates, which lies on the line of symmetry.
 void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
   constexpr double rounding = 1e-12;
   const Complex ofOrigin = force.linear * asComplex(origin);
@@ -172,7 +172,7 @@ void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
         "it, and there is no Angular Acceleration");
 }
 
-// Points of a square lattice on the outline's box; of as many again between them the deviation.
+// Fits at an 8 x 8 lattice in the bounding box, then tests the fit at a 9 x 9 lattice.
 contact::BodyLoads::Terms BodyLoadsReader::temperature(
     const bem::Outline& outline) const {
   const bem::Function given = loads_.function("Temperature");
@@ -205,7 +205,7 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   for (const Complex y : latticeOf(9, 0.4))
     deviation = std::max(deviation, std::abs(given(outline.physical(asVector(y))) -
                                              fitted.temperature(asVector(y))));
-  // what varies across a body of 1 : 100 cancels to eight digits in powers of z
+  // in powers of z cancellation leaves eight digits on a body of aspect ratio 1 : 100
   if (deviation > 1e-7 * largest)
     throw InputError(loads_.path("Temperature"),
                      ": is no polynomial in x and y of degree at most ", highest,
@@ -275,7 +275,7 @@ bool BodyLoadsReader::actsOnRigid() const {
          (own_ || body_.list->sublist("Material").isParameter("Density"));
 }
 
-// What acts inside is the opposite of the tractions that a particular solution has on the outline.
+// The body force is in balance with the tractions of its particular solution.
 contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline,
                                               Vec2 pole) const {
   const double length = outline.scaling().length;

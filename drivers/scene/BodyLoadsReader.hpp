@@ -6,39 +6,39 @@
 
 namespace epafi::drivers {
 
-/// The keys of a list Body Loads, and of a boundary's under Thermal Conditions.
+/// Schema rows of Body Loads, and of a boundary under Thermal Conditions.
 bem::SchemaRows bodyLoadsRows();
 bem::SchemaRows thermalRows();
 
-/// What acts inside a body at a time, from its validated lists Material, Body Loads and Thermal
-/// Conditions; the root's Body Loads serve bodies that have none of their own.
+/// Reads the loads and heat of a body at one time from its validated lists Material, Body
+/// Loads (by default that at the root) and Thermal Conditions.
 class BodyLoadsReader {
  public:
-  /// `root`: the scene's whole list, at this time.
+  /// `root`: the complete list of the scene, at this time.
   BodyLoadsReader(const Part& root, const std::string& body);
 
-  /// Of an elastic body; none where no list says anything.
-  /// `material`, `stress`: the body's, and what stresses count in.
-  /// \throws bem::InputError for a load by mass on a body without Density, a force beside a weight,
-  ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, or
-  ///   beside Thermal Conditions, and what is not one finite number at this time.
+  /// The loads of an elastic body; null if there are none.  `stress`: the unit of
+  /// stresses.
+  /// \throws bem::InputError if Density is missing, for Force beside Gravity, for a
+  ///   temperature that is not a polynomial of degree 4 or is given without Thermal
+  ///   Expansion or beside Thermal Conditions, and if a value is not one finite number.
   contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
                          double stress) const;
 
-  /// What is said of heat on its boundaries; none: no list says anything.
-  /// \throws bem::InputError for a boundary that no edge has, a temperature and a flux or neither on
-  ///   one, and if no boundary has a temperature.
+  /// The thermal conditions of the body; null if there are none.
+  /// \throws bem::InputError for an unknown boundary, for both or none of temperature and
+  ///   flux on a boundary, and if no boundary has a temperature.
   std::shared_ptr<const contact::ThermalConditions> heat(
       const bem::Outline& outline) const;
 
-  /// Of a rigid one, about its reference point, in the user's units; without a Density of its own
-  /// nothing of the root's.  \throws bem::InputError as above.
+  /// Resultant of the loads of a rigid body about its reference point, in the user's
+  /// units.
   contact::Resultant resultant(const bem::Outline& outline, bem::Vec2 pole) const;
-  /// Does anything act on a rigid body?
+  /// Does a load act on the rigid body?  Loads at the root need its Density.
   bool actsOnRigid() const;
 
  private:
-  /// b(x) = uniform + linear (x - origin), per volume, complex, in the user's units.
+  /// b(x) = uniform + linear (x - origin) per volume, complex, in the user's units.
   struct Force {
     bem::Complex uniform;
     bem::Complex linear;
@@ -51,7 +51,7 @@ class BodyLoadsReader {
 
   Part body_;
   Part thermal_;
-  Part loads_;  ///< the body's own or those at the root
+  Part loads_;  ///< of the body, or at the root
   bool own_ = false;
   Symmetry symmetry_;
 };

@@ -29,7 +29,7 @@ void readWear(const Part& part, contact::Conditions::Contact& condition) {
   condition.wear = part.nonNegative("Coefficient");
 }
 
-/// What all contacts have.
+/// The parameters that all contacts have.
 contact::Conditions::Contact readSurface(const Part& part) {
   const auto fieldsOf = [](const Part& law) {
     return [law](const std::string& key) { return law.nonNegative(key); };
@@ -83,7 +83,7 @@ std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
 
 namespace {
 
-/// [length]
+/// Length of a boundary [length].
 double lengthOf(const bem::Outline& outline, const std::string& boundary) {
   double length = 0;
   for (const bem::Edge& edge : outline.edges())
@@ -96,7 +96,7 @@ bem::Function sum(const bem::Function& a, const bem::Function& b) {
   return a ? [a, b](bem::Vec2 x) { return a(x) + b(x); } : b;
 }
 
-/// Adds the traction M/I J(x - c), I = ∫ |x - c|², c the boundary's centroid.
+/// Adds the traction M/I J(x - c), J a rotation by 90°, I = ∫ |x - c|², c the centroid.
 void addMoment(double moment, const bem::Outline& outline, const std::string& boundary,
                contact::Conditions::Neumann& load) {
   const bem::Rule& rule = bem::gaussLegendre(20);
@@ -116,7 +116,7 @@ void addMoment(double moment, const bem::Outline& outline, const std::string& bo
   load.y = sum(load.y, [turn, c](bem::Vec2 x) { return turn * (x.x - c.x); });
 }
 
-/// Along one axis, "X" or "Y": as given, or the uniform one of a given force.
+/// The traction along an axis, "X" or "Y": as given, or uniform with the given force.
 bem::Function readTraction(const Part& part, const std::string& axis, double length) {
   const std::string force = "Force " + axis;
   if (!part.has(force))

@@ -7,24 +7,23 @@
 
 namespace epafi::drivers {
 
-/// The Boundary Conditions and Rigid Motions of a body's list, its names without the normal, which
-/// each boundary has its own of.  Edges on the line of symmetry are rollers, and what is zero there
-/// by itself needs no Fix.
-/// \throws bem::InputError for a boundary that no edge has (the nearest name is given), a
-///   Dirichlet condition without a component, an expression that is none, a force beside a
-///   traction.
+/// Reads Boundary Conditions and Rigid Motions of a body.  Edges on the line of symmetry
+/// become rollers; motions that are zero by symmetry are removed from Fix.
+/// \throws bem::InputError for an unknown boundary (with the nearest name), a Dirichlet
+///   condition without a component, an invalid expression, and a force beside a traction.
 contact::Conditions readConditions(const Part& body, const bem::Outline& outline,
                                    const Symmetry& symmetry);
 
-/// \throws bem::InputError for a boundary that no edge has, with the nearest name.
+/// \throws bem::InputError if no edge has this name, with the nearest name.
 void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline);
 
-/// Interference and surfaces of a list under Contacts, its names with the normal.
+/// Reads interference and surface of a list under Contacts, whose names include the
+/// normal.
 contact::Conditions::Contact readContactOfBodies(const Part& part);
 
-/// The outward normal of a boundary at points of it, in the user's coordinates: that of the
-/// nearest of its edges.
+/// The outward normal at a point of a boundary, in the user's coordinates: that of the
+/// nearest edge with this name.
 std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
                                              const std::string& boundary);
 

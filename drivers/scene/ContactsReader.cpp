@@ -48,7 +48,7 @@ SideOfBody readSide(const std::string& text, const std::string& path,
   return side;
 }
 
-/// The side that carries the multiplier comes first.
+/// Returns the side that carries λ first.
 std::pair<SideOfBody, SideOfBody> readBetween(const Part& part, const Scene& scene) {
   const std::string key = part.path("Between");
   const auto& between = part.list->get<Teuchos::Array<std::string>>("Between");
@@ -97,7 +97,7 @@ void checkNotMet(const SideOfBody& side, const std::string& path, const Scene& s
                        "contact; name the other body first");
 }
 
-/// A required node on an edge, unless it is one already.
+/// Adds a required node on an edge, unless there is one.
 void addNode(const bem::Outline& outline, int edge, double place,
              std::vector<RequiredNode>& nodes) {
   constexpr double same = 1e-9;
@@ -110,7 +110,7 @@ void addNode(const bem::Outline& outline, int edge, double place,
   nodes.push_back({edge, place});
 }
 
-/// A part of an edge, or more of the last one.
+/// Adds a part of an edge, or extends the last part.
 void addPart(int edge, double from, double to,
              std::vector<contact::Conditions::Part>& parts) {
   if (!parts.empty() && parts.back().edge == edge && parts.back().to == from)
@@ -119,7 +119,7 @@ void addPart(int edge, double from, double to,
     parts.push_back({edge, from, to});
 }
 
-/// What of the first side meets the second; nodes at the ends on both.
+/// The parts of the first side that face the second; adds nodes at their ends on both.
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
   const bem::Outline& other = scene.outlineOf(pair.met);
@@ -137,7 +137,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
               parts);
       if (pair.met.rigid)
         continue;
-      // where a stretch begins or ends what is opposite may get a node
+      // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
         const auto there = contact::crossing(edge.curve.point(t) + shift,
@@ -155,7 +155,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
   return parts;
 }
 
-/// Beyond this the first side's stiffness is singular to rounding: units of stress are the softer's.
+/// Above this ratio the first stiffness is singular to rounding in units of the softer.
 void checkModuli(const ContactPair& pair, const std::string& path, const Scene& scene) {
   constexpr double most = 1e14;
   if (pair.met.rigid)

@@ -21,14 +21,14 @@ using bem::Vec2;
 
 constexpr double pi = boost::math::constants::pi<double>();
 
-/// A line with a number that says what the next line means, and that line.
+/// A group of a DXF file: a line with the group code, and a line with the value.
 struct Pair {
   int code = 0;
   std::string value;
   int fileLine = 0;
 };
 
-/// What begins with a pair of code 0, and its pairs.
+/// An entity: it begins with a group of code 0.
 struct Entity {
   std::string kind;
   int fileLine = 0;
@@ -60,7 +60,7 @@ double numberAt(const Entity& entity, int code, double otherwise) {
   return entity.find(code) == nullptr ? otherwise : numberAt(entity, code);
 }
 
-/// The pairs of a file, one after the other.
+/// The next group of the file; nothing at its end.
 std::optional<Pair> nextPair(std::istringstream& file, int& line) {
   std::string code;
   std::string value;
@@ -77,7 +77,7 @@ std::optional<Pair> nextPair(std::istringstream& file, int& line) {
   return Pair{*number, trimmed(value), line};
 }
 
-/// What stands between SECTION ENTITIES and its ENDSEC.
+/// The entities of the section ENTITIES.
 std::vector<Entity> readEntities(const std::string& text) {
   std::istringstream file(text);
   std::vector<Entity> all;
@@ -102,14 +102,14 @@ std::vector<Entity> readEntities(const std::string& text) {
   return all;
 }
 
-/// Puts ends into nodes and entities into pieces.
+/// Collects entities as pieces of an outline and merges their ends to nodes.
 class Drawing {
  public:
-  /// A polyline of old has its vertices and a SEQEND behind it.
+  /// An old POLYLINE is followed by its VERTEX entities and SEQEND.
   explicit Drawing(const std::vector<Entity>& entities) {
     for (std::size_t i = 0; i < entities.size(); ++i) {
       const Entity& entity = entities[i];
-      if (numberAt(entity, 67, 0) != 0)  // on paper
+      if (numberAt(entity, 67, 0) != 0)  // in paper space
         continue;
       mirrored_ = entity.kind != "LINE" && numberAt(entity, 230, 1) < 0;
       if (entity.kind == "LINE")
@@ -135,7 +135,7 @@ class Drawing {
           "the drawing has no lines, arcs, circles or polylines in model space");
   }
 
-  /// Pieces without length, as of a closed polyline that ends where it starts, are none.
+  /// Skips pieces without length, as at the end of a closed polyline.
   OutlinePieces outline() const {
     OutlinePieces result;
     result.advice =
@@ -180,8 +180,8 @@ class Drawing {
       ends_.push_back({mirrored_ ? -end.x : end.x, end.y});
   }
 
-  /// Anticlockwise between two angles in degrees; in halves where it is more than half of a
-  /// circle.
+  /// Adds the arc counter-clockwise between two angles [degrees]; two pieces if it is
+  /// more than half a circle.
   void addArc(const Entity& entity, double from, double to) {
     const Vec2 center{numberAt(entity, 10), numberAt(entity, 20)};
     const double radius = numberAt(entity, 40);
@@ -201,7 +201,7 @@ class Drawing {
       add(entity, at(part), at(part + 1), std::tan(angle / parts * pi / 720));
   }
 
-  /// Each vertex begins with its x; its bulge is that of the edge to the next one.
+  /// A vertex begins with its x; its bulge belongs to the edge to the next vertex.
   void addPolyline(const Entity& entity, const std::vector<Pair>& pairs) {
     struct Vertex {
       Vec2 place;
@@ -222,8 +222,8 @@ class Drawing {
           vertices[i].bulge);
   }
 
-  bool mirrored_ = false;   ///< of the entity that is read: x to the left
-  std::vector<Vec2> ends_;  ///< two for each piece
+  bool mirrored_ = false;   ///< the current entity has the normal -z: x is mirrored
+  std::vector<Vec2> ends_;  ///< two end points for each piece
   std::vector<OutlinePiece> pieces_;
 };
 

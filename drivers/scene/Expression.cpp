@@ -21,7 +21,7 @@ namespace {
 using bem::InputError;
 using bem::message;
 
-/// The position of a '=' that is not part of ==, <=, >= or !=; npos if there is none.
+/// The position of an '=' that is not part of ==, <=, >= or !=; npos if there is none.
 std::size_t loneEqualSign(const std::string& text) {
   for (std::size_t i = text.find('='); i != std::string::npos;
        i = text.find('=', i + 1)) {
@@ -33,13 +33,13 @@ std::size_t loneEqualSign(const std::string& text) {
   return std::string::npos;
 }
 
-/// Of names in expressions.
+/// Characters of names in expressions.
 constexpr const char* letters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
 constexpr double pi = boost::math::constants::pi<double>();
 
-/// What an expression may be made of.
+/// The names that an expression may use; each form includes those before it.
 enum class Form { Constant, OfConstants, OfTime, OfPoint };
 
 double valueIn(void* table, double at) {
@@ -65,7 +65,7 @@ std::string toldOf(Form form, const Names& names) {
          namesIn(names.tables, " and the tables ");
 }
 
-/// A muParser bound to variables of its own.
+/// A muParser with its own variables.
 class Parser {
  public:
   Parser(const std::string& text, const Names& names, Form form)
@@ -93,13 +93,13 @@ class Parser {
       fail(error);
     }
   }
-  /// Does the point not matter?
+  /// Is the expression independent of the point?
   bool isConstant() const { return parser_.GetUsedVar().empty(); }
 
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
 
-  /// \throws InputError with muParser's complaint, or if there are several values.
+  /// \throws InputError with the message of muParser, or if there are several values.
   double operator()(bem::Vec2 point) {
     point_ = point;
     if (normalAt_)
@@ -121,7 +121,8 @@ class Parser {
                      meant(error));
   }
 
-  /// The name that a mistyped one is nearest to, if at most half of its letters differ.
+  /// ", did you mean ...?" with the nearest known name, if at most half of the letters
+  /// differ.
   std::string meant(const mu::Parser::exception_type& error) const {
     if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
       return "";
@@ -133,7 +134,7 @@ class Parser {
     add(parser_.GetConst());
     add(parser_.GetVar());
     add(parser_.GetFunDef());
-    std::string name = error.GetToken();  // with what follows it
+    std::string name = error.GetToken();  // the token includes the text behind it
     name.resize(std::min(name.size(), name.find_first_not_of(letters)));
     const std::string near = bem::nearest(name, names);
     const bool isNear =
@@ -148,8 +149,7 @@ class Parser {
   mu::Parser parser_;
 };
 
-/// One expression; as many parsers as there are threads that evaluate it at the same
-/// time.
+/// An expression, with one parser per thread that evaluates it at the same time.
 class Expression {
  public:
   Expression(std::string text, Place place, Names names, Form form)
@@ -162,7 +162,7 @@ class Expression {
     if (loneEqualSign(text_) != std::string::npos)
       fail("assigns with '='; nothing can be assigned, equality is '=='");
     const double value =
-        evaluate({0, 0});  // for its syntax: the origin may lie elsewhere
+        evaluate({0, 0});  // checks the syntax; the value at the origin may be undefined
     if (idle_.front()->isConstant())
       constant_ = value;
   }
@@ -170,7 +170,7 @@ class Expression {
   double operator()(bem::Vec2 point) const {
     double value = evaluate(point);
     if (std::isnan(value))
-      value = std::abs(value);  // -nan would be read as an expression's sign
+      value = std::abs(value);  // messages shall show nan, not -nan
     if (!std::isfinite(value) && form_ != Form::OfPoint)
       fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
                    "; one finite number is needed", ends()));
@@ -211,7 +211,7 @@ class Expression {
     idle_.push_back(std::move(parser));
   }
 
-  /// Where the tables begin and end that the text names: beyond, they have no value.
+  /// The ranges of the tables that the text names: outside they have no value.
   std::string ends() const {
     std::string told;
     for (const auto& [name, table] : names_.tables)
@@ -234,7 +234,7 @@ class Expression {
   mutable std::vector<std::unique_ptr<Parser>> idle_;
 };
 
-/// \throws InputError for what muParser would not take for a constant of ours.
+/// \throws InputError for names that muParser does not accept as a new constant.
 void checkName(const std::string& name, const Names& earlier) {
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
@@ -263,7 +263,7 @@ double evaluateAt(double t, const std::string& text, const Place& place,
                   const Names& names) {
   Names now = names;
   now.t = t;
-  now.normal = {};  // a number has no place, on a boundary either
+  now.normal = {};  // the value is independent of the place, also on a boundary
   return Expression(text, place, now, Form::OfTime)({});
 }
 
@@ -273,7 +273,7 @@ double evaluateConstant(const std::string& text, const Place& place, const Names
 
 namespace {
 
-/// read(name, place) for each item of a list whose names expressions shall know.
+/// Calls read(name, place) for each item of a list that defines names for expressions.
 template <class Read>
 void forEachName(const Teuchos::ParameterList& list, const Place& place,
                  const Names& earlier, const Read& read) {

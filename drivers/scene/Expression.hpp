@@ -9,7 +9,7 @@
 
 namespace epafi::drivers {
 
-/// Place of a text in the scene, for messages.
+/// Place of a text in the scene, for error messages.
 struct Place {
   std::string file;
   std::string path;  ///< A->B->Key
@@ -27,33 +27,33 @@ struct Names {
   Tables tables = {};
 };
 
-/// A function of x and y from its muParser expression.
+/// Makes a function of x and y from a muParser expression.
 ///
-/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants and tables; + - * / ^,
-/// ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan sinh cosh tanh asinh acosh
-/// atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint, min, max, sum, avg, atan2.
-/// Nothing can be assigned.  May be called from several threads at once.
-/// \throws bem::InputError if it is not an expression; the function throws it where the
-///   value is not one finite number, naming file, path, expression and point.
+/// It may use x, y, t, pi, on a boundary nx, ny, the constants and tables of the scene; +
+/// - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan sinh cosh tanh asinh
+/// acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint, min, max, sum, avg,
+/// atan2.  Assignments are refused.  May be called from several threads at once.
+/// \throws bem::InputError for an invalid expression.  The function throws it where the
+///   value is not one finite number, with file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place,
                              const Names& names = {});
 
 /// The value of an expression in t, the constants and the tables alone.
-/// \throws bem::InputError if it is none, or not one finite number.
+/// \throws bem::InputError if it is invalid, or if the value is not one finite number.
 double evaluateAt(double t, const std::string& text, const Place& place,
                   const Names& names);
 
-/// The value of an expression in the constants and the tables alone.
+/// The value of an expression that uses only constants and tables.
 /// \throws bem::InputError as evaluateAt.
 double evaluateConstant(const std::string& text, const Place& place, const Names& names);
 
-/// A list of constants; each may use those that stand before it, and the tables.
-/// \throws bem::InputError for a name that is not valid or already in use, and for a value
-///   that is not one finite number
+/// Reads a list of constants; each may use the tables and the constants before it.
+/// \throws bem::InputError for a name that is invalid or already in use, and for a value
+///   that is not one finite number.
 Constants readConstants(const Teuchos::ParameterList& list, const Place& place,
                         const Tables& tables);
 
-/// Reads the list Tables of a scene; points take the place of files' names in it.
+/// Reads the list Tables of a scene and replaces names of files in it by their points.
 /// \throws bem::InputError for names as readConstants, and what readTable throws.
 Tables readTables(Teuchos::ParameterList& list, const Place& place);
 

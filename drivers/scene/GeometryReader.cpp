@@ -25,7 +25,7 @@ std::vector<std::string> namesOf(const ParameterList& list, const std::string& k
   return list.get<Teuchos::Array<std::string>>(key).toVector();
 }
 
-/// Holes 1, 2, ... without a gap in the numbering, each with vertices and edges.
+/// Counts holes; checks that they are numbered 1, 2, ... and have vertices and edges.
 int countHoles(const ParameterList& geometry, const std::string& path) {
   int holes = 0;
   while (geometry.isParameter(holeKey(holes + 1, "Vertices")) ||
@@ -79,12 +79,12 @@ void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
     geometry.set(prefix + "Bulges", Teuchos::Array<double>(loop.bulges));
 }
 
-/// Replaces Geometry->File by the vertices and edges in that file, so that used.xml needs
-/// no other file; without File it checks that Vertices and Edges are given.
+/// Replaces Geometry->File by the vertices and edges in that file, so that used.xml
+/// depends on no other file; without File checks that Vertices and Edges are given.
 ///
-/// \param sceneFile  relative names start from its folder
-/// \param path  of the list, for messages
-/// \throws bem::InputError if both or neither are given, or the file is no outline.
+/// \param sceneFile  relative names of files start from its folder
+/// \param path  path of the list, for messages
+/// \throws bem::InputError if both or neither are given, or if the file has no outline.
 void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sceneFile,
                         const std::string& path) {
   if (!geometry.isParameter("File")) {

@@ -10,24 +10,24 @@
 
 namespace epafi::drivers {
 
-/// Of a validated list Geometry; what its File names takes the place of File in it.
+/// Reads a validated list Geometry, in which the content of File replaces the key File.
 ///
-/// \param file  the scene's, where relative names of geometry files start
-/// \param path  of the list, for messages
-/// \throws bem::InputError for edges, bulges and vertices that do not go together, holes
-///   that are not numbered 1, 2, ...
+/// \param file  the scene file; relative names of geometry files start from its folder
+/// \param path  path of the list, for messages
+/// \throws bem::InputError if the numbers of edges, bulges and vertices differ, or if
+///   holes are not numbered 1, 2, ...
 bem::Loops readLoops(Teuchos::ParameterList& geometry, const std::string& file,
                      const std::string& path);
 
-/// \param length  of the largest body; bodies that share a scaling have its
-/// \throws bem::InputError for lines that cross or turn the wrong way.
+/// \param length  diameter of the largest body, by which all bodies are scaled
+/// \throws bem::InputError for closed lines that cross or have the wrong orientation.
 std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
                                                 const std::string& path);
 
-/// What the parameters of hole 1, 2, ... are called: "Hole 1 Vertices".
+/// The key of a hole 1, 2, ...: "Hole 1 Vertices".
 std::string holeKey(int hole, const std::string& what);
 
-/// The rows of a table of coordinates.
+/// The rows of a table of coordinates as points.
 std::vector<bem::Vec2> pointsOf(const Teuchos::ParameterList& list,
                                 const std::string& key);
 

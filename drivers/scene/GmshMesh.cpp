@@ -18,13 +18,13 @@ using bem::InputError;
 using bem::message;
 using Tag = NodeTag;
 
-/// A file section by section: the words of its lines, or in a binary file the numbers
-/// between the lines that begin and end a section.
+/// Reads a file section by section: the words of its lines, or in a binary file the bytes
+/// of numbers within a section.
 class Sections {
  public:
   explicit Sections(const std::string& text) : text_(text) {}
 
-  /// The next line that is not empty; false at the end of the file.
+  /// Goes to the next non-empty line; false at the end of the file.
   bool next() {
     std::string line;
     do {
@@ -41,16 +41,16 @@ class Sections {
     return true;
   }
 
-  /// The next line, which must be there; numbers of a binary file stand in no lines.
+  /// Goes to the next line, which must exist; does nothing within binary numbers.
   void need(const char* what) {
     if (!binary_ && !next())
       failAtEnd(what);
   }
 
   bool isBinary() const { return fileIsBinary_; }
-  /// From now to the end of the section numbers are bytes.
+  /// In a binary file the rest of the section consists of bytes.
   void beginNumbers() { binary_ = fileIsBinary_; }
-  /// Goes on behind the line `end`, whatever stands before it.
+  /// Continues behind the line `end` and skips what is before it.
   void endNumbers(const std::string& end) {
     if (!binary_)
       return;
@@ -66,7 +66,7 @@ class Sections {
     return words_[word_++];
   }
 
-  /// Gmsh's int.
+  /// An int of Gmsh.
   Tag whole(const char* what) {
     if (binary_)
       return bytes<std::int32_t>(what);
@@ -77,7 +77,7 @@ class Sections {
     return *value;
   }
 
-  /// Gmsh's size_t: a number that counts what follows, or a tag of a node or an element.
+  /// A size_t of Gmsh: a number of items, or a tag of a node or an element.
   Tag count(const char* what) {
     const Tag value = binary_ ? bytes<std::int64_t>(what) : whole(what);
     if (value < 0)
@@ -109,8 +109,8 @@ class Sections {
     throw InputError(binary_ ? "byte " : "line ", binary_ ? at_ : number_, ": ", what);
   }
 
-  /// The file's type, as its first section has it; what follows in a binary one tells the
-  /// order of bytes.
+  /// Sets the file type of the first section; in a binary file a 1 behind it shows the
+  /// byte order.
   void setType(Tag type) {
     if (type != 0 && type != 1)
       fail(message("file type ", type, " is unknown; 0 is ASCII, 1 is binary"));
@@ -155,7 +155,7 @@ class Sections {
   }
 
   const std::string& text_;
-  std::size_t at_ = 0;  ///< the next byte
+  std::size_t at_ = 0;  ///< index of the next byte
   bool fileIsBinary_ = false;
   bool binary_ = false;
   std::vector<std::string> words_;
@@ -185,13 +185,13 @@ void readNames(Sections& file, GmshMesh& mesh) {
   }
 }
 
-/// Gmsh marks curves that run backwards by a minus.
+/// A physical tag; Gmsh writes it negative for reversed curves.
 Tag physical(Sections& file) {
   const Tag tag = file.whole("a physical tag");
   return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
 }
 
-/// A point or a curve after its tag: the box it fills, then its physical groups.
+/// Reads the rest of a point or curve behind its tag: bounding box, then physical groups.
 std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
   for (int i = 0; i < reals; ++i)
     file.real("a bounding box");
@@ -201,7 +201,7 @@ std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
   return groups;
 }
 
-/// Points, then curves; the rest of the section is skipped.
+/// Reads points and curves; the rest of the section is skipped.
 void readEntities(Sections& file, GmshMesh& mesh) {
   file.need("the numbers of entities");
   const Tag points = file.count("the number of points");
@@ -222,7 +222,7 @@ void readEntities(Sections& file, GmshMesh& mesh) {
   }
 }
 
-/// The number of blocks; what else stands there nobody needs.
+/// Returns the number of blocks and skips the other numbers of the line.
 Tag countBlocks(Sections& file, const char* what) {
   file.need(what);
   const Tag blocks = file.count("the number of blocks");
@@ -270,7 +270,7 @@ Tag groupOf(const Sections& file, const GmshMesh& mesh, Tag curve) {
   return found->second.front();
 }
 
-/// The lines of a block on a curve.
+/// Reads a block of line elements on a curve.
 void readLines(Sections& file, GmshMesh& mesh, Tag type, Tag group, Tag count) {
   constexpr Tag segment = 1;
   constexpr Tag secondOrder = 8;
@@ -295,7 +295,7 @@ void readLines(Sections& file, GmshMesh& mesh, Tag type, Tag group, Tag count) {
   }
 }
 
-/// Points, lines, then what fills the plane, which is skipped.
+/// Reads points and lines; the elements in the plane behind them are skipped.
 void readElements(Sections& file, GmshMesh& mesh) {
   for (Tag blocks = countBlocks(file, "the numbers of elements"); blocks > 0; --blocks) {
     file.need("a block of elements");
@@ -308,7 +308,7 @@ void readElements(Sections& file, GmshMesh& mesh) {
       continue;
     }
     if (dimension > 1 && file.isBinary())
-      return;  // Gmsh writes them last
+      return;  // Gmsh writes them behind all lines
     for (Tag n = 0; n < count; ++n) {
       file.need("an element");
       file.count("an element's number");

@@ -16,7 +16,7 @@ using bem::InputError;
 using bem::Vec2;
 using Tag = NodeTag;
 
-/// Three points are on a straight line where it turns by less (in radians).
+/// Three points are on a straight line if it turns by less than this [radian].
 constexpr double straight = 1e-9;
 
 std::vector<Tag> nodesOf(const GmshLine& line) {
@@ -26,7 +26,7 @@ std::vector<Tag> nodesOf(const GmshLine& line) {
   return nodes;
 }
 
-/// \throws bem::InputError unless all nodes of lines are there, in one plane.
+/// \throws bem::InputError unless all nodes of the lines exist and have the same z.
 void checkNodes(const GmshMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -51,8 +51,7 @@ std::string nameOf(const GmshMesh& mesh, Tag group) {
   return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
 
-/// tan(angle/4) of the arc through a line's nodes: half of its angle is what the chords to
-/// the middle one turn by.
+/// tan(angle/4) of the arc through the nodes of a line: its two chords turn by angle/2.
 double bulgeOf(const GmshMesh& mesh, const GmshLine& line) {
   if (line.middle == 0)
     return 0;

@@ -15,7 +15,7 @@ using bem::InputError;
 
 constexpr double mostSteps = 100000;
 
-/// One number for each time.
+/// The number of steps up to each time.
 std::vector<int> stepsOf(const Teuchos::ParameterList& list, std::size_t times) {
   if (!list.isParameter("Steps"))
     return std::vector<int>(times, 1);
@@ -31,7 +31,7 @@ std::vector<int> stepsOf(const Teuchos::ParameterList& list, std::size_t times) 
   return steps;
 }
 
-/// A tolerance compares at least two ways through each section.
+/// With a tolerance the shortest step must allow `fewestSteps` steps up to each time.
 void requireShortSteps(const History& history) {
   double start = 0;
   for (const double end : history.times) {

@@ -37,8 +37,8 @@ std::function<double(double)> cubic(std::vector<double> x, std::vector<double> v
   return makima<std::vector<double>>(std::move(x), std::move(values));
 }
 
-/// Slopes with which second derivatives are continuous at all points, and third ones at the
-/// second and the last but one ("not a knot": exact for cubic functions).
+/// Slopes of the "not a knot" spline: second derivatives are continuous at all points,
+/// third derivatives at the second and the last but one.  Exact for cubic functions.
 std::vector<double> splineSlopes(const std::vector<double>& x,
                                  const std::vector<double>& values) {
   const std::size_t last = x.size() - 1;
@@ -46,7 +46,7 @@ std::vector<double> splineSlopes(const std::vector<double>& x,
   const auto slope = [&](std::size_t i) {
     return (values[i + 1] - values[i]) / width(i);
   };
-  // an end's equation, h the widths of the end's interval and of its neighbour, s their slopes
+  // right-hand side at an end; h, next: widths of the end intervals, s, nextS: slopes
   const auto atEnd = [](double h, double next, double s, double nextS) {
     return ((3 * h + 2 * next) * next * s + h * h * nextS) / (h + next);
   };
@@ -104,7 +104,7 @@ void check(const std::vector<double>& x, const std::vector<double>& values,
   }
 }
 
-/// Two numbers, or nothing if the line is empty or a remark.
+/// The numbers in a line; # begins a comment.  `isText`: the line contains anything else.
 std::vector<double> numbersOf(std::string line, bool& isText) {
   line.erase(std::find(line.begin(), line.end(), '#'), line.end());
   std::replace_if(

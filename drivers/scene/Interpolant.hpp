@@ -10,17 +10,17 @@
 
 namespace epafi::drivers {
 
-/// A function of one variable through given points: a measured profile, a course of loads.
+/// A function of one variable through given points: a measured profile, a load history.
 class Interpolant {
  public:
   enum class Interpolation {
     Linear,
-    Cubic,  ///< once continuously differentiable, with slopes of the modified Akima kind
-    Spline  ///< cubic, twice continuously differentiable; exact for cubic functions
+    Cubic,  ///< continuous first derivative, modified Akima slopes
+    Spline  ///< cubic, continuous second derivative; exact for cubic functions
   };
 
-  /// \throws bem::InputError unless x rises from point to point, all numbers are finite and
-  ///   there are at least two points, four but for Linear.
+  /// \throws bem::InputError unless x increases strictly, all numbers are finite and
+  ///   there are at least two points (Linear) or four.
   Interpolant(std::vector<double> x, std::vector<double> values,
               Interpolation interpolation);
 
@@ -36,18 +36,18 @@ class Interpolant {
   std::function<double(double)> inside_;
 };
 
-/// By the names under which expressions know them.
+/// Tables by the names that expressions use.
 using Tables = std::map<std::string, std::shared_ptr<const Interpolant>>;
 
 bem::SchemaRows tableRows();
 
-/// Reads a table; the points of a file take the place of its name in the list, so that used.xml
-/// needs no other file.
+/// Reads a table and replaces File in the list by the points of the file, so that
+/// used.xml depends on no other file.
 ///
-/// A file has a point a line, two numbers with a comma, a semicolon or blanks between them;
-/// lines before the first point that do not begin with a number are a heading, # begins a remark.
-/// \param sceneFile  relative names start from its folder
-/// \throws bem::InputError for a file that is not like this, and what Interpolant throws.
+/// Each line of a file has the two numbers of a point, separated by comma, semicolon or
+/// blanks.  Lines before the first point may be a heading; # begins a comment.
+/// \param sceneFile  relative names of files start from its folder
+/// \throws bem::InputError for a file of another form, and as Interpolant.
 std::shared_ptr<const Interpolant> readTable(Teuchos::ParameterList& list,
                                              const std::string& sceneFile);
 

@@ -13,29 +13,29 @@ namespace epafi::drivers {
 
 class Ranks;
 
-/// How linear systems are solved.
+/// Options for solving linear systems.
 struct LinearOptions {
-  std::string method = "Automatic";  ///< a name of linearMethods()
+  std::string method = "Automatic";  ///< a name in linearMethods()
   bem::BelosOptions belos;
   bem::Compression compression;
 
   void keys(bem::Keys& keys);
 };
 
-/// A way to solve with the boundary operators.
+/// A method that solves systems with the boundary operators.
 struct LinearMethod {
-  /// What it asks for: dense matrices, compressed operators, or whichever costs less.
+  /// Form of the operators: dense matrices, compressed operators, or the cheaper of both.
   enum class Operators { Dense, Compressed, Cheaper };
 
   const char* name = nullptr;
   const char* meaning = nullptr;
-  /// Null: by Cholesky's factors.
+  /// A null pointer means Cholesky factorization.
   std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
       const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
 };
 
-/// All of them; a program may add others before it reads its first scene.
+/// All methods; a program may add others before it reads its first scene.
 bem::Family<LinearMethod>& linearMethods();
 
 }  // namespace epafi::drivers

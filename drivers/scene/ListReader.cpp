@@ -38,7 +38,7 @@ template <>
 double valueOf(const std::string& text) {
   char* stop = nullptr;
   const double value = std::strtod(text.c_str(), &stop);
-  // strtod knows infinities and hexadecimal digits, too
+  // strtod also accepts infinity and hexadecimal numbers
   if (text.empty() || stop != text.c_str() + text.size() ||
       text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     throw InputError("'", text, "' is not a number; write 0.5, -3 or 1e-3");

@@ -10,18 +10,18 @@ class XMLObject;
 
 namespace epafi::drivers {
 
-/// The value of a Teuchos type that a text spells, completely and within its range.
+/// Converts a text to a value of a Teuchos type.  The whole text must be valid and in
+/// range.
 ///
-/// Teuchos' own reader converts what it can and drops the rest: 'abc' becomes 0, '3.7' an int 3,
+/// The reader of Teuchos ignores what it cannot convert: 'abc' becomes 0, '3.7' an int 3,
 /// '1e999' infinity, '1d-3' 1, a letter in an array 0.
 ///
-/// Types: int, double, bool, string, which are all that keys have; Array(T), {a, b, c};
-/// TwoDArray(T), RxC:{row by row}; T is no bool.
-/// \throws bem::InputError with what is wrong and what would be right; without file and
-/// path.
+/// Types: int, double, bool, string; Array(T) as {a, b, c}; TwoDArray(T) as RxC:{row by
+/// row}, T not bool.
+/// \throws bem::InputError with the error and the valid form, without file and path.
 Teuchos::ParameterEntry readValue(const std::string& type, const std::string& value);
 
-/// A whole XML list as it was written: tags, names (given, not repeated), types, values.
+/// Reads an XML list and checks tags, names (given, unique), types and values.
 /// \throws bem::InputError with the path A->B->Key; without the file.
 Teuchos::ParameterList readList(const Teuchos::XMLObject& root);
 

@@ -20,10 +20,10 @@ using bem::Kind;
 using bem::Row;
 using Teuchos::ParameterList;
 
-/// Beyond this a mesh is a slip of the pen: its dense matrices would not fit anywhere.
+/// Larger meshes are typing errors: their dense matrices would fit on no machine.
 constexpr double largestMesh = 1e6;
 
-/// One number per edge, in the order of the user's loop.
+/// Reads one number per edge, in the order of the user's loop.
 std::vector<int> readCounts(const ParameterList& list, const std::string& key,
                             std::size_t edges, const std::string& parent) {
   const std::string path = parent + "->" + key;
@@ -37,8 +37,7 @@ std::vector<int> readCounts(const ParameterList& list, const std::string& key,
   return counts.toVector();
 }
 
-/// From the user's order on a hole to the outline's, see Outline: last but one, ..., 0,
-/// last.
+/// Converts the user's order on a hole to that of Outline: last but one, ..., 0, last.
 std::vector<int> alongHole(const std::vector<int>& counts) {
   std::vector<int> result(counts.rbegin() + 1, counts.rend());
   result.push_back(counts.back());
@@ -49,14 +48,14 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size,
                                 const std::string& parent) {
   std::vector<int> counts;
   for (const bem::Edge& edge : outline.edges()) {
-    // A length that is a multiple of the size up to rounding gives that multiple.
+    // Rounding must not add an element if the length is a multiple of the size.
     const double count =
         std::ceil(edge.curve.length() * outline.scaling().length / size * (1 - 1e-12));
     if (count > largestMesh)
       throw InputError(parent, "->Mesh Size = ", size, ": gives ", count,
                        " elements on edge '", edge.boundary, "'; at most ", largestMesh,
                        " are possible");
-    // an element turns by a quarter of a circle at most
+    // an arc element spans at most a quarter of a circle
     const double turns = std::ceil(
         std::abs(edge.curve.angle()) / boost::math::constants::half_pi<double>() - 1e-9);
     counts.push_back(std::max({1, static_cast<int>(count), static_cast<int>(turns)}));

@@ -5,16 +5,16 @@
 
 namespace epafi::drivers {
 
-/// Schema rows of a mesh.  \param degree default of Degree; null: none, that of
-/// Discretization
+/// Schema rows of a mesh.  `degree`: default of Degree; null: none, Discretization
+/// applies.
 bem::SchemaRows meshRows(const char* degree = nullptr);
 
-/// Sets elements and degree of a body from its validated list Mesh, else from
-/// Discretization.
+/// Sets elements and degree of a body from its validated list Mesh; what is missing there
+/// is taken from Discretization.
 ///
-/// \param path  of the body, for messages
-/// \throws bem::InputError for numbers that are not one for each edge, Mesh Size beside
-///   them, elements that turn by more than 180 degrees, more than a million of them.
+/// \param path  path of the body, for messages
+/// \throws bem::InputError unless there is one number per edge, for Mesh Size beside
+///   them, elements that turn by more than 180 degrees, and more than a million elements.
 void readMesh(const Teuchos::ParameterList& own,
               const Teuchos::ParameterList& discretization, const std::string& path,
               Body& body);

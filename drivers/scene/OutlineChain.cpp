@@ -19,14 +19,14 @@ using bem::message;
 using bem::Vec2;
 using Tag = NodeTag;
 
-/// Two lines whose directions differ by less (in radians) are one edge.
+/// Two lines whose directions differ by less than this [radian] are one edge.
 constexpr double straight = 1e-9;
 
-/// Two arcs that meet at a smaller angle (in radians) and whose curvatures differ by a
-/// smaller share are parts of one circle: coordinates of 7 digits say no more.
+/// Two arcs are parts of one circle if their angle [radian] and the relative difference
+/// of their curvatures are below this, the accuracy of coordinates with 7 digits.
 constexpr double oneCircle = 1e-6;
 
-/// The pieces at every node; exactly two where they are an outline.
+/// The pieces at each node; an outline has exactly two.
 std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   std::map<Tag, std::vector<std::size_t>> result;
   std::set<std::pair<std::pair<Tag, Tag>, double>> pairs;
@@ -69,7 +69,7 @@ double twiceArea(const Loop& loop) {
   return area;
 }
 
-/// The same loop the other way round: edge i leads from vertex i to i+1 again.
+/// Reverses a loop: edge i leads from vertex i to i+1 again.
 void reverse(Loop& loop, std::vector<Tag>& tags) {
   std::reverse(loop.vertices.begin(), loop.vertices.end());
   std::reverse(tags.begin(), tags.end());
@@ -79,7 +79,7 @@ void reverse(Loop& loop, std::vector<Tag>& tags) {
     bulge = -bulge;
 }
 
-/// Does the loop turn, or change its curvature or its name, at vertex i?
+/// Does the direction, the curvature or the name change at vertex i?
 bool isCorner(const Loop& loop, std::size_t i) {
   const std::size_t n = loop.vertices.size();
   const std::size_t before = (i + n - 1) % n;
@@ -100,7 +100,7 @@ bool isCorner(const Loop& loop, std::size_t i) {
            std::abs(cross(in, out)) <= straight * norm(in) * norm(out));
 }
 
-/// Corners only, from the one with the smallest tag on.
+/// The loop with its corners only, from the corner with the smallest tag on.
 Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
@@ -116,7 +116,7 @@ Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
                       : *first;
   constexpr double halfACircle = boost::math::constants::pi<double>() * (1 + 1e-6);
   Loop result;
-  double angle = 0;  // of the last edge
+  double angle = 0;  // angle of the last edge
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = (start + k) % n;
     const double more = 4 * std::atan(loop.bulges[i]);

@@ -15,22 +15,22 @@ struct OutlinePiece {
   NodeTag from = 0;
   NodeTag to = 0;
   double bulge = 0;      ///< tan(angle/4) from `from` to `to`, see bem::Loop
-  std::string boundary;  ///< its name
-  int fileLine = 0;      ///< where the file has it, for messages
+  std::string boundary;  ///< name of the boundary
+  int fileLine = 0;      ///< line in the file, for messages
 };
 
-/// What a file says of a body's boundary: pieces in no order.
+/// The boundary of a body as in a file: pieces in any order.
 struct OutlinePieces {
-  std::map<NodeTag, bem::Vec2> nodes;  ///< all that pieces name
+  std::map<NodeTag, bem::Vec2> nodes;  ///< all nodes that pieces refer to
   std::vector<OutlinePiece> pieces;
-  std::string advice;  ///< what may be wrong with the file where an outline ends or forks
+  std::string advice;  ///< hint for an error message where the outline ends
 };
 
-/// The closed loops that the pieces chain into; the one with the largest area is the outer
-/// polygon.  Neighbouring pieces of one name on one straight line become one edge, those on
-/// one circle too, up to half of it.  A loop starts at its corner with the smallest node.
-/// \throws bem::InputError naming the line of the file for a piece from a node to itself,
-///   two equal ones, open chains, forks and loops without area.
+/// Joins the pieces to closed loops; that with the largest area is the outer polygon.
+/// Neighbours with the same name on a straight line become one edge, those on a circle
+/// too, up to half of it.  A loop starts at its corner with the smallest node.
+/// \throws bem::InputError with the line of the file for a piece from a node to itself,
+///   two equal pieces, open chains, branches and loops without area.
 bem::Loops chained(const OutlinePieces& pieces);
 
 }  // namespace epafi::drivers

@@ -38,7 +38,7 @@ std::vector<Stroke> strokes(const bem::Outline& outline,
   return result;
 }
 
-/// Where two pieces cross inside both, by more than rounding.
+/// Do two pieces cross inside both, by more than rounding?  `where`: the crossing.
 bool cross(const Stroke& a, const Stroke& b, Vec2& where) {
   const Vec2 u = a.to - a.from;
   const Vec2 v = b.to - b.from;
@@ -67,7 +67,7 @@ struct Named {
                         ", ", where.y, "), away from a contact between them: ", how);
 }
 
-/// A side of a that is not in contact with b, at a place inside b.
+/// Reports a boundary of a that has no contact with b but lies inside b at `where`.
 [[noreturn]] void refuse(const Named& a, const std::string& boundary, const Named& b,
                          Vec2 where) {
   refuse(a, b, where, "'" + a.name + ":" + boundary + "' reaches into '" + b.name + "'");
@@ -84,7 +84,7 @@ void checkCorners(const Named& a, const std::vector<Stroke>& ofA, const Named& b
   }
 }
 
-/// Edges that coincide do not cross: what lies just inside the middle of one tells.
+/// Coincident edges do not cross, so test a point just inside the middle of each edge.
 void checkMiddles(const Named& a, const Named& b) {
   constexpr double inside = 1e-6;
   for (const bem::Edge& edge : a.outline.edges()) {
@@ -96,7 +96,7 @@ void checkMiddles(const Named& a, const Named& b) {
   }
 }
 
-/// How deep a place lies inside a body, and behind which of its boundaries; zero outside.
+/// The depth of a point inside a body and the nearest boundary; zero outside.
 std::pair<double, const std::string*> depthIn(const bem::Outline& outline, Vec2 place) {
   if (!outline.contains(place))
     return {0, nullptr};
@@ -109,7 +109,7 @@ std::pair<double, const std::string*> depthIn(const bem::Outline& outline, Vec2 
   return {nearest->curve.distance(x) * outline.scaling().length, &nearest->boundary};
 }
 
-/// Beside a contact its neighbours may reach into the other body as far as an interference does.
+/// The boundaries beside a contact may overlap the other body by an interference at most.
 void checkNeighbours(const Named& a, const Named& b, double plausible) {
   constexpr int perEdge = 16;
   double deepest = 0;
@@ -135,7 +135,7 @@ void checkNeighbours(const Named& a, const Named& b, double plausible) {
                           "', reaches into it behind '", b.name, ":", *behind, "'");
 }
 
-/// `plausible`: an interference, zero without contact between the two.
+/// `plausible`: largest plausible interference; zero without contact between the two.
 void checkPair(const Named& a, const Named& b, double plausible) {
   const std::vector<Stroke> ofA = strokes(a.outline, a.touching);
   const std::vector<Stroke> ofB = strokes(b.outline, b.touching);

@@ -4,16 +4,14 @@
 
 namespace epafi::drivers {
 
-/// Largest plausible overlap of bodies in contact: 5 % of the thickness of the thinner
-/// elastic one (twice its area over the length of its outline); press fits have 1e-3
-/// of it.  In the user's unit of length.
+/// Largest plausible interference of two bodies in contact [length]: 5 % of the thickness
+/// of the thinner elastic one (twice its area over the length of its outline).  Press
+/// fits have about 0.1 %.
 double largestInterference(const Scene& scene, const ContactPair& pair);
 
-/// Checks that bodies overlap at their contacts only (interference), and that sides
-/// beside a contact are not deeper in the other body than largestInterference.  Arcs
-/// count as polygons of 32 edges.
-/// \throws bem::InputError naming two bodies, their boundaries and a place that is inside
-/// both.
+/// Checks that bodies overlap only at their contacts, and that boundaries beside a
+/// contact overlap by at most largestInterference.  Arcs are replaced by 32 chords.
+/// \throws bem::InputError with the two bodies, their boundaries and a point inside both.
 void checkOverlaps(const Scene& scene);
 
 }  // namespace epafi::drivers

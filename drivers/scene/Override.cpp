@@ -14,8 +14,8 @@ using bem::lastOf;
 using Teuchos::ParameterList;
 
 struct RemovedKey {
-  const char* path;          ///< A->B->Key, not below a name of the scene's choice
-  const char* defaultValue;  ///< the default that it had
+  const char* path;          ///< A->B->Key, only with names of the schema
+  const char* defaultValue;  ///< its former default
   const char* instead;
 };
 
@@ -33,14 +33,14 @@ constexpr RemovedKey removedKeys[] = {
   throw InputError(key.path, ": is no longer a key; ", key.instead);
 }
 
-/// A and B of A->B->Key.
+/// The names A and B of A->B->Key.
 std::vector<std::string> parents(const std::string& path) {
   std::vector<std::string> names = bem::namesOf(path);
   names.pop_back();
   return names;
 }
 
-/// The list that a path stands in and that has its key; null: none.
+/// The list that contains the last name of a path; null if there is none.
 ParameterList* holderOf(ParameterList& list, const std::string& path) {
   ParameterList* target = &list;
   for (const std::string& name : parents(path))
@@ -51,7 +51,7 @@ ParameterList* holderOf(ParameterList& list, const std::string& path) {
   return target->isParameter(lastOf(path)) ? target : nullptr;
 }
 
-/// The list that a path stands in, made if it is not there.
+/// The list in which a path ends, created if it is missing.
 ParameterList& madeParentOf(ParameterList& list, const std::string& path) {
   ParameterList* target = &list;
   std::string walked;
@@ -75,7 +75,7 @@ void removeAt(ParameterList& list, const std::string& path) {
 
 void setAt(ParameterList& list, const std::string& path, const std::string& value);
 
-/// "{Key=value, Key=value}" in place of what the list held.
+/// Replaces a list by "{Key=value, Key=value}".
 void setList(ParameterList& list, const std::string& path, const std::string& value) {
   if (value.front() != '{' || value.back() != '}')
     throw InputError(path +

@@ -8,18 +8,18 @@ class ParameterList;
 
 namespace epafi::drivers {
 
-/// Applies one "A->B->Key=value" of --set: the first '=' splits, the type that the schema
-/// declares for the path decides how the value is read.
+/// Applies one "A->B->Key=value" of --set: the first '=' separates, and the schema
+/// declares the type of the value.
 ///
-/// A list is replaced as a whole by "{Key=value, Key=value}", lists within lists likewise; a
-/// key or a list without anything behind its '=' is removed.
-/// \throws bem::InputError for an undeclared path, a removed key, a value of another type, or if there is
-///   nothing to remove.
+/// "{Key=value, Key=value}" replaces a whole list, lists in it likewise; an empty value
+/// removes a key or a list.
+/// \throws bem::InputError for an undeclared path, a removed key, a value of another
+///   type, or if there is nothing to remove.
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
 
-/// Takes keys of earlier programs out of a scene where they hold the default that they had, as
-/// each used.xml of that time does: it says nothing then.
-/// \throws bem::InputError for another value, with what takes the key's place.
+/// Removes keys of earlier versions that have their former default, as in every used.xml
+/// of these versions: they have no effect.
+/// \throws bem::InputError for another value, with the replacement of the key.
 void dropRemovedKeys(Teuchos::ParameterList& scene);
 
 }  // namespace epafi::drivers

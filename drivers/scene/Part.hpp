@@ -7,7 +7,7 @@
 
 namespace epafi::drivers {
 
-/// A validated list of a scene: where it stands, and what its expressions know.
+/// A validated list of a scene, its place, and the names that its expressions may use.
 struct Part {
   std::shared_ptr<const Teuchos::ParameterList> list;
   Place place;
@@ -26,16 +26,16 @@ struct Part {
   std::string path(const std::string& key) const { return bem::join(place.path, key); }
 
   bool has(const std::string& key) const { return list->isParameter(key); }
-  /// Does it say anything that is no default?
+  /// Does it contain a value that is not a default?
   bool isGiven() const;
-  /// The expression under a key; an empty function if it is not given.
+  /// The expression under a key; empty if the key is missing.
   bem::Function function(const std::string& key) const;
-  /// The same, which throws bem::InputError where it is negative.
+  /// The same function; it throws bem::InputError where its value is negative.
   bem::Function nonNegative(const std::string& key) const;
-  /// The value at this time, or another one, of the expression under a key that is given.
+  /// The value of the expression under an existing key, at this time or at t.
   double number(const std::string& key) const { return number(key, names.t); }
   double number(const std::string& key, double t) const;
-  /// The two numbers under a key that is given.  \throws bem::InputError if they are not two
+  /// The point under an existing key.  \throws bem::InputError unless it has two numbers
   bem::Vec2 point(const std::string& key) const;
 };
 

@@ -7,14 +7,14 @@
 
 namespace epafi::drivers {
 
-/// When a run ends that could go on.
+/// Limits that end a run.
 struct RunLimits {
-  int levels = 6;               ///< the first included
-  int degreesOfFreedom = 4000;  ///< of a level, displacement and multiplier
-  double estimate = 0;          ///< a smaller one ends the run
-  /// So does a Level::relativeEstimate of at most this.
+  int levels = 6;               ///< including the first
+  int degreesOfFreedom = 4000;  ///< of a level: displacement and multiplier
+  double estimate = 0;          ///< a smaller estimate ends the run
+  /// A Level::relativeEstimate of at most this ends the run.
   std::optional<double> tolerance{};
-  std::optional<double> memory;  ///< of a level, all processes [MiB]; else what is free
+  std::optional<double> memory;  ///< of a level, all processes [MiB]; empty: all free
 
   void keys(bem::Keys& keys) {
     keys.add(
@@ -36,11 +36,11 @@ struct RunLimits {
   }
 };
 
-/// What is written of a level beside tables.
+/// Files of a level beside the tables.
 struct OutputOptions {
-  int contactSamples = 8;  ///< per element
+  int contactSamples = 8;  ///< points per element
   std::vector<bem::Vec2> interiorPoints;
-  bool fields = true;  ///< write boundary.csv and what shows fields
+  bool fields = true;  ///< write boundary.csv and the files with fields
 
   void keys(bem::Keys& keys) {
     keys.add(

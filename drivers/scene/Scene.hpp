@@ -26,10 +26,10 @@
 
 namespace epafi::drivers {
 
-/// A place on an edge that a mesh must have a node at.
+/// A point on an edge at which a mesh must have a node.
 struct RequiredNode {
   int edge = 0;
-  double place = 0;  ///< from the edge's start, in lengths of the outline's scaling
+  double place = 0;  ///< distance from the start of the edge, scaled
 };
 
 /// An elastic body, its conditions and its first mesh.
@@ -45,65 +45,64 @@ struct Body {
   std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
 };
 
-/// A body without elasticity: held, moved, or under a force, about its reference point.
+/// A rigid body: held, moved, or under a force at its reference point.
 struct RigidBody {
-  /// Of x, y and the rotation.
+  /// A component of the motion: x, y or rotation.
   struct Component {
     using Course = std::function<double(double t)>;
-    bool free = false;     ///< under a force, by a spring
-    Course value{};        ///< the force or moment, or the motion [radian]
-    double stiffness = 0;  ///< of the spring; 0: there is none
-    Course end{};          ///< the motion of its other end; empty: it stays
+    bool free = false;     ///< unknown: under a force or on a spring
+    Course value{};        ///< force or moment if free, else the motion [radian]
+    double stiffness = 0;  ///< stiffness of the spring; 0: no spring
+    Course end{};          ///< motion of its other end; empty: zero
   };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;
   std::array<Component, 3> components;
   bem::Vec2 pole;  ///< reference point
-  /// Of what acts inside, about that point; empty: nothing does.
+  /// Resultant of the body loads about the reference point; empty: no loads.
   std::function<contact::Resultant(double t)> inside{};
 };
 
 /// A boundary of a body.
 struct SideOfBody {
   bool rigid = false;
-  std::size_t body = 0;  ///< among the elastic ones or among the rigid ones
+  std::size_t body = 0;  ///< index among the elastic or the rigid bodies
   std::string boundary;
 };
 
-/// Contact between two bodies; the multiplier lives on `side`.
+/// Contact between two bodies: `side` carries λ, `met` is the opposite side.
 struct ContactPair {
   std::string name;
   SideOfBody side;
   SideOfBody met;
 };
 
-/// A scene, read and validated: everything that a run needs, in the user's units.
+/// A validated scene: all that a run needs, in the user's units.
 struct Scene {
   std::string title;
   std::string file;
-  Constants constants;  ///< that its expressions know
+  Constants constants;  ///< names in expressions
   Tables tables;        ///< likewise
 
   Symmetry symmetry;
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
   std::vector<ContactPair> contacts;
-  double stress = 1;  ///< that all of them count in
+  double stress = 1;  ///< unit of stresses: the smallest Young's modulus
 
   History history;
-  /// The bodies' conditions at a time, their pins included, what is inside without heat that is
-  /// conducted; of the same kinds on the same
-  /// boundaries at all times.
+  /// The conditions of all bodies at a time, with pins and body loads but without
+  /// conducted temperatures; kinds and boundaries do not depend on time.
   std::function<std::vector<contact::Conditions>(double t)> conditionsAt;
 
   std::string multiplier;
   contact::Stabilization stabilization;
 
-  /// What a nonlinear solver is assembled from, see solve().
+  /// Options of the nonlinear solver, see solve().
   struct Solver {
     contact::ContactSolverOptions contact;
     contact::CoulombOptions coulomb;
-    /// Handed to NOX in every run; null means Epafi's own choice.
+    /// Parameters for NOX in every run; null: the defaults of Epafi.
     std::shared_ptr<const Teuchos::ParameterList> nox;
 
     void keys(bem::Keys& keys) {
@@ -128,39 +127,39 @@ struct Scene {
 
   OutputOptions output;
 
-  /// How bodies without elasticity are moved at a time.
+  /// The prescribed motions and loads of the rigid bodies at a time, scaled.
   std::vector<contact::Drive> drivesAt(double t) const;
   double endOfPath() const { return history ? history.times.back() : 1; }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
-  /// The unit of energies of the whole scene, of which the half may be drawn.
+  /// The unit of energies of the whole scene, both halves of a symmetric one included.
   double energy() const {
     return symmetry.copies() * stress * units().length * units().length;
   }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
-  /// Do bodies have forces of their own to be told, beside those of the scene?
+  /// Are there results per body beside those of the scene (bodies.csv)?
   bool tellsBodies() const {
     return hasSeveral() || bodies.front().conditions.inside != nullptr;
   }
-  /// "base", or among several bodies "block:base".
+  /// "base", or "block:base" if there are several bodies.
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
   }
-  /// What its expressions know at t = 1, where no boundary is meant.
+  /// The names of expressions at t = 1 that do not depend on a boundary.
   Names names() const { return {constants, 1, {}, tables}; }
-  /// Its complete list, which must outlive what is made of it.
+  /// The complete list, which must outlive all Parts of it.
   Part root() const { return {used, {file, ""}, names()}; }
 
-  /// The body that a point lies inside; their number if there is none.
+  /// Index of the elastic body that contains a point; the number of bodies if none does.
   std::size_t bodyAt(bem::Vec2 point) const {
     std::size_t b = 0;
     while (b < bodies.size() && !bodies[b].outline->contains(point))
       ++b;
     return b;
   }
-  /// What lies inside a body that is drawn where a point or its mirror image does: that one; of a
-  /// point on the line of symmetry, which bounds what is drawn, one beside it.
+  /// The point or its mirror image, whichever lies in a drawn body.  A point on the line
+  /// of symmetry is moved to a point beside it.
   bem::Vec2 drawn(bem::Vec2 point) const;
   const std::string& nameOf(const SideOfBody& side) const {
     return side.rigid ? rigid[side.body].name : bodies[side.body].name;
@@ -168,18 +167,18 @@ struct Scene {
   const bem::Outline& outlineOf(const SideOfBody& side) const {
     return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;
   }
-  /// A scaled place on what is met less the same place on the side.
+  /// Difference of the scaled coordinates of a point on the opposite side and on `side`.
   bem::Vec2 shift(const ContactPair& pair) const {
     return (1 / units().length) *
            (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
   }
-  /// The boundary that is met: its edges' numbers, and the edges in this scene's length.
+  /// The opposite side: indices of its edges, and the edges in this scene's length.
   struct MetEdges {
     std::vector<int> edges;
     std::vector<bem::Curve> curves;
   };
   MetEdges metEdges(const ContactPair& pair) const;
-  /// How far along its normals a side looks: the smaller one's diameter, scaled.
+  /// How far to search along the normals of a side: the smaller diameter, scaled.
   double reach(const ContactPair& pair) const {
     return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
            units().length;
@@ -189,9 +188,9 @@ struct Scene {
                        [](const Body& body) { return !body.conditions.contact.empty(); });
   }
 
-  /// The complete list with every default filled in.
+  /// The complete list, with all defaults.
   std::shared_ptr<Teuchos::ParameterList> used;
-  /// What it is made of: expressions in place of numbers, which used.xml says.
+  /// The list as given; used.xml repeats expressions from it instead of numbers.
   Teuchos::ParameterList given;
 };
 

@@ -30,7 +30,7 @@ using bem::message;
 using bem::shortest;
 using Teuchos::XMLObject;
 
-/// What Teuchos complains about, without where in its sources it did.
+/// The message of a Teuchos exception without source positions.
 std::string complaint(const std::exception& error) {
   std::istringstream lines(error.what());
   std::string text;
@@ -45,7 +45,7 @@ std::string complaint(const std::exception& error) {
   return text;
 }
 
-/// Where a tag's '>' is, the one behind its attributes' quotes; or the text's size.
+/// Position of the '>' that ends a tag, outside of quotes; text.size() if missing.
 std::size_t endOfTag(const std::string& text, std::size_t at) {
   for (char quote = 0; at < text.size() && (quote != 0 || text[at] != '>'); ++at)
     if (quote == 0 && (text[at] == '"' || text[at] == '\''))
@@ -55,7 +55,7 @@ std::size_t endOfTag(const std::string& text, std::size_t at) {
   return at;
 }
 
-/// Parsers, and what they make, go down by recursion, on a stack that ends.
+/// Checks the depth of nesting: the parsers are recursive and the stack is limited.
 void checkNesting(const std::string& text) {
   constexpr int deepest = 1000;
   int depth = 0;
@@ -94,8 +94,8 @@ RawScene sceneOf(const XMLObject& root, const std::string& standardTitle) {
   return scene;
 }
 
-/// The type and value that an entry has in XML: doubles, alone and in arrays, with as few digits
-/// as give back every bit, others as Teuchos writes them.
+/// Type and value of an entry in XML: doubles, also in arrays, with the fewest digits
+/// that give back every bit, others as Teuchos writes them.
 struct Spelling {
   std::string type;
   std::string value;
@@ -170,7 +170,7 @@ void checkReadable(const std::string& file) {
   if (fs::is_directory(file, ignored))
     throw InputError("is a folder, not a file");
   if (fs::is_character_file(file, ignored) || fs::is_block_file(file, ignored))
-    throw InputError("is a device, not a file");  // /dev/zero never ends
+    throw InputError("is a device, not a file");  // reading /dev/zero would never end
   errno = 0;
   if (!std::ifstream(file, std::ios::binary))
     throw InputError("cannot be read: ", std::strerror(errno));
@@ -185,7 +185,7 @@ std::string readText(const std::string& file) {
 
 namespace {
 
-/// \throws bem::InputError at the first byte that is no UTF-8, with its line.
+/// \throws bem::InputError with the line of the first byte that is not valid UTF-8.
 void checkEncoding(const std::string& text) {
   for (auto at = text.begin(); at != text.end();) {
     const auto start = at;
@@ -196,7 +196,7 @@ void checkEncoding(const std::string& text) {
   }
 }
 
-/// Editors of Windows begin files with a mark of the encoding.
+/// Removes the byte order mark that editors on Windows write.
 std::string withoutMark(const std::string& text) {
   const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
   const bool zeros = text.substr(0, 4).find('\0') != std::string::npos;

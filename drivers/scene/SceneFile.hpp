@@ -7,33 +7,32 @@
 
 namespace epafi::drivers {
 
-/// A scene as it stands in its file: names and types as written, nothing checked against
-/// the schema.
+/// A scene as in its file, not yet checked against the schema.
 struct RawScene {
   std::string title;
   Teuchos::ParameterList list;
 };
 
-/// A text as XML has it between quotes.
+/// A text escaped for an attribute of XML.
 std::string xmlText(std::string text);
 
 /// \throws bem::InputError for a file that is missing, a folder, a device or not
-///   readable; without the file's name.
+///   readable; without the name of the file.
 void checkReadable(const std::string& file);
 
-/// A whole file.  \throws what checkReadable throws.
+/// The content of a file.  \throws as checkReadable.
 std::string readText(const std::string& file);
 
-/// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root
-/// list's name, or the file's name without extension if it has none.
-/// \throws bem::InputError for a text that is empty or malformed, and for values that do
-///   not spell their type; without the file's name.
+/// Reads XML, or YAML if the name of the file ends in .yaml or .yml.  The title is the
+/// name of the root list, by default the name of the file without extension.
+/// \throws bem::InputError for an empty or malformed text and for values that do not fit
+///   their type; without the name of the file.
 RawScene rawScene(const std::string& text, const std::string& file);
 
-/// A piece of a scene as the "A->B->Key=value" that would set the same.
+/// The values of a list as assignments "A->B->Key=value" for --set.
 std::vector<std::string> assignments(const Teuchos::ParameterList& list);
 
-/// The list as XML that reads back to the same list: numbers keep every bit.
+/// The list as XML; reading it gives the same list, numbers to the last bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
 
 }  // namespace epafi::drivers

@@ -42,7 +42,7 @@ Scene::Solver readSolver(const ParameterList& list) {
   return solver;
 }
 
-/// Is there neither a condition on a boundary of a body, nor a load, nor another body?
+/// Has a boundary of a body no displacement, no load and no contact as opposite side?
 bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
   const contact::Conditions& conditions = scene.bodies[b].conditions;
   const auto neumann = conditions.neumann.find(boundary);
@@ -55,9 +55,9 @@ bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
           (!neumann->second.x && !neumann->second.y));
 }
 
-/// At ν = 1/2 in plane strain, V has the normals of each closed line of a body in its kernel.
-/// What Form Density adds on contact elements takes them out; on other lines this pins ψ on
-/// the longest edge without load, see contact::Conditions::pins.
+/// At ν = 1/2 in plane strain the kernel of V contains the normal field of each closed
+/// line. Form Density removes it on lines with contact elements; on other lines this pins
+/// ψ on the longest free edge, see contact::Conditions::pins.
 /// \throws InputError for another form, and for a line without such an edge.
 void pinIncompressible(std::size_t b, Scene& scene) {
   Body& body = scene.bodies[b];
@@ -103,7 +103,7 @@ void checkLinear(const Scene& scene) {
                      "; Dense, Belos and Automatic are possible");
 }
 
-/// The scene with what a tolerance alone asks for.
+/// The scene with the strategy and the number of levels that a tolerance alone implies.
 ParameterList withStrategy(ParameterList scene) {
   if (scene.isSublist("Adaptivity") &&
       scene.sublist("Adaptivity").isParameter("Tolerance")) {
@@ -139,7 +139,7 @@ OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
   return output;
 }
 
-/// Reads the lists Tables and Constants, which the others may name.
+/// Reads the lists Tables and Constants, whose names other lists may use.
 void readNames(ParameterList& given, Scene& scene) {
   ParameterList names;
   for (const char* list : {"Tables", "Constants"})
@@ -157,8 +157,8 @@ void readNames(ParameterList& given, Scene& scene) {
     given.setEntry(item.first, item.second);
 }
 
-/// The conditions of all bodies at a time: what their lists say then, on what reading the
-/// bodies and their contacts has found for good.
+/// The conditions of all bodies at a time: the lists at that time, with the pins and the
+/// parts of contacts that were found when the bodies and contacts were read.
 std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
     const Scene& scene) {
   return [root = scene.root(), bodies = scene.bodies, symmetry = scene.symmetry,
@@ -228,7 +228,7 @@ Scene build(const std::string& file, const RawScene& raw) {
     pinIncompressible(b, scene);
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
-  scene.drivesAt(scene.endOfPath());  // what is no number in t shall be said at once
+  scene.drivesAt(scene.endOfPath());  // evaluate once, so that errors are reported now
   scene.linear = bem::parsed<LinearOptions>(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
@@ -236,7 +236,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   return scene;
 }
 
-/// Where a scene has expressions in place of numbers: these in place of their values.
+/// Replaces numbers in `used` by the expressions from which they were computed.
 void putBackTexts(const ParameterList& given, ParameterList& used) {
   for (const auto& item : given) {
     if (!used.isParameter(item.first))
@@ -253,7 +253,7 @@ void putBackTexts(const ParameterList& given, ParameterList& used) {
   }
 }
 
-/// Every message names the file first.
+/// Adds the name of the file to messages that do not begin with it.
 template <class Read>
 auto naming(const std::string& file, const Read& read) {
   try {

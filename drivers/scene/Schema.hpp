@@ -13,9 +13,9 @@ using Parameter = bem::SchemaRow;
 using bem::Kind;
 using bem::textOf;
 
-/// All parameters of a scene: the keys of the parts, each of which has its own, and those
-/// of the program.  This table alone feeds validation, defaults, --set, `epafi
-/// parameters` and the tests.  Made on first use: families are complete by then.
+/// All parameters of a scene.  Only this table defines validation, defaults, --set and
+/// `epafi parameters`; the tests use it, too.  It is made on first use, when all families
+/// are complete.
 const bem::SchemaRows& parameters();
 
 }  // namespace epafi::drivers

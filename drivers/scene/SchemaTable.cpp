@@ -15,7 +15,7 @@ using bem::from;
 using bem::Row;
 using Table = std::vector<Parameter>;
 
-/// A list and its keys.
+/// Adds a list and its keys.
 void add(Table& table, const Parameter& list, const Table& keys) {
   append(table, {list});
   append(table, keys, list.path);
@@ -87,7 +87,7 @@ void addBody(Table& table) {
       });
 }
 
-/// What all contacts have.
+/// The keys that all contacts have.
 Table surfaceRows() {
   Table rows = {
       Row("Sliding", Kind::Expression, "length",

@@ -17,11 +17,11 @@ using bem::InputError;
 using bem::Vec2;
 using Teuchos::ParameterList;
 
-/// Closer to the line than this share of the outline's diameter coordinates are meant to be on it:
-/// those of files have 6 or 7 digits.
+/// Points closer to the line than this share of the diameter lie on it: coordinates in
+/// files have 6 or 7 digits.
 constexpr double near = 1e-6;
 
-/// Puts one polygon's vertices onto the line and renames its edges there; returns their names.
+/// Moves vertices near the line onto it and renames edges there; returns their names.
 std::set<std::string> align(const Symmetry& symmetry, double tolerance,
                             const std::string& path, bem::Loop& loop) {
   for (Vec2& v : loop.vertices)
@@ -45,7 +45,7 @@ std::set<std::string> align(const Symmetry& symmetry, double tolerance,
   return renamed;
 }
 
-/// On which side of the line a polygon lies, -1 or 1; `side`: where it must lie, 0: on any.
+/// The side of the line where a polygon lies, -1 or 1; `side`: as required, 0: any.
 double sideOf(const Symmetry& symmetry, double tolerance, double side,
               const std::string& path, const bem::Loop& loop) {
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
@@ -64,7 +64,7 @@ double sideOf(const Symmetry& symmetry, double tolerance, double side,
   return side;
 }
 
-/// Nothing names edges on the line but for their outline: they are rollers by themselves.
+/// Edges on the line are rollers: no condition or contact may name them.
 void checkUnnamed(const Symmetry& symmetry, const std::set<std::string>& names,
                   const std::string& body, const ParameterList& scene) {
   const auto refuse = [&](const std::string& path) {

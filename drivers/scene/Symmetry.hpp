@@ -9,36 +9,36 @@
 
 namespace epafi::drivers {
 
-/// Geometry->Symmetry: the line x = 0 or y = 0 about which a scene is symmetric, of which one
-/// half is drawn.
+/// Geometry->Symmetry: the line x = 0 or y = 0 about which a scene is symmetric; only one
+/// half of the scene is drawn.
 struct Symmetry {
-  int axis = -1;  ///< across the line: 0 along x, 1 along y; -1: there is no such line
+  int axis = -1;  ///< normal of the line: 0 for x, 1 for y; -1: no symmetry
 
   explicit operator bool() const { return axis >= 0; }
-  /// How many times what is drawn is there.
+  /// Number of copies of the drawn part in the whole scene.
   double copies() const { return axis < 0 ? 1 : 2; }
   double& across(bem::Vec2& v) const { return axis == 0 ? v.x : v.y; }
   bem::Vec2 mirrored(bem::Vec2 v) const {
     across(v) = -across(v);
     return v;
   }
-  /// Does an outline have an edge on the line?  The body then is one half of a whole one; others
-  /// are one of two that are mirror images.
+  /// Does the line cut the body, so that the outline has an edge on it?  Otherwise the
+  /// body has a mirror image.
   bool cuts(const bem::Outline& outline) const;
   /// "x = 0"
   std::string line() const { return axis == 0 ? "x = 0" : "y = 0"; }
 
-  /// What all edges on the line are called.
+  /// The name of all edges on the line.
   static constexpr const char* boundary = "symmetry";
 };
 
-/// Of the validated list Geometry at the root.
+/// Reads the validated list Geometry at the root.
 Symmetry parseSymmetry(const Teuchos::ParameterList& geometry);
 
-/// The outlines of the bodies of a scene's validated list, in their order, with vertices near the
-/// line on it and edges on it called Symmetry::boundary.
-/// \throws bem::InputError if they lie on both sides of the line, none has an edge on it, another
-///   edge is called so, or a condition or a contact names edges on it.
+/// The outlines of all bodies of a validated scene, in order: vertices near the line are
+/// moved onto it, and edges on it are named Symmetry::boundary.
+/// \throws bem::InputError if they lie on both sides of the line, if no edge or a wrongly
+///   named one is on it, or if a condition or a contact names such edges.
 std::vector<bem::Loops> alignedWith(const Symmetry& symmetry,
                                     std::vector<bem::Loops> loops,
                                     const Teuchos::ParameterList& scene);

@@ -9,7 +9,7 @@ namespace epafi::drivers {
 namespace {
 
 constexpr const char* signs = "{},";
-constexpr const char* standIns = "\x01\x02\x03";  // no XML text holds these
+constexpr const char* standIns = "\x01\x02\x03";  // not allowed in XML texts
 
 int change(char c) {
   if (c == '(' || c == '{')

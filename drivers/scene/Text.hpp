@@ -10,7 +10,7 @@
 
 namespace epafi::drivers {
 
-/// The number that a text is, as a whole; nothing if it is none.
+/// The number that the whole text spells; nothing if it is not a number.
 template <class Number>
 std::optional<Number> numberIn(const std::string& text) {
   Number value{};
@@ -19,7 +19,7 @@ std::optional<Number> numberIn(const std::string& text) {
   return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
-/// work(); what it complains about begins with where that is.
+/// Returns work(); `where` is put before the message of an InputError.
 template <class Work>
 auto within(const std::string& where, const Work& work) {
   try {
@@ -29,26 +29,26 @@ auto within(const std::string& where, const Work& work) {
   }
 }
 
-/// Without XML's white space at both ends.
+/// The text without white space of XML at both ends.
 std::string trimmed(const std::string& text);
 
 /// "1 step", "2 steps"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
-/// A text as a POSIX shell takes it for one word: as it is where no sign means anything else
-/// there, else between single quotes.
+/// A text as one word of a POSIX shell: unchanged if it has no special characters, else
+/// in single quotes.
 std::string shellWord(const std::string& text);
 
-/// The pieces of "a, f(b, c), {d, e}": commas within parentheses and braces do not count,
-/// unless these are not in pairs: then every comma does.
+/// Splits "a, f(b, c), {d, e}" at commas outside of parentheses and braces; at every
+/// comma if these are not balanced.
 std::vector<std::string> pieces(const std::string& text);
 
-/// Are braces and parentheses in pairs?
+/// Are braces and parentheses balanced?
 bool isBalanced(const std::string& text);
 
-/// An entry of an array of texts "{A={4, 4}, B=1}" whose own commas and braces do not count.
+/// Replaces commas and braces of an entry, so that its array does not split there.
 std::string hiddenEntry(std::string entry);
-/// With its own signs again.
+/// The inverse of hiddenEntry.
 std::string shown(const std::string& entry);
 
 }  // namespace epafi::drivers

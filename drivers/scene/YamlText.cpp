@@ -18,7 +18,7 @@ using bem::InputError;
 using bem::message;
 using Teuchos::XMLObject;
 
-constexpr int deepest = 250;  // yaml-cpp's limit: it takes two steps for each
+constexpr int deepest = 250;  // limit of yaml-cpp, which recurses twice for each level
 constexpr const char* tooDeep =
     "lists stand in lists too deep for YAML, some 250 of them";
 constexpr long mostValues = 1000000;
@@ -27,7 +27,7 @@ std::string at(const YAML::Mark& mark) {
   return message("line ", mark.line + 1, ", column ", mark.column + 1);
 }
 
-/// The narrowest type first; a wider one takes what the ones before it take.
+/// Types from narrow to wide; Real includes Whole, and Text includes all.
 enum class Type { Whole, Real, Flag, Text };
 
 const char* nameOf(Type type) {
@@ -43,7 +43,7 @@ Type typeOf(const YAML::Node& scalar) {
   const std::string unsignedText = text.substr(text.find_first_of("+-") == 0 ? 1 : 0);
   if (numberIn<int>(unsignedText))
     return Type::Whole;
-  // also what is too large or too small for a double: its own message says so
+  // includes numbers out of range, for which readValue has a better message
   if (unsignedText.find_first_of(".0123456789") == 0 &&
       text.find_first_not_of("0123456789+-.eE") == std::string::npos)
     return Type::Real;
@@ -54,7 +54,7 @@ Type joined(Type a, Type b) {
   return a == b ? a : std::max(a, b) == Type::Real ? Type::Real : Type::Text;
 }
 
-/// YAML ends a text without quotes at a comma between brackets: a function's arguments fall apart.
+/// Checks brackets: in a list YAML ends unquoted text at a comma, also in max(x, 0).
 void checkWhole(const YAML::Node& scalar) {
   if (scalar.Tag() == "?" && !isBalanced(scalar.Scalar()))
     throw InputError(at(scalar.Mark()), ": '", scalar.Scalar(),
@@ -62,11 +62,11 @@ void checkWhole(const YAML::Node& scalar) {
                      "\"max(x, 0)\", needs quotes");
 }
 
-/// Makes the XML of one document.
+/// Converts one document to XML.
 class Spelling {
  public:
   XMLObject list(const std::string& name, const YAML::Node& node, int depth = 0) {
-    if (depth > deepest)  // an anchor may hold itself
+    if (depth > deepest)  // an anchor may contain itself
       throw InputError(tooDeep);
     XMLObject result("ParameterList");
     result.addAttribute("name", name);
@@ -79,7 +79,7 @@ class Spelling {
  private:
   using Entries = std::vector<std::pair<std::string, YAML::Node>>;
 
-  /// What `<<` brings stands behind the list's own keys, which hide it.
+  /// The entries of a list; own keys come first and hide those that `<<` merges.
   Entries entries(const YAML::Node& map) {
     Entries own;
     Entries merged;
@@ -128,7 +128,7 @@ class Spelling {
     return node.size() > 0 && node.begin()->IsSequence();
   }
 
-  /// The entries of an array behind one another; widens the type to theirs.
+  /// The entries of an array, separated by commas; widens `type` to include theirs.
   std::string row(const YAML::Node& array, Type& type, bool& first) {
     std::string text;
     for (const YAML::Node& entry : array) {
@@ -180,7 +180,7 @@ class Spelling {
   long values_ = 0;
 };
 
-/// What to do about a complaint of the parser on a line.
+/// Advice for an error of the parser.
 std::string advice(const std::string& text, const YAML::Exception& error) {
   std::istringstream lines(text);
   std::string line;
@@ -197,7 +197,7 @@ std::string advice(const std::string& text, const YAML::Exception& error) {
 
 YAML::Node documentIn(const std::string& text) {
   try {
-    // Not LoadAll: it never ends where a text begins with a comma.
+    // Not LoadAll: it does not return for a text that begins with a comma.
     YAML::Node document = YAML::Load(text);
     const std::size_t begin = document.IsMap() ? document.Mark().pos : 0;
     if (text.find("\n---", begin) != std::string::npos)

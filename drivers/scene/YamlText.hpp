@@ -8,13 +8,13 @@ class XMLObject;
 
 namespace epafi::drivers {
 
-/// The tree of a YAML text as XML spells it; anchors, `<<` and lists over several lines included.
+/// The XML tree of a YAML text, which may use anchors, `<<` and multi-line lists.
 ///
-/// A value in quotes is a string.  Others get the narrowest type that they spell: int, double,
-/// bool, string; an array that of all its entries, an array of arrays is a table.  A key without
-/// a value is an empty list.
-/// \throws bem::InputError with line and column for what is no YAML, no tree of lists under one
-///   title, or nested too deep (some 250).
+/// A value in quotes is a string.  Other values get the narrowest type that fits: int,
+/// double, bool, string; an array has the type that fits all entries; an array of arrays
+/// is a table.  A key without a value is an empty list.
+/// \throws bem::InputError with line and column for invalid YAML, for a document that is
+///   not a tree of lists under one title, and for a nesting deeper than about 250.
 Teuchos::XMLObject xmlOfYaml(const std::string& text);
 
 }  // namespace epafi::drivers

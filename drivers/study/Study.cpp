@@ -31,7 +31,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// What a list's Set and Override say.
+/// The assignments of Set and Override of a list.
 std::vector<std::string> settingsOf(const ParameterList& list) {
   std::vector<std::string> result = namesOf(list, "Set");
   if (list.isSublist("Override"))
@@ -39,14 +39,14 @@ std::vector<std::string> settingsOf(const ParameterList& list) {
   return result;
 }
 
-/// The scene, or what is wrong with it and where in the study that was asked for.
+/// Reads a scene; errors begin with the path in the study that requires it.
 Scene sceneAt(const std::string& path, const std::string& file,
               const std::vector<std::string>& overrides) {
   return within(path + ": ", [&] { return readScene(file, overrides); });
 }
 
-/// The variants that one entry of the study stands for on one scene: one, or one per
-/// value of its sweep.
+/// The variants of one entry of the study on one scene: one, or one per value of its
+/// sweep.
 std::vector<Variant> variantsOf(const std::string& name, const ParameterList& list,
                                 const std::string& file,
                                 std::vector<std::string> overrides) {
@@ -70,7 +70,7 @@ std::vector<Variant> variantsOf(const std::string& name, const ParameterList& li
   return variants;
 }
 
-/// Does the variant belong to this scene?  It does to all unless it names some.
+/// Is the variant solved on this scene?  Without a list Scenes it is solved on all.
 bool belongs(const ParameterList& variant, const std::string& scene) {
   const std::vector<std::string> only = namesOf(variant, "Scenes");
   return only.empty() || std::find(only.begin(), only.end(), scene) != only.end();
@@ -106,7 +106,7 @@ std::optional<Scene> readReference(const std::string& scene, const ParameterList
   return reference;
 }
 
-/// A path that stands in a file, seen from here.
+/// A path in a file, relative to the current folder.
 std::string besides(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
 }
@@ -126,8 +126,7 @@ Study build(const std::string& file, const RawScene& raw) {
     std::vector<std::string> common = settingsOf(list);
     append(common, settingsOf(given));
     StudiedScene scene{name, std::nullopt, {}};
-    // The schema fills in lists that are absent: whether there is a reference, the file
-    // says.
+    // The schema adds missing lists, so only the file shows whether there is a reference.
     if (raw.list.sublist("Scenes").sublist(name).isSublist("Reference"))
       scene.reference =
           readReference(name, given.sublist("Reference"), sceneFile, common);

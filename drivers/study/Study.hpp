@@ -12,33 +12,33 @@ namespace epafi::drivers {
 struct Variant {
   std::string name;
   Scene scene;  ///< with the variant's settings
-  /// What a sweep sets here; NaN outside of sweeps and for values that are no numbers.
+  /// Value of the sweep; NaN without a sweep and for values that are not numbers.
   double sweepValue = std::numeric_limits<double>::quiet_NaN();
   bool swept = false;
 };
 
-/// A scene and the ways of solving it that are compared.
+/// A scene and the variants that are compared on it.
 struct StudiedScene {
   std::string name;
-  std::optional<Scene> reference;  ///< an overkill discretisation of the same problem
+  std::optional<Scene> reference;  ///< a much finer discretisation of the same problem
   std::vector<Variant> variants;
 };
 
-/// A study, read and validated: every variant's scene is known to be right.
+/// A validated study: all scenes of its variants are valid.
 struct Study {
   std::string title;
-  bool smallestEigenvalue = false;  ///< of the stabilised stiffness, wanted as a column
-  bool keepSolutions = false;       ///< a solution.hdf for every variant
+  bool smallestEigenvalue = false;  ///< add it as a column, see smallest_eigenvalue
+  bool keepSolutions = false;       ///< write solution.hdf for every variant
   std::vector<StudiedScene> scenes;
-  Teuchos::ParameterList used;  ///< complete, scenes by absolute paths: repeats the study
+  Teuchos::ParameterList used;  ///< complete list with absolute paths; repeats the study
 };
 
-/// All parameters of a study, as parameters() has those of a scene.
+/// All parameters of a study; parameters() has those of a scene.
 const std::vector<Parameter>& studyParameters();
 
-/// Reads STUDY.xml and all scenes that it names; their paths are relative to the study's.
-/// \throws bem::InputError saying what is wrong, where (file: A->B->Key) and what is
-///   allowed; also for a reference whose estimate is not weighted as an energy.
+/// Reads a study and all scenes that it names; their paths are relative to its folder.
+/// \throws bem::InputError with error, place (file: A->B->Key) and what is allowed; also
+///   for a reference without Weights = Energy and Residual Factor = 1.
 Study readStudy(const std::string& file);
 
 }  // namespace epafi::drivers

@@ -11,10 +11,10 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Empty where it is not known.
+/// The number as a cell; empty for NaN.
 std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
 
-/// What stands behind the columns of history.csv.
+/// The columns behind those of history.csv.
 struct Row {
   StudiedLevel studied;
   double estimate = 0;
@@ -93,7 +93,7 @@ void StudyTable::reference(const std::string& scene,
   text_ += line(scene, "reference", cells, Row());
 }
 
-/// On a path of any step.
+/// The relative error; on a path the largest of all steps.
 double largestOf(const TrueError& error) {
   return error.path ? error.path->relative : error.relative;
 }

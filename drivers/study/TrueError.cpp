@@ -16,7 +16,7 @@ namespace {
 
 using Series = bem::LegendreSeries<bem::Complex>;
 
-/// Σ h/p ‖λ - λ_ref‖² over the level's contact elements; h: lengths over the diameter.
+/// Σ h/p ‖λ - λ_ref‖² over the contact elements of the level, h/d for h.
 double multiplierDistance(const BodySnapshot& level, const BodySnapshot& reference) {
   const bem::UnionMesh both = bem::unite(level.data.mesh, reference.data.mesh);
   double sum = 0;
@@ -42,7 +42,7 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
   return sum;
 }
 
-/// A body's displacement, density and multiplier as functions.
+/// Displacement, density and multiplier of a body as functions.
 BodySnapshot bodySnapshot(const BodySpaces& spaces, std::size_t b,
                           const bem::Vector& displacement, const bem::Vector& density,
                           const bem::Vector& multiplier) {
@@ -63,7 +63,7 @@ BodySnapshot bodySnapshot(const BodySpaces& spaces, std::size_t b,
   return body;
 }
 
-/// The state of the path at a time that was asked for: of all bodies together.
+/// The state of the path at a requested time, of all bodies together.
 const contact::State& stateAt(const Level& level, double t) {
   for (const PathPoint& point : level.path)
     if (point.t == t)
@@ -72,7 +72,7 @@ const contact::State& stateAt(const Level& level, double t) {
       bem::message("the path has no state at t = ", t, ", which it was asked for"));
 }
 
-/// Of one time, dimensionless.
+/// Distance at one time, dimensionless.
 struct Distance {
   double norm = 0;
   double multiplier = 0;

@@ -10,67 +10,66 @@
 
 namespace epafi::drivers {
 
-/// A body on a solved level as functions on its boundary: what true errors are measured between.
-/// Dimensionless, and good after the level's operators are gone.
+/// The solution of a body as functions on its boundary, between which true errors are
+/// measured.  Dimensionless; remains valid after the operators of the level are deleted.
 struct BodySnapshot {
   bem::CauchyData data;
-  /// λₙ + i λₜ on each element as a Legendre series of the element's degree; zero where
-  /// there is no contact.
+  /// λₙ + i λₜ on each element as a Legendre series of the degree of the element; zero
+  /// without contact.
   std::vector<std::array<bem::Complex, bem::largestDegree + 1>> multiplier;
   std::vector<bool> contact;  ///< of each element
 };
 
-/// All bodies at a time.
+/// The solution of all bodies at one time.
 struct Snapshot {
   double t = 1;
   std::vector<BodySnapshot> bodies;
-  double dissipated = 0;  ///< on a path: friction's work so far [stress length²]
+  double dissipated = 0;  ///< work of friction up to t on a path [stress length²]
 };
 
-/// A solved level: of a path each step that was asked for, else one state.
+/// A solved level: on a path every requested step, else one state.
 struct Snapshots {
   std::vector<Snapshot> steps;
-  double energy =
-      0;  ///< of the last: strain energy - fᵀ u + friction's work [stress length²]
+  double energy = 0;  ///< see energyOf, at the end [stress length²]
 };
 
-/// Of a level just solved or read from a file; `energy`: see energyOf; `dissipated`: of each
-/// step that was asked for, see dissipatedOf.
+/// The snapshots of a level that was solved or read from a file.  `energy`: see energyOf;
+/// `dissipated`: for each requested step, see dissipatedOf.
 Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
                         const std::vector<double>& dissipated);
 
-/// What true errors of a scene are measured against.
+/// The reference solution of a scene.
 struct Reference {
   Reference(Snapshots snapshots, double estimate, const Scene& scene);
 
   Snapshots solution;
-  std::vector<double> norms;  ///< of each step in the energy norm, dimensionless
-  double estimate;            ///< its own [(stress length²)^½]
+  std::vector<double> norms;  ///< energy norm of each step, dimensionless
+  double estimate;            ///< estimated error [(stress length²)^½]
 };
 
-/// How far a level is from a reference.
+/// The error of a level against a reference.
 struct TrueError {
   double energyNorm = 0;  ///< (<W d, d> + <V δ, δ>)^½, absolute [(stress length²)^½]
-  double relative = 0;    ///< the same over that of the reference
-  /// (Σ h/p ‖λ - λ_ref‖² / μ)^½ over the elements of the level, over the reference's
-  /// energy norm: the scaled L² norm that stands for H^-1/2 [P sec. 8], comparable to
+  double relative = 0;    ///< energyNorm over the energy norm of the reference
+  /// (Σ h/p ‖λ - λ_ref‖² / μ)^½ over the elements of the level, over the energy norm of
+  /// the reference: the scaled L² norm in place of H^-1/2 [P sec. 8], comparable to
   /// `relative`.
   double multiplier = 0;
-  double energy = 0;  ///< |difference of the energies| over the reference's
+  double energy = 0;  ///< |difference of the energies| over that of the reference
 
-  double largest = 0;  ///< `energyNorm`, on a path the largest of any step
+  double largest = 0;  ///< `energyNorm`; on a path the largest of all steps
 
-  /// The largest over the steps of a path that have their time in common with the reference.
+  /// Largest errors over the steps of a path whose times the reference has, too.
   struct Path {
-    double relative = 0;    ///< as above, over the largest norm of any step
-    double multiplier = 0;  ///< likewise
-    double friction = 0;    ///< of friction's work so far, over all of the reference's
-    int step = 0;           ///< that of `relative`: 1, 2, ...
+    double relative = 0;    ///< energyNorm over the largest norm of all steps
+    double multiplier = 0;  ///< the same for the multiplier
+    double friction = 0;    ///< of friction's work so far, over the reference's total
+    int step = 0;           ///< step of `relative`: 1, 2, ...
   };
-  std::optional<Path> path{};  ///< nothing without a History
+  std::optional<Path> path{};  ///< empty without a History
 };
 
-/// On the union of the two meshes, without further error.
+/// Computed on the union of the two meshes, without further approximation.
 TrueError trueError(const Snapshots& level, const Reference& reference,
                     const Scene& scene);
 
