@@ -22,8 +22,8 @@ class BodyLoadsReader {
   /// \throws bem::InputError for a load by mass on a body without Density, a force beside a weight,
   ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, or
   ///   beside Thermal Conditions, and what is not one finite number at this time.
-  contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
-                         double stress) const;
+  contact::BodyLoadSolution inside(const bem::Outline& outline,
+                                   const bem::Material& material, double stress) const;
 
   /// What is said of heat on its boundaries; none: no list says anything.
   /// \throws bem::InputError for a boundary that no edge has, a temperature and a flux or neither on

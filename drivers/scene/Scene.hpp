@@ -74,7 +74,7 @@ struct SideOfBody {
 struct ContactPair {
   std::string name;
   SideOfBody side;
-  SideOfBody met;
+  SideOfBody opposite;
 };
 
 /// A scene, read and validated: everything that a run needs, in the user's units.
@@ -168,20 +168,21 @@ struct Scene {
   const bem::Outline& outlineOf(const SideOfBody& side) const {
     return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;
   }
-  /// A scaled place on what is met less the same place on the side.
+  /// A scaled place on the opposite side less the same place on the side.
   bem::Vec2 shift(const ContactPair& pair) const {
-    return (1 / units().length) *
-           (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
+    return (1 / units().length) * (outlineOf(pair.side).scaling().origin -
+                                   outlineOf(pair.opposite).scaling().origin);
   }
-  /// The boundary that is met: its edges' numbers, and the edges in this scene's length.
-  struct MetEdges {
+  /// The opposite boundary: its edges' numbers, and the edges in this scene's length.
+  struct OppositeEdges {
     std::vector<int> edges;
     std::vector<bem::Curve> curves;
   };
-  MetEdges metEdges(const ContactPair& pair) const;
+  OppositeEdges oppositeEdges(const ContactPair& pair) const;
   /// How far along its normals a side looks: the smaller one's diameter, scaled.
   double reach(const ContactPair& pair) const {
-    return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
+    return std::min(outlineOf(pair.side).diameter(),
+                    outlineOf(pair.opposite).diameter()) /
            units().length;
   }
   bool hasContact() const {

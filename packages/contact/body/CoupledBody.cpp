@@ -223,9 +223,9 @@ class Coupled final : public StabilisedBody {
   }
 
   const bem::SteklovPoincare& stiffness_;
-  std::shared_ptr<const bem::DensityResponse> response_;  ///< Density; else null
-  std::shared_ptr<const bem::TractionRows> tractions_;    ///< S φ; null: no S^
-  const Matrix* columns_;                                 ///< R
+  std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
+  std::shared_ptr<const bem::TractionRows> tractions_;       ///< S φ; null: no S^
+  const Matrix* columns_;                                    ///< R
   BalancedStiffness balanced_;
 };
 

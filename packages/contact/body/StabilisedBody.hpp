@@ -60,9 +60,9 @@ class StabilisedBody {
                               const ResidualTerms& terms) const = 0;
 
   /// Bᵀ λ, including forces on clamps and corners.
-  Vector push(const Vector& multiplier) const;
+  Vector applyTranspose(const Vector& multiplier) const;
   /// B u
-  Vector pull(const Vector& u) const;
+  Vector apply(const Vector& u) const;
   /// M λ
   Vector massTimes(const Vector& multiplier) const;
   /// Terms of the body loads in the conditions of the multiplier.

@@ -4,7 +4,7 @@
 
 namespace epafi::contact {
 
-Vector TraceCoupling::pull(const Vector& u) const {
+Vector TraceCoupling::apply(const Vector& u) const {
   Vector result(rests.size());
   for (const bem::Entry& entry : entries)
     result[at(entry.column)] += entry.value * u[at(entry.row)];
@@ -13,7 +13,7 @@ Vector TraceCoupling::pull(const Vector& u) const {
   return result;
 }
 
-void TraceCoupling::push(const Vector& multiplier, Vector& force) const {
+void TraceCoupling::addTranspose(const Vector& multiplier, Vector& force) const {
   for (const bem::Entry& entry : entries)
     force[at(entry.row)] += entry.value * multiplier[at(entry.column)];
   if (rotation != nullptr)

@@ -21,9 +21,9 @@ struct TraceCoupling {
   Vector rests;  ///< work on r - r_I by multipliers, see bem::Rotation
 
   /// C u
-  Vector pull(const Vector& u) const;
+  Vector apply(const Vector& u) const;
   /// force += Cᵀ λ
-  void push(const Vector& multiplier, Vector& force) const;
+  void addTranspose(const Vector& multiplier, Vector& force) const;
   /// transposed += Cᵀ, coefficient i in the column numberOf(i).
   template <class Numbers>
   void addTo(Matrix& transposed, const Numbers& numberOf) const {

@@ -30,24 +30,25 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
 }  // namespace
 
 TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                             const Opposite& opposite, const bem::Space& met, int body) {
-  TraceCoupling coupling{{}, met.rotation(), Vector(at(multiplier.size()))};
+                             const Opposite& opposite, const bem::Space& other,
+                             int body) {
+  TraceCoupling coupling{{}, other.rotation(), Vector(at(multiplier.size()))};
   forEachSidePoint(
       side, multiplier.elements(), opposite,
       [&](const ContactElement& contact, const Opposite::Point& middle) {
         return middle.element >= 0 && middle.body == body
                    ? &mortarRule(contact, side[contact.element],
-                                 met.mesh()[middle.element])
+                                 other.mesh()[middle.element])
                    : nullptr;
       },
       [&](const SidePoint& point) {
-        const int opposed = point.met.element;
+        const int opposed = point.opposite.element;
         if (opposed < 0)  // a grazing normal, but for rounding
           return;
-        const int degree = met.mesh()[opposed].degree;
+        const int degree = other.mesh()[opposed].degree;
         std::array<double, bem::largestDegree + 1> phi{};
-        bem::DisplacementBasis::values(degree, point.met.t, phi.data());
-        const Vec2 rest = met.rotationRest(opposed, point.met.t);
+        bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
+        const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
         point.forEachCoefficient(
             multiplier.basis().values(point.contact.degree, point.t),
             [&](Index i, double chi, Vec2 direction) {
@@ -56,7 +57,7 @@ TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multi
               for (int k = 0; k <= degree; ++k)
                 for (int c = 0; c < 2; ++c)
                   coupling.entries.push_back(
-                      {met.displacement(opposed, k, c), i,
+                      {other.displacement(opposed, k, c), i,
                        -point.weight * components[c] * chi * phi[k]});
             });
       });
@@ -65,10 +66,10 @@ TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multi
 }
 
 const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,
-                            const bem::Element& met) {
+                            const bem::Element& other) {
   const int turning =
-      side.curve.isStraight() && met.curve.isStraight() ? 0 : bem::pointsOfTurning;
-  return bem::gaussLegendre((contact.degree + met.degree) / 2 + 1 + turning);
+      side.curve.isStraight() && other.curve.isStraight() ? 0 : bem::pointsOfTurning;
+  return bem::gaussLegendre((contact.degree + other.degree) / 2 + 1 + turning);
 }
 
 }  // namespace epafi::contact

@@ -134,7 +134,7 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       },
       [&](const SidePoint& point) {
         const ContactElement& contact = point.contact;
-        const double gap = point.met.gap;
+        const double gap = point.opposite.gap;
         obstacle.largestPenetration =
             std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
         const Vector chi = multiplier.basis().values(contact.degree, point.t);

@@ -17,7 +17,7 @@ RigidTraces rigidTraces(const bem::Mesh& side, const MultiplierSpace& multiplier
         return middle.rigid == body ? &bem::gaussForGiven(contact.degree) : nullptr;
       },
       [&](const SidePoint& point) {
-        const Vec2 arm = point.met.arm;
+        const Vec2 arm = point.opposite.arm;
         result.length += point.weight;
         result.lever = std::max(result.lever, norm(arm));
         const std::array<Vec2, 3> motions = {Vec2{1, 0}, Vec2{0, 1}, turnLeft(arm)};

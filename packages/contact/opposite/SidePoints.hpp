@@ -12,7 +12,7 @@ struct SidePoint {
   double weight;  ///< quadrature weight, by arc length
   bem::Vec2 normal;
   bem::Vec2 tangent;
-  Opposite::Point met;
+  Opposite::Point opposite;
 
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
   /// clamped ends.  d: normal or tangent; chi: values χ_i(t).

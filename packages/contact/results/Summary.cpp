@@ -109,8 +109,9 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
-      solved.problem.clampWork(solved.state, solved.displacement, solved.met);
-  const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
+      solved.problem.clampWork(solved.state, solved.displacement, solved.oppositeForce);
+  const Vector amplitudes =
+      solved.problem.fixedReactions(solved.state, solved.oppositeForce);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
     double& sum = work[v];
@@ -160,7 +161,7 @@ std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
 
 // By Betti's formula ∫ b·u_h = ∮ t_h·u_b - t_b·u_h.
 EnergiesOfInside energiesOfInside(const Solved& solved) {
-  const Inside& inside = solved.conditions.inside;
+  const BodyLoadSolution& inside = solved.conditions.inside;
   if (!inside)
     return {};
   const bem::Mesh& mesh = solved.space.mesh();
@@ -249,16 +250,16 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
                    : nullptr;
       },
       [&](const SidePoint& point) {
-        const Opposite::Point& met = point.met;
-        if (met.element < 0)
+        const Opposite::Point& there = point.opposite;
+        if (there.element < 0)
           return;
         const auto stress = fields.stress(point.contact, point.t);
         const Vec2 force =
             side.units.length * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
         const Vec2 place =
-            bodies[met.body].space.mesh().physicalPoint(met.element, met.t);
-        add({force.x, force.y, cross(place, force)}, summaries[met.body].contact);
+            bodies[there.body].space.mesh().physicalPoint(there.element, there.t);
+        add({force.x, force.y, cross(place, force)}, summaries[there.body].contact);
       });
 }
 

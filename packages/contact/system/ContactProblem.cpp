@@ -121,12 +121,13 @@ Vector ContactProblem::respond(Vector force) const {
   return u;
 }
 
-Vector ContactProblem::push(const State& state, const Vector& met) const {
-  if (!state.multiplier.empty() && pushed_.multiplier != state.multiplier)
-    pushed_ = {state.multiplier, form_->push(state.multiplier)};
-  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : pushed_.force;
-  if (!met.empty())
-    axpy(1, met, force);
+Vector ContactProblem::contactForce(const State& state,
+                                    const Vector& oppositeForce) const {
+  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier)
+    cached_ = {state.multiplier, form_->applyTranspose(state.multiplier)};
+  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
+  if (!oppositeForce.empty())
+    axpy(1, oppositeForce, force);
   return force;
 }
 
@@ -136,7 +137,7 @@ Vector ContactProblem::pushing() const {
   return all;
 }
 
-Vector ContactProblem::unpushed() const {
+Vector ContactProblem::displacementOfLoads() const {
   Vector u = respond(load_);
   axpy(1, constant_, u);
   return u;
@@ -157,10 +158,11 @@ Vector ContactProblem::moved(const double* motions) const {
   return u;
 }
 
-Vector ContactProblem::displacement(const State& state, const Vector& met) const {
-  const Vector contactForce = push(state, met);
+Vector ContactProblem::displacement(const State& state,
+                                    const Vector& oppositeForce) const {
+  const Vector pushed = contactForce(state, oppositeForce);
   Vector force = load_;
-  axpy(-1, contactForce, force);
+  axpy(-1, pushed, force);
   Vector u = respond(std::move(force));
   axpy(1, constant_, u);
   if (!state.rigid.empty())
@@ -169,7 +171,7 @@ Vector ContactProblem::displacement(const State& state, const Vector& met) const
     return u;
   // What the factor leaves is ε |A| |u|.
   Vector whole = load();
-  axpy(-1, contactForce, whole);
+  axpy(-1, pushed, whole);
   return refined(std::move(u),
                  [&](const Vector& now) { return respond(form_->residual(whole, now)); });
 }
@@ -191,13 +193,13 @@ Vector ContactProblem::density(const State& state, const Vector& displacement) c
 }
 
 Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
-                                   const Vector& met) const {
+                                   const Vector& oppositeForce) const {
   const std::vector<char>& clamped = holding_->loads.clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
   Vector rest = load();
-  axpy(-1, push(state, met), rest);
+  axpy(-1, contactForce(state, oppositeForce), rest);
   rest = form_->residual(rest, displacement);
   if (stiffness_->isFormed())
     rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
@@ -208,9 +210,9 @@ Vector ContactProblem::clampForces(const State& state, const Vector& displacemen
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
-                                 const Vector& met) const {
+                                 const Vector& oppositeForce) const {
   const RigidModes& modes = holding_->modes;
-  const Vector forces = clampForces(state, displacement, met);
+  const Vector forces = clampForces(state, displacement, oppositeForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
@@ -219,10 +221,11 @@ Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
   return work;
 }
 
-Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
+Vector ContactProblem::fixedReactions(const State& state,
+                                      const Vector& oppositeForce) const {
   const RigidConstraints& rigid = holding_->rigid;
   Vector force = load_;
-  axpy(-1, push(state, met), force);
+  axpy(-1, contactForce(state, oppositeForce), force);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < rigid.fixed(); ++k)
     reactions[at(rigid.fixedModes[at(k)])] =

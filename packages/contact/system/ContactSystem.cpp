@@ -5,8 +5,8 @@
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/system/BodyLoadTerms.hpp"
 #include "contact/system/Couplings.hpp"
-#include "contact/system/InsideTerms.hpp"
 #include "contact/system/RigidDrives.hpp"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ struct ContactSystem::Parts {
   std::size_t size() const { return bodies.size(); }
   bool isFormed() const { return bodies.front().stiffness().isFormed(); }
   /// C_b u
-  Vector pull(std::size_t b, const Vector& u) const {
-    return couplings->gathered(b, bodies[b].form().pull(u), u);
+  Vector apply(std::size_t b, const Vector& u) const {
+    return couplings->gathered(b, bodies[b].form().apply(u), u);
   }
 
   ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
@@ -53,7 +53,7 @@ struct ContactSystem::Parts {
     for (std::size_t b = 0; b < size(); ++b) {
       const RigidConstraints& rigidOf = bodies[b].holding().rigid;
       for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
-        Vector moved = pull(b, columnOf(rigidOf.allowed, k));
+        Vector moved = apply(b, columnOf(rigidOf.allowed, k));
         for (Index j = 0; j < d.columns(); ++j)
           for (Index i = 0; i < d.rows(); ++i)
             d(i, j) -= moved[at(i)] * moved[at(j)];
@@ -99,9 +99,13 @@ struct ContactSystem::Parts {
     numbers.offset.assign(at(numbering.size()), 0.0);
     toLoads.resize(size());
     for (std::size_t b = 0; b < size(); ++b) {
-      const auto unpushed = [&] { return pull(b, bodies[b].unpushed()); };
+      const auto displacementOfLoads = [&] {
+        return apply(b, bodies[b].displacementOfLoads());
+      };
       // with a factored matrix a solution costs as little
-      axpy(1, isFormed() ? unpushed() : toLoads[b].of(bodies[b].pushing(), unpushed),
+      axpy(1,
+           isFormed() ? displacementOfLoads()
+                      : toLoads[b].of(bodies[b].pushing(), displacementOfLoads),
            numbers.offset);
       const Vector load = bodies[b].rigidLoad();
       numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
@@ -135,7 +139,7 @@ struct ContactSystem::Parts {
       for (const auto& [i, length, law] : obstacle.surface.places)
         numbers.surface.places.push_back({numbering(b, i), length, law});
     }
-    ofInside = insideTerms(bodies, numbering);
+    ofInside = bodyLoadTerms(bodies, numbering);
     addGiven(numbers.offset);
     rigid.addForces(numbers);
     setScale(loadSize());
@@ -228,7 +232,7 @@ ContactSystem ContactSystem::under(const Step& step) const {
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).form().pull(at.displacements[b]);
+    Vector own = body(b).form().apply(at.displacements[b]);
     axpy(-1, body(b).form().massTimes(at.bodies[b].multiplier), own);
     axpy(1, parts_->couplings->gathered(b, own, at.displacements[b]), r);
   }
@@ -359,8 +363,9 @@ Configuration ContactSystem::configuration(State state) const {
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    result.met.push_back(parts_->couplings->pressOn(b, result.bodies));
-    result.displacements.push_back(body(b).displacement(result.bodies[b], result.met[b]));
+    result.oppositeForces.push_back(parts_->couplings->pressOn(b, result.bodies));
+    result.displacements.push_back(
+        body(b).displacement(result.bodies[b], result.oppositeForces[b]));
   }
   result.rigid = parts_->rigid.motions(motions);
   result.state = std::move(state);

@@ -12,9 +12,9 @@ namespace epafi::contact {
 struct Configuration {
   State state;                ///< of all
   std::vector<State> bodies;  ///< own multipliers and motions of those that deform
-  std::vector<Vector> met;    ///< what presses on each, see ContactProblem
-  std::vector<Vector> displacements;  ///< likewise all unknowns
-  std::vector<RigidMotion> rigid;     ///< of those that do not
+  std::vector<Vector> oppositeForces;  ///< what presses on each, see ContactProblem
+  std::vector<Vector> displacements;   ///< likewise all unknowns
+  std::vector<RigidMotion> rigid;      ///< of those that do not
   /// r of numbers() by the displacements in place of D, which has not the digits of what bends
   /// slender bodies: C u - M λ - g.
   Vector penetration;

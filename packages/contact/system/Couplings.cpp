@@ -33,12 +33,12 @@ void checkEnds(const MultiplierSpace& multiplier) {
 }  // namespace
 
 Couplings::Couplings(const std::vector<ContactProblem>& bodies, Numbering numbering)
-    : numbering_(std::move(numbering)), met_(bodies.size()) {
+    : numbering_(std::move(numbering)), opposite_(bodies.size()) {
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (const int b : bodies[a].opposite().bodies()) {
       const bem::Space& space = bodies[at(b)].space();
       checkEnds(bodies[a].multiplier());
-      met_[at(b)].push_back(
+      opposite_[at(b)].push_back(
           {a, space.displacements(),
            mortarCoupling(bodies[a].space().mesh(), bodies[a].multiplier(),
                           bodies[a].opposite(), space, b)});
@@ -47,13 +47,14 @@ Couplings::Couplings(const std::vector<ContactProblem>& bodies, Numbering number
 
 Matrix Couplings::transposed(std::size_t b, const StabilisedBody& form) const {
   Matrix own = form.coupling();
-  if (met_.size() == 1)
+  if (opposite_.size() == 1)
     return own;
   Matrix all(own.rows(), numbering_.size());
   for (Index j = 0; j < own.columns(); ++j)
     std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
-  for (const Met& met : met_[b])
-    met.coupling.addTo(all, [&](Index i) { return numbering_(met.carrier, i); });
+  for (const OppositeCoupling& opposite : opposite_[b])
+    opposite.coupling.addTo(all,
+                            [&](Index i) { return numbering_(opposite.carrier, i); });
   return all;
 }
 
@@ -64,8 +65,8 @@ Vector Couplings::gathered(std::size_t b, const Vector& own, const Vector& u) co
       all[at(numbering_(carrier, i))] += values[at(i)];
   };
   add(b, own);
-  for (const Met& met : met_[b])
-    add(met.carrier, met.coupling.pull(u));
+  for (const OppositeCoupling& opposite : opposite_[b])
+    add(opposite.carrier, opposite.coupling.apply(u));
   return all;
 }
 
@@ -82,10 +83,10 @@ Matrix Couplings::multiplierMass(const std::vector<ContactProblem>& bodies) cons
 
 Vector Couplings::pressOn(std::size_t b, const std::vector<State>& states) const {
   Vector force;
-  for (const auto& [carrier, displacements, coupling] : met_[b]) {
+  for (const auto& [carrier, displacements, coupling] : opposite_[b]) {
     force.resize(at(displacements));
     if (!states[carrier].multiplier.empty())
-      coupling.push(states[carrier].multiplier, force);
+      coupling.addTranspose(states[carrier].multiplier, force);
   }
   return force;
 }

@@ -26,14 +26,14 @@ class Couplings {
 
  private:
   /// A coupling to the multiplier of one body, and whose that is.
-  struct Met {
+  struct OppositeCoupling {
     std::size_t carrier = 0;
     Index displacements = 0;
     TraceCoupling coupling;
   };
 
   Numbering numbering_;
-  std::vector<std::vector<Met>> met_;  // of each body
+  std::vector<std::vector<OppositeCoupling>> opposite_;  // of each body
 };
 
 }  // namespace epafi::contact

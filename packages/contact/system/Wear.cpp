@@ -46,7 +46,7 @@ Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& sli
   Vector result = body.obstacle().slid;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
-  // values of a polynomial with these moments are restless unless the basis has them
+  // values of a polynomial with these moments oscillate unless the basis has them
   const Vector lengths =
       slip.empty() ? Vector{} : testedBy(body, Vector(result.size(), 1.0));
   forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
