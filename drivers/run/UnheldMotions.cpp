@@ -6,9 +6,9 @@
 #include "contact/body/Coupling.hpp"
 #include "contact/body/RigidConstraints.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
 #include "contact/opposite/Obstacle.hpp"
 #include "contact/opposite/RigidBodies.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/problem/Numbering.hpp"
 
 #include <algorithm>

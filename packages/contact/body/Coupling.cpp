@@ -2,7 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ std::vector<Coefficient> coefficientsOf(const ContactElement& contact) {
 }
 
 /// values of functions times a force, by components: two rows a function.
-void add(Vec2 force, const double* values, double* rows, Index size) {
+void addForce(Vec2 force, const double* values, double* rows, Index size) {
   for (Index k = 0; k < size; k += 2) {
     rows[k] += force.x * values[k / 2];
     rows[k + 1] += force.y * values[k / 2];
@@ -56,8 +56,8 @@ class ElementCoupling {
       : space_(space),
         basis_(basis),
         byDensity_(byDensity),
-        number_(contact.element),
-        element_(space.mesh()[number_]),
+        contact_(contact),
+        element_(space.mesh()[contact.element]),
         coefficients_(coefficientsOf(contact)),
         traces_(2 * (element_.degree + 1), size()),
         parts_(rows(), size()),
@@ -87,21 +87,19 @@ class ElementCoupling {
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
                   TractionMoments& moments) const {
-    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
     Vector parts(at(rows()));
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vec2 force =
-          element_.half * rule.weights[q] * inside.traction(space_.mesh(), number_, t);
-      add(force, orthonormal(t).data(), parts.data(), rows());
-      const Vector chi = basis_.values(element_.degree, t);
-      for (const Coefficient& c : coefficients_)
-        if (isWhole())
-          moments.multipliers[at(c.number)] +=
-              gamma * chi[at(c.function)] *
-              dot(force,
-                  c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
-    }
+    forEachPointOf(contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
+                   [&](const SidePoint& point) {
+                     const Vec2 force =
+                         point.weight *
+                         inside.traction(space_.mesh(), contact_.element, point.t);
+                     addForce(force, orthonormal(point.t).data(), parts.data(), rows());
+                     for (const Coefficient& c : coefficients_)
+                       if (isWhole())
+                         moments.multipliers[at(c.number)] +=
+                             gamma * point.chi[at(c.function)] *
+                             dot(force, c.tangential ? point.tangent : point.normal);
+                   });
     for (Index i = 0; i < size() && !isWhole(); ++i)
       moments.multipliers[at(coefficients_[at(i)].number)] +=
           gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
@@ -137,30 +135,30 @@ class ElementCoupling {
 
   void integrate() {
     const int p = element_.degree;
-    const bem::Rule& rule =
-        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning));
-    std::array<double, bem::largestDegree + 1> phi{};
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vector chi = basis_.values(p, t);
-      bem::DisplacementBasis::values(p, t, phi.data());
-      const auto legendre = orthonormal(t);
-      const Vec2 rest = space_.rotationRest(number_, t);
-      for (Index i = 0; i < size(); ++i) {
-        const Coefficient& c = coefficients_[at(i)];
-        const double value = element_.half * rule.weights[q] * chi[at(c.function)];
-        const Vec2 force =
-            value * (c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
-        add(force, phi.data(), traces_.column(i), traces_.rows());
-        add(force, legendre.data(), parts_.column(i), rows());
-        rests_[at(i)] += dot(force, rest);
-        for (Index k = 0; k < size(); ++k)
-          if (coefficients_[at(k)].tangential == c.tangential)
-            mass_(i, k) += value * chi[at(coefficients_[at(k)].function)];
-      }
-    }
+    forEachPointOf(
+        contact_, space_.mesh(), basis_,
+        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning)),
+        [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
+  }
+
+  void add(const SidePoint& point) {
+    std::array<double, bem::largestDegree + 1> phi{};
+    bem::DisplacementBasis::values(element_.degree, point.t, phi.data());
+    const auto legendre = orthonormal(point.t);
+    const Vec2 rest = space_.rotationRest(contact_.element, point.t);
+    for (Index i = 0; i < size(); ++i) {
+      const Coefficient& c = coefficients_[at(i)];
+      const double value = point.weight * point.chi[at(c.function)];
+      const Vec2 force = value * (c.tangential ? point.tangent : point.normal);
+      addForce(force, phi.data(), traces_.column(i), traces_.rows());
+      addForce(force, legendre.data(), parts_.column(i), rows());
+      rests_[at(i)] += dot(force, rest);
+      for (Index k = 0; k < size(); ++k)
+        if (coefficients_[at(k)].tangential == c.tangential)
+          mass_(i, k) += value * point.chi[at(coefficients_[at(k)].function)];
+    }
   }
 
   /// Of a coefficient's work, as a part of that of another one.
@@ -168,14 +166,14 @@ class ElementCoupling {
     trace.rests[at(number)] += factor * rests_[at(i)];
     for (int k = 0; k <= element_.degree; ++k)
       for (const int c : {0, 1})
-        trace.entries.push_back({space_.displacement(number_, k, c), number,
+        trace.entries.push_back({space_.displacement(contact_.element, k, c), number,
                                  factor * traces_(2 * static_cast<Index>(k) + c, i)});
   }
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
   bool byDensity_;
-  int number_;
+  const ContactElement& contact_;
   const bem::Element& element_;
   std::vector<Coefficient> coefficients_;
   Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients

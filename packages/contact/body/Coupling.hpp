@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/body/TraceCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
 namespace epafi::contact {

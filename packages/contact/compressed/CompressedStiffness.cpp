@@ -1,7 +1,7 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/problem/Numbering.hpp"
 
 #include <algorithm>

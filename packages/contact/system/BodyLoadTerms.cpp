@@ -22,7 +22,7 @@ Vector bodyLoadTerms(const std::vector<ContactProblem>& bodies,
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
     forEachSidePoint(
-        mesh, own.multiplier().elements(), own.opposite(),
+        mesh, own.multiplier(), own.opposite(),
         [](const auto& contact, const Opposite::Point&) {
           return &bem::gaussForGiven(contact.degree);
         },
@@ -35,11 +35,9 @@ Vector bodyLoadTerms(const std::vector<ContactProblem>& bodies,
             u = u - insideOf(at(there.body))
                         ->displacement(bodies[at(there.body)].space().mesh(),
                                        there.element, there.t);
-          point.forEachCoefficient(
-              own.multiplier().basis().values(point.contact.degree, point.t),
-              [&](Index i, double chi, bem::Vec2 direction) {
-                terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
-              });
+          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
+            terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+          });
         });
   }
   return terms;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/problem/Numbering.hpp"
 #include "contact/system/ContactProblem.hpp"
 

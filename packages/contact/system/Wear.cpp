@@ -1,7 +1,7 @@
 #include "contact/system/Wear.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,27 +15,19 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 constexpr double closed = 1e-9;  // of the load, as in ContactFields
 
-/// visit(element, number of the point, t, weight)
 template <class Visit>
 void forEachPoint(const ContactProblem& body, const Visit& visit) {
-  const bem::Mesh& mesh = body.space().mesh();
-  for (const ContactElement& element : body.multiplier().elements()) {
-    const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
-    for (int q = 0; q < rule.size(); ++q)
-      visit(element, at(element.point + q), rule.points[q],
-            mesh[element.element].half * rule.weights[q]);
-  }
+  forEachGaussPoint(body.space().mesh(), body.multiplier(), visit);
 }
 
 /// ∫ f χ_i of values at the points, one per coefficient.
 Vector testedBy(const ContactProblem& body, const Vector& values) {
   Vector result(at(body.multiplier().size()), 0.0);
-  forEachPoint(
-      body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
-        const Vector chi = body.multiplier().basis().values(element.degree, t);
-        for (int i = 0; i <= element.degree; ++i)
-          result[at(element.normalOf(i))] += weight * values[k] * chi[at(i)];
-      });
+  forEachPoint(body, [&](const SidePoint& point) {
+    for (int i = 0; i <= point.contact.degree; ++i)
+      result[at(point.contact.normalOf(i))] +=
+          point.weight * values[point.gaussPoint()] * point.chi[at(i)];
+  });
   return result;
 }
 
@@ -49,16 +41,17 @@ Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& sli
   // values of a polynomial with these moments oscillate unless the basis has them
   const Vector lengths =
       slip.empty() ? Vector{} : testedBy(body, Vector(result.size(), 1.0));
-  forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
+  forEachPoint(body, [&](const SidePoint& point) {
+    const ContactElement& element = point.contact;
+    double& own = result[point.gaussPoint()];
     if (element.tangential >= 0 && !slip.empty()) {
-      const Vector chi = body.multiplier().basis().values(element.degree, t);
-      result[k] = 0;
+      own = 0;
       for (int i = 0; i <= element.degree; ++i)
-        result[k] += chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
-                     lengths[at(element.normalOf(i))];
-      result[k] = std::max(result[k], 0.0);
+        own += point.chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
+               lengths[at(element.normalOf(i))];
+      own = std::max(own, 0.0);
     }
-    result[k] = element.ties() ? 0 : std::abs(result[k]);
+    own = element.ties() ? 0 : std::abs(own);
   });
   return result;
 }
@@ -104,16 +97,15 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
       rates_[b][k] *= body.obstacle().wear[k];
     if (!wears_)
       continue;
-    forEachPoint(
-        body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
-          const Vector chi = body.multiplier().basis().values(element.degree, t);
-          for (int i = 0; i <= element.degree; ++i)
-            for (int j = 0; j <= element.degree; ++j)
-              if (const double value = weight * rates_[b][k] * chi[at(i)] * chi[at(j)];
-                  value != 0)
-                surface.linear.push_back({numbering_(b, element.normalOf(i)),
-                                          numbering_(b, element.normalOf(j)), value});
-        });
+    forEachPoint(body, [&](const SidePoint& point) {
+      const ContactElement& element = point.contact;
+      const double rate = point.weight * rates_[b][point.gaussPoint()];
+      for (int i = 0; i <= element.degree; ++i)
+        for (int j = 0; j <= element.degree; ++j)
+          if (const double value = rate * point.chi[at(i)] * point.chi[at(j)]; value != 0)
+            surface.linear.push_back({numbering_(b, element.normalOf(i)),
+                                      numbering_(b, element.normalOf(j)), value});
+    });
   }
   surface.wearing = surface.linear.size() - surface.wearing;
 }
@@ -128,14 +120,14 @@ std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
     now.slid = body.obstacle().slid;
     now.rate = rates_[b];
     const double least = closed * body.numbers().stress;
-    forEachPoint(body,
-                 [&](const ContactElement& element, std::size_t k, double t, double) {
-                   const double pressure =
-                       body.multiplier().at(states[b].multiplier, element, t).normal;
-                   now.depth[k] += rates_[b][k] * pressure;
-                   if (pressure > least)
-                     now.distance[k] += element.condition->cycles * slips_[b][k];
-                 });
+    forEachPoint(body, [&](const SidePoint& point) {
+      const std::size_t k = point.gaussPoint();
+      const double pressure =
+          body.multiplier().at(states[b].multiplier, point.contact, point.t).normal;
+      now.depth[k] += rates_[b][k] * pressure;
+      if (pressure > least)
+        now.distance[k] += point.contact.condition->cycles * slips_[b][k];
+    });
   }
   return wear;
 }

@@ -1,16 +1,13 @@
 #pragma once
 
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace epafi::contact {
-
-using bem::at;
-using bem::Index;
-using bem::Matrix;
-using bem::Vector;
 
 /// How a multiplier acts on the displacements of one body, its own or the opposite one: C_ij, the
 /// work of χ_i d_i (d_i: n or t of the side) on the trace of φ_j, and its work on the exact
@@ -35,5 +32,21 @@ struct TraceCoupling {
             rests[i] * rotation->functional()[at(j)];
   }
 };
+
+/// Mortar coupling of a multiplier with the displacements of the opposite body B, of this number
+/// and with the space `other`:
+///
+///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at.
+///
+/// \pre both bodies share Units
+TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                             const Opposite& opposite, const bem::Space& other,
+                             int body = 0);
+
+/// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
+/// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this
+/// rule, so that they balance.
+const bem::Rule& mortarRule(const MultiplierSpace::ContactElement& contact,
+                            const bem::Element& side, const bem::Element& other);
 
 }  // namespace epafi::contact

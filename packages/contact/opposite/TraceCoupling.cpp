@@ -1,5 +1,6 @@
-#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
@@ -29,12 +30,28 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
 
 }  // namespace
 
+Vector TraceCoupling::apply(const Vector& u) const {
+  Vector result(rests.size());
+  for (const bem::Entry& entry : entries)
+    result[at(entry.column)] += entry.value * u[at(entry.row)];
+  if (rotation != nullptr)
+    bem::axpy(rotation->amount(u), rests, result);
+  return result;
+}
+
+void TraceCoupling::addTranspose(const Vector& multiplier, Vector& force) const {
+  for (const bem::Entry& entry : entries)
+    force[at(entry.row)] += entry.value * multiplier[at(entry.column)];
+  if (rotation != nullptr)
+    rotation->complete(bem::dot(rests, multiplier), force);
+}
+
 TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                              const Opposite& opposite, const bem::Space& other,
                              int body) {
   TraceCoupling coupling{{}, other.rotation(), Vector(at(multiplier.size()))};
   forEachSidePoint(
-      side, multiplier.elements(), opposite,
+      side, multiplier, opposite,
       [&](const ContactElement& contact, const Opposite::Point& middle) {
         return middle.element >= 0 && middle.body == body
                    ? &mortarRule(contact, side[contact.element],
@@ -49,17 +66,14 @@ TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multi
         std::array<double, bem::largestDegree + 1> phi{};
         bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
         const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
-        point.forEachCoefficient(
-            multiplier.basis().values(point.contact.degree, point.t),
-            [&](Index i, double chi, Vec2 direction) {
-              coupling.rests[i] -= point.weight * dot(direction, rest) * chi;
-              const double components[2] = {direction.x, direction.y};
-              for (int k = 0; k <= degree; ++k)
-                for (int c = 0; c < 2; ++c)
-                  coupling.entries.push_back(
-                      {other.displacement(opposed, k, c), i,
-                       -point.weight * components[c] * chi * phi[k]});
-            });
+        point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
+          coupling.rests[i] -= point.weight * dot(direction, rest) * chi;
+          const double components[2] = {direction.x, direction.y};
+          for (int k = 0; k <= degree; ++k)
+            for (int c = 0; c < 2; ++c)
+              coupling.entries.push_back({other.displacement(opposed, k, c), i,
+                                          -point.weight * components[c] * chi * phi[k]});
+        });
       });
   coupling.entries = summed(std::move(coupling.entries));
   return coupling;
