@@ -98,7 +98,7 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
 std::string reasonOf(const Report& report, const Scene& scene) {
   if (report.converged())
     return "";
-  const bool unstable = scene.stabilization.form == contact::Stabilization::Form::None &&
+  const bool unstable = !scene.stabilization.isOn() &&
                         !contact::multiplierBasis(scene.multiplier).sharesNodes;
   return worded(report, report.stages) +
          (unstable ? message("; Discretization->Stabilization->Form = 'None' is stable "

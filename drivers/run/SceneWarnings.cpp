@@ -141,8 +141,7 @@ void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
 
 /// A multiplier that the displacement does not hold without stabilisation.
 void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
-  if (scene.hasContact() &&
-      scene.stabilization.form == contact::Stabilization::Form::None &&
+  if (scene.hasContact() && !scene.stabilization.isOn() &&
       !contact::multiplierBasis(scene.multiplier).sharesNodes)
     warnings.push_back(
         "Discretization->Stabilization->Form = None is stable with Multiplier "

@@ -65,7 +65,7 @@ void pinIncompressible(std::size_t b, Scene& scene) {
   if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
     return;
   const std::string path = "Bodies->" + body.name + "->Material->Poisson's Ratio";
-  if (scene.stabilization.form != contact::Stabilization::Form::Density)
+  if (!scene.stabilization.byDensity())
     throw InputError(path +
                      ": is 1/2, which Discretization->Stabilization->Form = Density "
                      "allows in plane strain; other forms want less");

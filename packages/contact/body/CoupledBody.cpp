@@ -232,13 +232,10 @@ class Coupled final : public StabilisedBody {
 /// Of the forms that insert S u; else null.
 std::shared_ptr<const bem::TractionRows> tractionsOf(const BodyInput& input,
                                                      const MultiplierSpace& multiplier) {
-  using Form = Stabilization::Form;
-  const Form form = input.stabilization.form;
-  if (form != Form::Projected && form != Form::Exact)
-    return nullptr;
-  return bem::tractionRows(
-      input.space, input.lame, input.stiffness, multiplier.meshElements(),
-      form == Form::Exact ? bem::TractionForm::Exact : bem::TractionForm::Projected);
+  const auto form = input.stabilization.tractions();
+  return form ? bem::tractionRows(input.space, input.lame, input.stiffness,
+                                  multiplier.meshElements(), *form)
+              : nullptr;
 }
 
 }  // namespace

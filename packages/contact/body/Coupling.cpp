@@ -47,15 +47,16 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
   }
 }
 
-/// What one contact element has of C, G and M; with densities by Legendre polynomials in G's
-/// rows where `byDensity`, else tractions by orthonormal ones.
+/// What one contact element has of C, G and M.  G's rows: with Form Density Legendre polynomials,
+/// the densities', where S u is evaluated orthonormal ones, else none.
 class ElementCoupling {
  public:
-  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
-                  const ContactElement& contact)
+  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis,
+                  const Stabilization& stabilization, const ContactElement& contact)
       : space_(space),
         basis_(basis),
-        byDensity_(byDensity),
+        byDensity_(stabilization.byDensity()),
+        byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
         element_(space.mesh()[contact.element]),
         coefficients_(coefficientsOf(contact)),
@@ -111,7 +112,7 @@ class ElementCoupling {
   Index size() const { return static_cast<Index>(coefficients_.size()); }
   /// The rows of the element's tractions, or its densities.
   Index rows() const {
-    return 2 * (byDensity_ ? element_.densities : element_.degree + 1);
+    return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
   }
 
   /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
@@ -131,7 +132,7 @@ class ElementCoupling {
 
   /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
   /// the product of what they take.
-  bool isWhole() const { return byDensity_ || element_.curve.isStraight(); }
+  bool isWhole() const { return !byTractions_ || element_.curve.isStraight(); }
 
   void integrate() {
     const int p = element_.degree;
@@ -173,6 +174,7 @@ class ElementCoupling {
   const bem::Space& space_;
   const MultiplierBasis& basis_;
   bool byDensity_;
+  bool byTractions_;
   const ContactElement& contact_;
   const bem::Element& element_;
   std::vector<Coefficient> coefficients_;
@@ -191,6 +193,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   Coupling coupling;
   coupling.trace = {{}, space.rotation(), none};
   coupling.completion = coupling.trace;
+  coupling.stabilization = stabilization;
   coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
@@ -201,7 +204,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
     if (ofDensities)
       coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
     coupling.gamma.push_back(gamma);
-    ElementCoupling(space, multiplier.basis(), coupling.byDensity(), contact)
+    ElementCoupling(space, multiplier.basis(), stabilization, contact)
         .addTo(gamma, first, coupling);
   }
   return coupling;
@@ -215,7 +218,7 @@ TractionMoments tractionMoments(const bem::Space& space,
                           Vector(at(multiplier.size()))};
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
-      ElementCoupling(space, multiplier.basis(), coupling.byDensity(),
+      ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
           .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
   return moments;

@@ -70,8 +70,7 @@ Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
 }  // namespace
 
 std::string whyNotCompressed(const Stabilization& stabilization) {
-  using Form = Stabilization::Form;
-  if (stabilization.form != Form::None && stabilization.form != Form::Density)
+  if (stabilization.tractions())
     return "Discretization->Stabilization->Form must be Density, or None with the "
            "multiplier Biorthogonal";
   return "";

@@ -43,7 +43,7 @@ Vector withoutFixedMotions(const Holding& holding) {
 
 std::unique_ptr<const StabilisedBody> makeStabilisedBody(
     const BodyInput& input, const MultiplierSpace& multiplier) {
-  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+  if (input.basis.sharesNodes && input.stabilization.isOn())
     throw bem::InputError("the multiplier '", input.basis.name,
                           "' needs the stabilisation's form None");
   return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
@@ -79,9 +79,7 @@ ContactProblem::ContactProblem(const ContactProblem& same, const Conditions& con
 
 void ContactProblem::factor(const Input& input) {
   const double first = input.stabilization.firstGamma0();
-  const bool stabilised = input.stabilization.form != Stabilization::Form::None &&
-                          !multiplier_.elements().empty();
-  gamma0_ = stabilised ? first : 0;
+  gamma0_ = input.stabilization.isOn() && !multiplier_.elements().empty() ? first : 0;
   try {
     stiffness_ = form_->held(*holding_);
     return;
