@@ -4,7 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/opposite/Obstacle.hpp"
 #include "contact/opposite/RigidBodies.hpp"
@@ -235,9 +235,8 @@ class BalanceOf {
           mortars.emplace_back(
               a, contact::mortarCoupling(spaces_.space(a).mesh(), multipliers_[a],
                                          *spaces_.opposite(a), space, body));
-    const contact::RigidConstraints& rigid = holding.rigid;
-    for (bem::Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k) {
-      const Vector u = bem::columnOf(rigid.allowed, k);
+    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
+      const Vector u = bem::columnOf(holding.allowed, k);
       Vector column(numbering_.size());
       addTo(column, b, own.trace.apply(u), 1);
       for (const auto& [carrier, coupling] : mortars)

@@ -5,7 +5,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/tractions/TractionRows.hpp"
 #include "contact/body/BalancedStiffness.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ class Coupled final : public StabilisedBody {
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     std::vector<Index> free = unclamped(holding.loads);
     Matrix a = addOuter(subtract(unpackedAt(free, stiffness_.stiffness()), free),
-                        rowsAt(free, holding.rigid.functionals.copy()), 1);
+                        rowsAt(free, holding.functionals.copy()), 1);
     return std::make_shared<const Factored>(std::move(a), std::move(free));
   }
 

@@ -27,14 +27,13 @@ Vector onlyRounding(Vector correction, const Vector& u) {
 /// What Fix makes of the prescribed displacement: the whole of u, what the particular solution has
 /// of it included, has no mean motion.
 Vector withoutFixedMotions(const Holding& holding) {
-  const RigidConstraints& rigid = holding.rigid;
   Vector result = holding.loads.prescribed;
-  for (Index k = 0; k < rigid.fixed(); ++k) {
-    const Vector functional = columnOf(holding.modes.functionals, rigid.fixedModes[k]);
+  for (Index k = 0; k < holding.fixed(); ++k) {
+    const Vector functional = columnOf(holding.modes.functionals, holding.fixedModes[k]);
     double mean = dot(functional, holding.loads.prescribed);
     if (!holding.means.empty())
-      mean += holding.means[at(rigid.fixedModes[k])];
-    axpy(-rigid.scale(k) * mean, columnOf(rigid.allowed, k), result);
+      mean += holding.means[at(holding.fixedModes[k])];
+    axpy(-holding.scale(k) * mean, columnOf(holding.allowed, k), result);
   }
   return result;
 }
@@ -112,8 +111,8 @@ Vector ContactProblem::respond(Vector force) const {
     if (holding_->loads.clamped[j] != 0)
       force[j] = 0;
   Vector u = stiffness_->solve(force);
-  for (Index k = 0; k < holding_->rigid.allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->rigid.allowed, k);
+  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_->allowed, k);
     axpy(-dot(r, force), r, u);
   }
   return u;
@@ -142,17 +141,16 @@ Vector ContactProblem::displacementOfLoads() const {
 }
 
 Vector ContactProblem::rigidLoad() const {
-  const RigidConstraints& rigid = holding_->rigid;
   Vector result;
-  for (Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k)
-    result.push_back(dot(columnOf(rigid.allowed, k), load_));
+  for (Index k = holding_->fixed(); k < holding_->allowed.columns(); ++k)
+    result.push_back(dot(columnOf(holding_->allowed, k), load_));
   return result;
 }
 
 Vector ContactProblem::moved(const double* motions) const {
   Vector u(load_.size(), 0.0);
   for (Index k = 0; k < freeMotions(); ++k)
-    axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+    axpy(motions[k], columnOf(holding_->allowed, holding_->fixed() + k), u);
   return u;
 }
 
@@ -221,13 +219,12 @@ Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
 
 Vector ContactProblem::fixedReactions(const State& state,
                                       const Vector& oppositeForce) const {
-  const RigidConstraints& rigid = holding_->rigid;
   Vector force = load_;
   axpy(-1, contactForce(state, oppositeForce), force);
   Vector reactions(3, 0.0);
-  for (Index k = 0; k < rigid.fixed(); ++k)
-    reactions[at(rigid.fixedModes[at(k)])] =
-        -rigid.scale(k) * dot(columnOf(rigid.allowed, k), force);
+  for (Index k = 0; k < holding_->fixed(); ++k)
+    reactions[at(holding_->fixedModes[at(k)])] =
+        -holding_->scale(k) * dot(columnOf(holding_->allowed, k), force);
   return reactions;
 }
 

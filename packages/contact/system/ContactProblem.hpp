@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/body/BodyInput.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/body/StabilisedBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
@@ -108,7 +108,7 @@ class ContactProblem {
   /// for clamps and for what acts inside.
   Vector fixedMeans(const Vector& displacement) const;
 
-  Index freeMotions() const { return holding_->rigid.free(); }
+  Index freeMotions() const { return holding_->free(); }
   /// The displacement that their sizes make.
   Vector moved(const double* motions) const;
 

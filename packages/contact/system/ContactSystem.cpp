@@ -51,7 +51,7 @@ struct ContactSystem::Parts {
     Matrix d = isFormed() ? couplings->multiplierMass(bodies) : Matrix();
     std::vector<Vector> columns;  // of G
     for (std::size_t b = 0; b < size(); ++b) {
-      const RigidConstraints& rigidOf = bodies[b].holding().rigid;
+      const Holding& rigidOf = bodies[b].holding();
       for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
         Vector moved = apply(b, columnOf(rigidOf.allowed, k));
         for (Index j = 0; j < d.columns(); ++j)
