@@ -122,7 +122,7 @@ class Coupled final : public StabilisedBody {
   Matrix coupling() const override {
     Matrix result(space_.displacements(),
                   static_cast<Index>(coupling_.trace.rests.size()));
-    coupling_.trace.addTo(result, [](Index i) { return i; });
+    coupling_.trace.addTo(result);
     for (const bem::Entry& entry : coupling_.weights) {
       const double* traction = columns_->column(entry.row);
       double* column = result.column(entry.column);

@@ -46,6 +46,15 @@ void TraceCoupling::addTranspose(const Vector& multiplier, Vector& force) const 
     rotation->complete(bem::dot(rests, multiplier), force);
 }
 
+void TraceCoupling::addTo(Matrix& transposed) const {
+  for (const bem::Entry& entry : entries)
+    transposed(entry.row, entry.column) += entry.value;
+  for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
+    if (rests[i] != 0)
+      for (Index j = 0; j < transposed.rows(); ++j)
+        transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
+}
+
 TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                              const Opposite& opposite, const bem::Space& other,
                              int body) {

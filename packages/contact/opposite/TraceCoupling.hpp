@@ -21,15 +21,15 @@ struct TraceCoupling {
   Vector apply(const Vector& u) const;
   /// force += Cᵀ λ
   void addTranspose(const Vector& multiplier, Vector& force) const;
-  /// transposed += Cᵀ, coefficient i in the column numberOf(i).
+  /// transposed += Cᵀ
+  void addTo(Matrix& transposed) const;
+  /// Adds the coupling of a multiplier whose coefficient i has the number numberOf(i) here.
   template <class Numbers>
-  void addTo(Matrix& transposed, const Numbers& numberOf) const {
-    for (const bem::Entry& entry : entries)
-      transposed(entry.row, numberOf(entry.column)) += entry.value;
-    for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
-      for (Index j = 0; j < transposed.rows(); ++j)
-        transposed(j, numberOf(static_cast<Index>(i))) +=
-            rests[i] * rotation->functional()[at(j)];
+  void add(const TraceCoupling& part, const Numbers& numberOf) {
+    for (const bem::Entry& entry : part.entries)
+      entries.push_back({entry.row, numberOf(entry.column), entry.value});
+    for (std::size_t i = 0; i < part.rests.size(); ++i)
+      rests[at(numberOf(static_cast<Index>(i)))] += part.rests[i];
   }
 };
 

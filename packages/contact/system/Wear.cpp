@@ -58,25 +58,25 @@ Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& sli
 
 }  // namespace
 
-StepWear::StepWear(const std::vector<ContactProblem>& bodies, Numbering numbering,
-                   std::vector<Wear> before)
-    : bodies_(bodies),
+StepWear::StepWear(std::shared_ptr<const std::vector<ContactProblem>> bodies,
+                   Numbering numbering, std::vector<Wear> before)
+    : bodies_(std::move(bodies)),
       numbering_(std::move(numbering)),
       before_(std::move(before)),
-      slips_(bodies_.size()),
-      rates_(bodies_.size()) {
-  for (const ContactProblem& body : bodies_)
+      slips_(bodies_->size()),
+      rates_(bodies_->size()) {
+  for (const ContactProblem& body : *bodies_)
     for (const ContactElement& element : body.multiplier().elements())
       wears_ = wears_ || element.condition->wear;
   if (wears_ && !before_.empty())
     testedBefore_ = tested(before_);
-  before_.resize(bodies_.size());
+  before_.resize(bodies_->size());
 }
 
 Vector StepWear::tested(const std::vector<Wear>& wear) const {
   Vector all(numbering_.size());
-  for (std::size_t b = 0; b < bodies_.size() && wears_; ++b) {
-    const Vector own = testedBy(bodies_[b], wear[b].depth);
+  for (std::size_t b = 0; b < bodies_->size() && wears_; ++b) {
+    const Vector own = testedBy((*bodies_)[b], wear[b].depth);
     for (std::size_t i = 0; i < own.size(); ++i)
       all[at(numbering_(b, static_cast<Index>(i)))] = own[i];
   }
@@ -86,8 +86,8 @@ Vector StepWear::tested(const std::vector<Wear>& wear) const {
 void StepWear::setSlips(const Vector& slip, Surface& surface) {
   surface.linear.resize(surface.linear.size() - surface.wearing);
   surface.wearing = surface.linear.size();
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const ContactProblem& body = bodies_[b];
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    const ContactProblem& body = (*bodies_)[b];
     Vector own;
     for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
       own.push_back(slip[at(numbering_(b, i))]);
@@ -112,8 +112,8 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
 
 std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
   std::vector<Wear> wear = before_;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const ContactProblem& body = bodies_[b];
+  for (std::size_t b = 0; b < bodies_->size(); ++b) {
+    const ContactProblem& body = (*bodies_)[b];
     Wear& now = wear[b];
     now.depth.resize(slips_[b].size());
     now.distance.resize(slips_[b].size());
