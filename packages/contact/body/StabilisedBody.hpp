@@ -39,9 +39,7 @@ class HeldStiffness {
 ///   B = C - Gᵀ Rᵀ,   M - Gᵀ X G in M's place with Form Density,   see Coupling
 ///
 /// What differs is how S is held, and with it R and X: for dense S makeCoupledBody supports all
-/// forms, for compressed S makeCompressedBody the forms Density and None.  A new form needs a
-/// name in Stabilization and its Coupling; makeSpace and densityCompliance give it additional
-/// densities and a compliance.
+/// forms, for compressed S makeCompressedBody those that do not evaluate S u.
 class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;
