@@ -10,7 +10,7 @@ set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.
 set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel space
   operators|tractions compressed fields tpetra)
-set(contact_floors law conditions multiplier problem stabilization body opposite compressed system
+set(contact_floors law conditions multiplier problem stabilization opposite body compressed system
   results equation path newton solve nox)
 set(adaptivity_floors singular refine mark estimate)
 set(drivers_floors triangulate process scene run output study commands bench)

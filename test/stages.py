@@ -3,7 +3,7 @@
     stages.py FOLDER...        counts all timings.txt below these folders
 
 A line of timings.txt says what was tried on a level, the last one decides:
-"level 2: full steps 17 restless, follow offset 5 converged".
+"level 2: full steps 17 cycling, follow offset 5 converged".
 """
 import os
 import re
@@ -11,7 +11,7 @@ import statistics
 import sys
 
 RUN = re.compile(r"(?P<stage>[a-z][a-z ]*?) (?P<steps>\d+) "
-                 r"(?P<end>converged|unfinished|restless|grows|not finite|stalled|singular|"
+                 r"(?P<end>converged|unfinished|cycling|grows|not finite|stalled|singular|"
                  r"no balance)")
 
 

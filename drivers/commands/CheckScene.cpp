@@ -144,7 +144,7 @@ std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
                       const std::string& boundary) {
   std::string names;
   for (const ContactPair& pair : scene.contacts)
-    for (const SideOfBody* side : {&pair.side, &pair.met})
+    for (const SideOfBody* side : {&pair.side, &pair.opposite})
       if (side->rigid == rigid && side->body == body && side->boundary == boundary)
         names += (names.empty() ? "" : ", ") + pair.name;
   return names;
@@ -221,7 +221,7 @@ std::string checkScene(const Scene& scene) {
   };
   for (const ContactPair& pair : scene.contacts)
     text << "  between     " << pair.name << ": " << end(pair.side) << " on "
-         << end(pair.met) << "\n";
+         << end(pair.opposite) << "\n";
   if (scene.history)
     text << "  path        " << counted(scene.history.times.size(), "step", "steps")
          << " up to t = " << scene.endOfPath() << "\n";

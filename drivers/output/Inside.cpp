@@ -37,7 +37,7 @@ InsideValue BodyInsides::inUnits(
   value.xx = units.stress * field.xx;
   value.yy = units.stress * field.yy;
   value.xy = units.stress * field.xy;
-  if (const contact::Inside& inside = inside_[body]) {
+  if (const contact::BodyLoadSolution& inside = inside_[body]) {
     const auto stress = inside->stress(scaled);
     value.displacement = value.displacement + units.length * particular.displacement;
     value.xx += units.stress * stress.xx;
@@ -45,7 +45,7 @@ InsideValue BodyInsides::inUnits(
     value.xy += units.stress * stress.xy;
   }
   value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
-  if (const contact::Inside& inside = inside_[body]) {
+  if (const contact::BodyLoadSolution& inside = inside_[body]) {
     value.zz += units.stress * inside->stressAcross(particular.temperature);
     value.temperature = particular.temperature;
   }

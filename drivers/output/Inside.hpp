@@ -64,8 +64,9 @@ class BodyInsides {
   const Level& level_;
   BodySpaces spaces_;
   std::vector<bem::DisplacementField> displacements_;
-  std::vector<contact::Inside> inside_;  ///< of each body, at the level's last time
-  std::vector<bem::Interior> fields_;    ///< of each body
+  std::vector<contact::BodyLoadSolution>
+      inside_;                         ///< of each body, at the level's last time
+  std::vector<bem::Interior> fields_;  ///< of each body
 };
 
 }  // namespace epafi::drivers

@@ -22,7 +22,7 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
   const double nu = material.poissonsRatio;
   const double e = material.youngsModulus;
   double ofInside = 0;
-  if (const contact::Inside& inside = solved.conditions.inside) {
+  if (const contact::BodyLoadSolution& inside = solved.conditions.inside) {
     const bem::Vec2 along = on.curve.tangent(t);
     const auto stress = inside->stress(solved.space.mesh().scaledPoint(element, t));
     ofInside = solved.units.stress * dot(stress.on(along), along);

@@ -21,39 +21,39 @@ BodySpaces::BodySpaces(const Scene& scene, const std::vector<bem::Mesh>& meshes)
     opposites_.push_back(makeOpposite(b));
 }
 
-contact::MetSide BodySpaces::metSide(const ContactPair& pair) const {
-  contact::MetSide met;
-  met.shift = scene_.shift(pair);
-  met.reach = scene_.reach(pair);
-  if (pair.met.rigid) {
-    const RigidBody& body = scene_.rigid[pair.met.body];
+contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
+  contact::OppositeSide opposite;
+  opposite.shift = scene_.shift(pair);
+  opposite.reach = scene_.reach(pair);
+  if (pair.opposite.rigid) {
+    const RigidBody& body = scene_.rigid[pair.opposite.body];
     const double length = scene_.units().length;
-    met.curves = scene_.metEdges(pair).curves;
-    met.rigid = static_cast<int>(pair.met.body);
-    met.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
-    return met;
+    opposite.curves = scene_.oppositeEdges(pair).curves;
+    opposite.rigid = static_cast<int>(pair.opposite.body);
+    opposite.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
+    return opposite;
   }
-  met.body = static_cast<int>(pair.met.body);
-  const bem::Mesh& mesh = spaces_[pair.met.body].mesh();
-  for (const int e : mesh.elementsOf(pair.met.boundary)) {
-    met.curves.push_back(mesh[e].curve);
-    met.elements.push_back(e);
-    met.degrees.push_back(mesh[e].degree);
+  opposite.body = static_cast<int>(pair.opposite.body);
+  const bem::Mesh& mesh = spaces_[pair.opposite.body].mesh();
+  for (const int e : mesh.elementsOf(pair.opposite.boundary)) {
+    opposite.curves.push_back(mesh[e].curve);
+    opposite.elements.push_back(e);
+    opposite.degrees.push_back(mesh[e].degree);
   }
-  return met;
+  return opposite;
 }
 
 std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b) const {
   const double length = scene_.units().length;
   const bem::Mesh& mesh = spaces_[b].mesh();
-  std::map<std::string, contact::MetSide> met;
+  std::map<std::string, contact::OppositeSide> opposite;
   for (const ContactPair& pair : scene_.contacts)
     if (pair.side.body == b)
-      met.emplace(pair.name, metSide(pair));
-  if (met.empty())
+      opposite.emplace(pair.name, oppositeSide(pair));
+  if (opposite.empty())
     return std::make_shared<const contact::DistantObstacle>(mesh, length);
   return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
-                                                       met);
+                                                       opposite);
 }
 
 std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {

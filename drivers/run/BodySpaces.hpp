@@ -42,7 +42,7 @@ class BodySpaces {
                            const std::vector<contact::RigidMotion>& rigid) const;
 
  private:
-  contact::MetSide metSide(const ContactPair& pair) const;
+  contact::OppositeSide oppositeSide(const ContactPair& pair) const;
   std::shared_ptr<const contact::Opposite> makeOpposite(std::size_t b) const;
 
   const Scene& scene_;

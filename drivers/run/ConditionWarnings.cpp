@@ -93,9 +93,9 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
   constexpr double same = 1e-6;
   const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end) {
     const auto held = conditions.dirichlet.find(given.boundary);
-    const auto met = conditions.contact.find(side.boundary);
-    if (held == conditions.dirichlet.end() || met == conditions.contact.end() ||
-        !met->second.name.empty() || met->second.friction.ties())
+    const auto contact = conditions.contact.find(side.boundary);
+    if (held == conditions.dirichlet.end() || contact == conditions.contact.end() ||
+        !contact->second.name.empty() || contact->second.friction.ties())
       return;
     // a component that is free can give way
     const auto& [x, y] = held->second;
@@ -106,7 +106,7 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
         body.outline->physical(end > 0 ? side.curve.to() : side.curve.from());
     const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
     const double closing = dot(moved, n);
-    const auto gap = gapAtEnd(met->second.gap, body, side, end);
+    const auto gap = gapAtEnd(contact->second.gap, body, side, end);
     if (gap && closing > *gap &&
         !areAlike(closing, *gap, std::abs(moved.x) + std::abs(moved.y), body))
       warn("corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",

@@ -24,12 +24,12 @@ struct Place {
 /// That opposite to a place on the side of a contact.
 std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
                                 const bem::Curve& side, double t,
-                                const std::vector<bem::Curve>& met) {
+                                const std::vector<bem::Curve>& opposite) {
   std::optional<Place> found;
   double smallest = scene.reach(pair);
-  for (std::size_t k = 0; k < met.size(); ++k) {
+  for (std::size_t k = 0; k < opposite.size(); ++k) {
     const auto there =
-        contact::crossing(side.point(t) + scene.shift(pair), side.normal(t), met[k]);
+        contact::crossing(side.point(t) + scene.shift(pair), side.normal(t), opposite[k]);
     if (!there || !contact::isOn(*there) || std::abs(there->distance) > smallest)
       continue;
     smallest = std::abs(there->distance);
@@ -84,16 +84,16 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
                                                   const ContactPair& pair,
                                                   const SingularMesh& side) {
   const bem::Mesh& mesh = side.mesh;
-  const Scene::MetEdges met = scene.metEdges(pair);
+  const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
   std::vector<adaptivity::EdgePlace> found;
   for (const int e : mesh.elementsOf(pair.side.boundary)) {
     bem::Vector places = side.singular.inside[e];
     if (side.singular.at(mesh, e, false) == Singularity::Strong)
       places.push_back(-1);
     for (const double t : places)
-      if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, met.curves))
-        found.push_back(
-            {met.edges[there->curve], met.curves[there->curve].half() * (1 + there->t)});
+      if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, opposite.curves))
+        found.push_back({opposite.edges[there->curve],
+                         opposite.curves[there->curve].half() * (1 + there->t)});
   }
   return found;
 }
@@ -101,11 +101,11 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
 /// Elements of a side and of the one that it meets, beside a singular point of the side.
 std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPair& pair,
                                              const SingularMesh& side,
-                                             const bem::Mesh& met) {
-  const std::vector<int> numbers = met.elementsOf(pair.met.boundary);
+                                             const bem::Mesh& opposite) {
+  const std::vector<int> numbers = opposite.elementsOf(pair.opposite.boundary);
   std::vector<bem::Curve> curves;
   std::transform(numbers.begin(), numbers.end(), std::back_inserter(curves),
-                 [&](int e) { return met[e].curve; });
+                 [&](int e) { return opposite[e].curve; });
   std::vector<std::pair<int, int>> pairs;
   for (const int e : side.mesh.elementsOf(pair.side.boundary))
     for (const double t : besideSingular(side, e))
@@ -122,11 +122,12 @@ void shareSingularPoints(const Scene& scene, std::vector<SingularMesh>& meshes) 
     for (const RequiredNode& node : scene.bodies[b].nodes)
       found[b].push_back({node.edge, node.place});
   for (const ContactPair& pair : scene.contacts) {
-    if (pair.met.rigid)
+    if (pair.opposite.rigid)
       continue;
     markEnds(pair, scene.bodies[pair.side.body].conditions, meshes[pair.side.body]);
     const auto points = oppositePoints(scene, pair, meshes[pair.side.body]);
-    found[pair.met.body].insert(found[pair.met.body].end(), points.begin(), points.end());
+    found[pair.opposite.body].insert(found[pair.opposite.body].end(), points.begin(),
+                                     points.end());
   }
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!found[b].empty())
@@ -140,16 +141,16 @@ std::vector<std::vector<int>> withFacing(const Scene& scene,
   constexpr double shortest = 0.5 + 1e-6;  // half as long is common, and no more
   const std::vector<std::vector<int>> chosen = worst;
   for (const ContactPair& pair : scene.contacts) {
-    if (pair.met.rigid)
+    if (pair.opposite.rigid)
       continue;
     const std::size_t a = pair.side.body;
-    const std::size_t b = pair.met.body;
+    const std::size_t b = pair.opposite.body;
     const bem::Mesh& side = meshes[a].mesh;
-    const bem::Mesh& met = meshes[b].mesh;
-    for (const auto& [e, facing] : facingPairs(scene, pair, meshes[a], met)) {
-      if (has(chosen[a], e) && met[facing].half > shortest * side[e].half)
+    const bem::Mesh& opposite = meshes[b].mesh;
+    for (const auto& [e, facing] : facingPairs(scene, pair, meshes[a], opposite)) {
+      if (has(chosen[a], e) && opposite[facing].half > shortest * side[e].half)
         add(facing, worst[b]);
-      if (has(chosen[b], facing) && side[e].half > shortest * met[facing].half)
+      if (has(chosen[b], facing) && side[e].half > shortest * opposite[facing].half)
         add(e, worst[a]);
     }
   }

@@ -46,8 +46,8 @@ struct BodySize {
   double densities = 0;
   double multipliers = 0;
   double elements = 0;
-  double grading = 1;  ///< largest over smallest element
-  double met = 0;      ///< normal multipliers that act on another body, too
+  double grading = 1;   ///< largest over smallest element
+  double opposite = 0;  ///< normal multipliers that act on another body, too
 
   double unknowns() const { return displacements + densities; }
 };
@@ -77,7 +77,7 @@ double compressedMemory(const std::vector<BodySize>& sizes, int steps, int proce
     bytes += (14e3 * (1 + 0.13 * std::log2(std::max(b.grading, 1.0))) +
               450.0 * (steps - 1) + 3e3 * (processes - 1)) *
                  b.unknowns() +
-             36e3 * b.multipliers + 1.4e5 * b.met;
+             36e3 * b.multipliers + 1.4e5 * b.opposite;
   return processes * programMemory + bytes / mebi;
 }
 
@@ -90,7 +90,7 @@ double gainOf(const std::vector<BodySize>& sizes) {
   double compressed = 0;
   for (const BodySize& b : sizes) {
     dense += b.unknowns() * b.unknowns() * b.unknowns();
-    compressed += asMany * asMany * (b.unknowns() + 30 * b.met);
+    compressed += asMany * asMany * (b.unknowns() + 30 * b.opposite);
   }
   return dense / compressed;
 }

@@ -25,7 +25,7 @@ struct Advice {
 
 constexpr Advice advices[] = {
     {End::Iterations, "raise Solver->Maximum Iterations"},
-    {End::Restless,
+    {End::Cycling,
      "the active sets repeat; use another Multiplier, or a finer mesh where the contact "
      "ends"},
     {End::Growth, "the residual grows; check load and units, or load in steps"},
@@ -40,20 +40,20 @@ constexpr const char* holdTheMotion =
 
 std::string ended(const Report& report, End end) {
   if (end == End::NoBalance)
-    return report.said.empty() ? message(contact::NoBalance().what(), holdTheMotion)
-                               : report.said + holdTheMotion;
+    return report.failure.empty() ? message(contact::NoBalance().what(), holdTheMotion)
+                                  : report.failure + holdTheMotion;
   const std::string residual =
       message("scaled residual ", report.residual, ", tolerance ", report.tolerance,
               " after ", report.newtonIterations, " steps");
   for (const Advice& advice : advices)
     if (advice.end == end)
       return residual + ": " + advice.words;
-  return residual + ": " + report.said;
+  return residual + ": " + report.failure;
 }
 
 std::string worded(const Report& report, const std::vector<StageRun>& stages) {
   if (stages.empty())
-    return report.said;
+    return report.failure;
   const StageRun& last = stages.back();
   if ((last.end == End::TooLarge || last.end == End::TooLong) && stages.size() > 1) {
     const auto before = std::find_if(
@@ -98,7 +98,7 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
 std::string reasonOf(const Report& report, const Scene& scene) {
   if (report.converged())
     return "";
-  const bool unstable = scene.stabilization.form == contact::Stabilization::Form::None &&
+  const bool unstable = !scene.stabilization.isOn() &&
                         !contact::multiplierBasis(scene.multiplier).sharesNodes;
   return worded(report, report.stages) +
          (unstable ? message("; Discretization->Stabilization->Form = 'None' is stable "
@@ -111,16 +111,16 @@ std::string withAdvice(const contact::NoBalance& error, const std::string& unres
   return message(unresisted.empty() ? error.what() : unresisted, holdTheMotion);
 }
 
-std::string restlessPlaces(const contact::Report& report, const Scene& scene,
+std::string changingPlaces(const contact::Report& report, const Scene& scene,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces) {
   constexpr std::size_t shown = 5;
-  const std::set<contact::Index> restless(report.restless.begin(), report.restless.end());
+  const std::set<contact::Index> changing(report.changing.begin(), report.changing.end());
   std::vector<std::string> places;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
     const auto changes = [&](contact::Index own) {
-      return restless.count(system.numbering()(b, own)) > 0;
+      return changing.count(system.numbering()(b, own)) > 0;
     };
     for (const auto& element : multiplier.elements()) {
       const bem::Vector at = multiplier.basis().places(element.degree);

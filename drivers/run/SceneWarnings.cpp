@@ -112,7 +112,7 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)
     if (std::none_of(scene.contacts.begin(), scene.contacts.end(),
                      [&](const ContactPair& pair) {
-                       return pair.met.rigid && pair.met.body == b;
+                       return pair.opposite.rigid && pair.opposite.body == b;
                      }))
       warnings.push_back("Bodies->" + scene.rigid[b].name +
                          ": is rigid, and no contact names it");
@@ -124,15 +124,15 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
 void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
   constexpr double large = 1e6;
   for (const ContactPair& pair : scene.contacts) {
-    if (pair.met.rigid)
+    if (pair.opposite.rigid)
       continue;
     const Body& side = scene.bodies[pair.side.body];
-    const Body& met = scene.bodies[pair.met.body];
-    const double ratio = side.material.youngsModulus / met.material.youngsModulus;
+    const Body& opposite = scene.bodies[pair.opposite.body];
+    const double ratio = side.material.youngsModulus / opposite.material.youngsModulus;
     if (ratio > large)
       warnings.push_back(
           message("Contacts->", pair.name, "->Between: '", side.name, "' is ", ratio,
-                  " times as stiff as '", met.name,
+                  " times as stiff as '", opposite.name,
                   "', and its pressures lose as many digits; name the softer one "
                   "first, or make '",
                   side.name, "' Rigid"));
@@ -141,8 +141,7 @@ void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
 
 /// A multiplier that the displacement does not hold without stabilisation.
 void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
-  if (scene.hasContact() &&
-      scene.stabilization.form == contact::Stabilization::Form::None &&
+  if (scene.hasContact() && !scene.stabilization.isOn() &&
       !contact::multiplierBasis(scene.multiplier).sharesNodes)
     warnings.push_back(
         "Discretization->Stabilization->Form = None is stable with Multiplier "
@@ -180,8 +179,8 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
     if (depth > largestInterference(scene, pair))
       warnings.push_back(message(
           "Contacts->", pair.name, ": '", scene.nameOf(pair.side), ":",
-          pair.side.boundary, "' lies ", depth, " deep in '", scene.nameOf(pair.met), ":",
-          pair.met.boundary, "' at (", place.x, ", ", place.y,
+          pair.side.boundary, "' lies ", depth, " deep in '", scene.nameOf(pair.opposite),
+          ":", pair.opposite.boundary, "' at (", place.x, ", ", place.y,
           "), far more than an interference; strains are not small there, and the energy "
           "grows with the depth's square"));
   }
@@ -197,11 +196,11 @@ std::vector<std::string> warningsOf(const Scene& scene) {
                   "Bodies->" + body.name + "->Geometry, '" + boundary + "'", warnings);
   std::set<std::string> seen;
   for (const ContactPair& pair : scene.contacts)
-    if (seen.insert(scene.nameOf(pair.met) + ":" + pair.met.boundary).second)
-      findPolygon(
-          scene.outlineOf(pair.met), pair.met.boundary,
-          "Bodies->" + scene.nameOf(pair.met) + "->Geometry, '" + pair.met.boundary + "'",
-          warnings);
+    if (seen.insert(scene.nameOf(pair.opposite) + ":" + pair.opposite.boundary).second)
+      findPolygon(scene.outlineOf(pair.opposite), pair.opposite.boundary,
+                  "Bodies->" + scene.nameOf(pair.opposite) + "->Geometry, '" +
+                      pair.opposite.boundary + "'",
+                  warnings);
   findInConditions(scene, warnings);
   findUnused(scene, warnings);
   findStiffSides(scene, warnings);

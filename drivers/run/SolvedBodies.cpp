@@ -54,7 +54,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
                        ground.scene.units(),
                        at_.bodies[b],
                        u,
-                       at_.met[b],
+                       at_.oppositeForces[b],
                        {},
                        &placement_.motions});
     if (!wear_.empty())

@@ -91,7 +91,7 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
           system.numbers(), scene.solver, nullptr, timer,
           [&](const auto& solver) { return solver.solve(system.numbers(), start); });
       const std::string reason = reasonOf(solution.report, scene) +
-                                 restlessPlaces(solution.report, scene, system, spaces);
+                                 changingPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));

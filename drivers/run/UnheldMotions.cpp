@@ -4,11 +4,11 @@
 #include "bem/base/Error.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
 #include "contact/opposite/Obstacle.hpp"
 #include "contact/opposite/RigidBodies.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/problem/Numbering.hpp"
 
 #include <algorithm>
@@ -228,20 +228,19 @@ class BalanceOf {
     none.form = contact::Stabilization::Form::None;
     const contact::Coupling own = contact::makeCoupling(space, multipliers_[b], none,
                                                         scene_.lame(b), scene_.units());
-    std::vector<std::pair<std::size_t, contact::TraceCoupling>> met;
+    std::vector<std::pair<std::size_t, contact::TraceCoupling>> mortars;
     for (std::size_t a = 0; a < spaces_.size(); ++a)
       for (const int body : spaces_.opposite(a)->bodies())
         if (body == static_cast<int>(b))
-          met.emplace_back(
+          mortars.emplace_back(
               a, contact::mortarCoupling(spaces_.space(a).mesh(), multipliers_[a],
                                          *spaces_.opposite(a), space, body));
-    const contact::RigidConstraints& rigid = holding.rigid;
-    for (bem::Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k) {
-      const Vector u = bem::columnOf(rigid.allowed, k);
+    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
+      const Vector u = bem::columnOf(holding.allowed, k);
       Vector column(numbering_.size());
-      addTo(column, b, own.trace.pull(u), 1);
-      for (const auto& [carrier, coupling] : met)
-        addTo(column, carrier, coupling.pull(u), 1);
+      addTo(column, b, own.trace.apply(u), 1);
+      for (const auto& [carrier, coupling] : mortars)
+        addTo(column, carrier, coupling.apply(u), 1);
       columns_.push_back(std::move(column));
       result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
       result_.numbers.rigidStiffness.push_back(0);

@@ -213,9 +213,9 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   return terms;
 }
 
-contact::Inside BodyLoadsReader::inside(const bem::Outline& outline,
-                                        const bem::Material& material,
-                                        double stress) const {
+contact::BodyLoadSolution BodyLoadsReader::inside(const bem::Outline& outline,
+                                                  const bem::Material& material,
+                                                  double stress) const {
   const bool conducts = thermal_.isGiven();
   if (!loads_.isGiven() && !conducts)
     return nullptr;

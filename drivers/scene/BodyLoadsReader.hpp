@@ -22,8 +22,8 @@ class BodyLoadsReader {
   /// \throws bem::InputError if Density is missing, for Force beside Gravity, for a
   ///   temperature that is not a polynomial of degree 4 or is given without Thermal
   ///   Expansion or beside Thermal Conditions, and if a value is not one finite number.
-  contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
-                         double stress) const;
+  contact::BodyLoadSolution inside(const bem::Outline& outline,
+                                   const bem::Material& material, double stress) const;
 
   /// The thermal conditions of the body; null if there are none.
   /// \throws bem::InputError for an unknown boundary, for both or none of temperature and

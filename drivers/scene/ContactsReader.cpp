@@ -87,10 +87,11 @@ void checkFree(const SideOfBody& side, const std::string& path, const Scene& sce
                      "; a side in contact has none");
 }
 
-void checkNotMet(const SideOfBody& side, const std::string& path, const Scene& scene) {
+void checkNotOpposite(const SideOfBody& side, const std::string& path,
+                      const Scene& scene) {
   for (const ContactPair& pair : scene.contacts)
-    if (pair.met.rigid == side.rigid && pair.met.body == side.body &&
-        pair.met.boundary == side.boundary)
+    if (pair.opposite.rigid == side.rigid && pair.opposite.body == side.body &&
+        pair.opposite.boundary == side.boundary)
       throw InputError(path, "->Between: '", scene.bodies[side.body].name, ":",
                        side.boundary, "' is what Contacts->", pair.name,
                        " presses on, so it cannot carry the stresses of another "
@@ -122,8 +123,8 @@ void addPart(int edge, double from, double to,
 /// The parts of the first side that face the second; adds nodes at their ends on both.
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
-  const bem::Outline& other = scene.outlineOf(pair.met);
-  const Scene::MetEdges met = scene.metEdges(pair);
+  const bem::Outline& other = scene.outlineOf(pair.opposite);
+  const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
   const bem::Vec2 shift = scene.shift(pair);
   std::vector<contact::Conditions::Part> parts;
   for (std::size_t e = 0; e < own.edges().size(); ++e) {
@@ -132,20 +133,20 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       continue;
     const double half = edge.curve.half();
     for (const contact::Facing& stretch :
-         contact::facing(edge.curve.moved(shift), met.curves, scene.reach(pair))) {
+         contact::facing(edge.curve.moved(shift), opposite.curves, scene.reach(pair))) {
       addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
               parts);
-      if (pair.met.rigid)
+      if (pair.opposite.rigid)
         continue;
       // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
         const auto there = contact::crossing(edge.curve.point(t) + shift,
-                                             edge.curve.normal(t), met.curves[k]);
+                                             edge.curve.normal(t), opposite.curves[k]);
         if (there)
-          addNode(other, met.edges[k],
-                  met.curves[k].half() * (1 + std::clamp(there->t, -1.0, 1.0)),
-                  scene.bodies[pair.met.body].nodes);
+          addNode(other, opposite.edges[k],
+                  opposite.curves[k].half() * (1 + std::clamp(there->t, -1.0, 1.0)),
+                  scene.bodies[pair.opposite.body].nodes);
       }
     }
   }
@@ -158,14 +159,14 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
 /// Above this ratio the first stiffness is singular to rounding in units of the softer.
 void checkModuli(const ContactPair& pair, const std::string& path, const Scene& scene) {
   constexpr double most = 1e14;
-  if (pair.met.rigid)
+  if (pair.opposite.rigid)
     return;
   const Body& side = scene.bodies[pair.side.body];
-  const Body& met = scene.bodies[pair.met.body];
-  const double ratio = side.material.youngsModulus / met.material.youngsModulus;
+  const Body& opposite = scene.bodies[pair.opposite.body];
+  const double ratio = side.material.youngsModulus / opposite.material.youngsModulus;
   if (ratio > most)
     throw InputError(path, "->Between: '", side.name, "' is ", ratio,
-                     " times as stiff as '", met.name, "', at most ", most,
+                     " times as stiff as '", opposite.name, "', at most ", most,
                      " is possible; name the softer one first, or make '", side.name,
                      "' Rigid");
 }
@@ -178,10 +179,10 @@ void readContacts(Scene& scene) {
     Part part = contacts.sub(item.first);
     const std::string& path = part.place.path;
     ContactPair pair{item.first, {}, {}};
-    std::tie(pair.side, pair.met) = readBetween(part, scene);
+    std::tie(pair.side, pair.opposite) = readBetween(part, scene);
     checkFree(pair.side, path, scene);
-    checkFree(pair.met, path, scene);
-    checkNotMet(pair.side, path, scene);
+    checkFree(pair.opposite, path, scene);
+    checkNotOpposite(pair.side, path, scene);
     checkModuli(pair, path, scene);
     part.names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
     contact::Conditions::Contact condition = readContactOfBodies(part);

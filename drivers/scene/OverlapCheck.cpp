@@ -176,8 +176,9 @@ double thicknessOf(const bem::Outline& outline) {
 double largestInterference(const Scene& scene, const ContactPair& pair) {
   constexpr double share = 0.05;
   const double own = thicknessOf(scene.outlineOf(pair.side));
-  return share *
-         (pair.met.rigid ? own : std::min(own, thicknessOf(scene.outlineOf(pair.met))));
+  return share * (pair.opposite.rigid
+                      ? own
+                      : std::min(own, thicknessOf(scene.outlineOf(pair.opposite))));
 }
 
 void checkOverlaps(const Scene& scene) {
@@ -196,12 +197,12 @@ void checkOverlaps(const Scene& scene) {
       double plausible = 0;
       for (const ContactPair& pair : scene.contacts) {
         const std::size_t before = a.touching.size() + b.touching.size();
-        if (same(pair.side, all[i]) && same(pair.met, all[j])) {
+        if (same(pair.side, all[i]) && same(pair.opposite, all[j])) {
           a.touching.insert(pair.side.boundary);
-          b.touching.insert(pair.met.boundary);
-        } else if (same(pair.side, all[j]) && same(pair.met, all[i])) {
+          b.touching.insert(pair.opposite.boundary);
+        } else if (same(pair.side, all[j]) && same(pair.opposite, all[i])) {
           b.touching.insert(pair.side.boundary);
-          a.touching.insert(pair.met.boundary);
+          a.touching.insert(pair.opposite.boundary);
         }
         if (a.touching.size() + b.touching.size() > before)
           plausible = largestInterference(scene, pair);

@@ -5,19 +5,19 @@
 
 namespace epafi::drivers {
 
-Scene::MetEdges Scene::metEdges(const ContactPair& pair) const {
-  const bem::Outline& outline = outlineOf(pair.met);
+Scene::OppositeEdges Scene::oppositeEdges(const ContactPair& pair) const {
+  const bem::Outline& outline = outlineOf(pair.opposite);
   const double ratio = outline.scaling().length / units().length;
-  MetEdges met;
+  OppositeEdges opposite;
   for (std::size_t e = 0; e < outline.edges().size(); ++e) {
     const bem::Edge& edge = outline.edges()[e];
-    if (edge.boundary != pair.met.boundary)
+    if (edge.boundary != pair.opposite.boundary)
       continue;
-    met.edges.push_back(static_cast<int>(e));
-    met.curves.emplace_back(ratio * edge.curve.from(), ratio * edge.curve.to(),
-                            std::tan(edge.curve.angle() / 4));
+    opposite.edges.push_back(static_cast<int>(e));
+    opposite.curves.emplace_back(ratio * edge.curve.from(), ratio * edge.curve.to(),
+                                 std::tan(edge.curve.angle() / 4));
   }
-  return met;
+  return opposite;
 }
 
 std::vector<contact::Drive> Scene::drivesAt(double t) const {

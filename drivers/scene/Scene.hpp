@@ -74,7 +74,7 @@ struct SideOfBody {
 struct ContactPair {
   std::string name;
   SideOfBody side;
-  SideOfBody met;
+  SideOfBody opposite;
 };
 
 /// A validated scene: all that a run needs, in the user's units.
@@ -169,18 +169,19 @@ struct Scene {
   }
   /// Difference of the scaled coordinates of a point on the opposite side and on `side`.
   bem::Vec2 shift(const ContactPair& pair) const {
-    return (1 / units().length) *
-           (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
+    return (1 / units().length) * (outlineOf(pair.side).scaling().origin -
+                                   outlineOf(pair.opposite).scaling().origin);
   }
   /// The opposite side: indices of its edges, and the edges in this scene's length.
-  struct MetEdges {
+  struct OppositeEdges {
     std::vector<int> edges;
     std::vector<bem::Curve> curves;
   };
-  MetEdges metEdges(const ContactPair& pair) const;
+  OppositeEdges oppositeEdges(const ContactPair& pair) const;
   /// How far to search along the normals of a side: the smaller diameter, scaled.
   double reach(const ContactPair& pair) const {
-    return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
+    return std::min(outlineOf(pair.side).diameter(),
+                    outlineOf(pair.opposite).diameter()) /
            units().length;
   }
   bool hasContact() const {

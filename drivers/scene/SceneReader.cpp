@@ -46,11 +46,12 @@ Scene::Solver readSolver(const ParameterList& list) {
 bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
   const contact::Conditions& conditions = scene.bodies[b].conditions;
   const auto neumann = conditions.neumann.find(boundary);
-  const bool met = std::any_of(
+  const bool isOpposite = std::any_of(
       scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
-        return !pair.met.rigid && pair.met.body == b && pair.met.boundary == boundary;
+        return !pair.opposite.rigid && pair.opposite.body == b &&
+               pair.opposite.boundary == boundary;
       });
-  return !met && conditions.dirichlet.count(boundary) == 0 &&
+  return !isOpposite && conditions.dirichlet.count(boundary) == 0 &&
          (neumann == conditions.neumann.end() ||
           (!neumann->second.x && !neumann->second.y));
 }
@@ -64,7 +65,7 @@ void pinIncompressible(std::size_t b, Scene& scene) {
   if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
     return;
   const std::string path = "Bodies->" + body.name + "->Material->Poisson's Ratio";
-  if (scene.stabilization.form != contact::Stabilization::Form::Density)
+  if (!scene.stabilization.byDensity())
     throw InputError(path +
                      ": is 1/2, which Discretization->Stabilization->Form = Density "
                      "allows in plane strain; other forms want less");

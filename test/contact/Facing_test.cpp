@@ -146,7 +146,7 @@ struct Fit {
   contact::Conditions conditions = makeConditions();
   contact::MultiplierSpace multiplier{
       ring, contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions};
-  contact::FacingBodies facing{ring, multiplier, tenth.length, {{"fit", metSide()}}};
+  contact::FacingBodies facing{ring, multiplier, tenth.length, {{"fit", oppositeSide()}}};
 
   static contact::Conditions makeConditions() {
     contact::Conditions conditions;
@@ -159,8 +159,8 @@ struct Fit {
     return conditions;
   }
 
-  contact::MetSide metSide() const {
-    contact::MetSide side;
+  contact::OppositeSide oppositeSide() const {
+    contact::OppositeSide side;
     side.body = 3;
     side.reach = 0.1;
     for (int e = 0; e < disc.size(); ++e) {

@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(Limits, tooFewStepsAreReportedByEveryStage) {
   TEST_COMPARE(report.stages.size(), >, 1);
   for (const contact::StageRun& stage : report.stages)
     TEST_ASSERT(stage.end == contact::End::Iterations);
-  TEST_ASSERT(!report.restless.empty());
+  TEST_ASSERT(!report.changing.empty());
 }
 
 TEUCHOS_UNIT_TEST(Limits, brokenNumbersAreErrors) {

@@ -33,7 +33,7 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
   const drivers::Scene scene = test::read(test::SceneText());
   contact::Report report;
   report.stages = {{Stage::FullSteps, 50, 1, End::Iterations},
-                   {Stage::FollowOffset, 20, 1, End::Restless},
+                   {Stage::FollowOffset, 20, 1, End::Cycling},
                    {Stage::FollowOffset, 0, 1, End::TooLong}};
   const std::string text = reasonOf(report, scene);
   TEST_ASSERT(says(text, "Solver->Maximum Iterations") &&

@@ -141,13 +141,13 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bem::Units units = solved.units;
   const int e = element.element;
   const contact::Opposite& opposite = solved.problem.opposite();
-  const auto motion = [&solved](const contact::Opposite::Point& met) {
-    return motionAt(solved.motions, met);
+  const auto motion = [&solved](const contact::Opposite::Point& there) {
+    return motionAt(solved.motions, there);
   };
   // several profiles ask for the same point one after the other
-  using Met = contact::Opposite::Point;
-  const auto last = std::make_shared<std::pair<std::optional<double>, Met>>();
-  const auto metAt = [&opposite, &element, last](double t) {
+  using OppositePoint = contact::Opposite::Point;
+  const auto last = std::make_shared<std::pair<std::optional<double>, OppositePoint>>();
+  const auto oppositeAt = [&opposite, &element, last](double t) {
     if (last->first != t)
       *last = {t, opposite.at(element, t)};
     return last->second;
@@ -163,17 +163,17 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
                ? 0
                : contact::MultiplierSpace::throughPoints(wear->depth, element, t);
   };
-  const auto opening = [metAt, worn, across, normal, motion, closing](double t) {
-    const Met met = metAt(t);
-    return met.gap + closing(t) + worn(t) + dot(motion(met), across(t)) - normal(t);
+  const auto opening = [oppositeAt, worn, across, normal, motion, closing](double t) {
+    const OppositePoint there = oppositeAt(t);
+    return there.gap + closing(t) + worn(t) + dot(motion(there), across(t)) - normal(t);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
   const Polynomial own = component(along, !ties && solved.displacementBefore != nullptr);
   const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
-  const auto tangential = [metAt, along, own, motion, before](double t) {
-    const Met met = metAt(t);
-    return own(t) - dot(motion(met) - motionAt(before, met), along(t));
+  const auto tangential = [oppositeAt, along, own, motion, before](double t) {
+    const OppositePoint there = oppositeAt(t);
+    return own(t) - dot(motion(there) - motionAt(before, there), along(t));
   };
   // elastic shear is no slip
   const Polynomial shear = stress(&Value::tangential, along);
@@ -208,14 +208,14 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   bem::Profile fineness = [](double) { return 1.0; };
   if (solved.motions != nullptr)
-    fineness = [metAt, &geometry, p, &solved](double t) {
-      const Met met = metAt(t);
-      if (met.element < 0)
+    fineness = [oppositeAt, &geometry, p, &solved](double t) {
+      const OppositePoint there = oppositeAt(t);
+      if (there.element < 0)
         return 1.0;
       const bem::Element& other =
-          solved.motions->displacements[static_cast<std::size_t>(met.body)]
+          solved.motions->displacements[static_cast<std::size_t>(there.body)]
               .space()
-              .mesh()[met.element];
+              .mesh()[there.element];
       return std::max(1.0, other.degree * geometry.half / (p * other.half));
     };
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1

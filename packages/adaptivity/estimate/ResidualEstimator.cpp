@@ -22,7 +22,7 @@ class FixedTraction {
       : mesh_(solved.space.mesh()),
         conditions_(solved.conditions),
         centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
-        amplitudes_(solved.problem.fixedReactions(solved.state, solved.met)) {}
+        amplitudes_(solved.problem.fixedReactions(solved.state, solved.oppositeForce)) {}
 
   Vec2 at(int e, double t) const {
     if (!conditions_.isBoundary(mesh_.boundary(e)))
@@ -63,7 +63,7 @@ double clampSquares(const contact::Solved& solved, int e,
 /// h/p |α' (f - given f)|² of conducted heat on an element: derivative of the error of its
 /// displacement α' ∫ f dz.
 double heatSquares(const contact::Solved& solved, int e) {
-  const contact::Inside& inside = solved.conditions.inside;
+  const contact::BodyLoadSolution& inside = solved.conditions.inside;
   if (!inside || inside->conducted() == nullptr)
     return 0;
   const bem::Element& element = solved.space.mesh()[e];
@@ -196,10 +196,10 @@ void multiply(Contributions& squares, const Contributions& factors) {
 /// rigid.
 double sharedShearModulus(const contact::Solved& solved, const ContactElement& element,
                           double own) {
-  const auto met = solved.problem.opposite().at(element, 0);
-  if (met.element < 0 || solved.motions == nullptr)
+  const auto there = solved.problem.opposite().at(element, 0);
+  if (there.element < 0 || solved.motions == nullptr)
     return own;
-  const double other = solved.motions->shearModuli[static_cast<std::size_t>(met.body)];
+  const double other = solved.motions->shearModuli[static_cast<std::size_t>(there.body)];
   return own * other / (own + other);
 }
 

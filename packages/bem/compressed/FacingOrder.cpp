@@ -23,7 +23,7 @@ class Zones {
     for (const Space* space : spaces)
       standings_.emplace_back(space->mesh().size());
     findCarriers();
-    addMet();
+    addOpposite();
     for (std::vector<BodyElement>& zone : zones_)
       std::stable_sort(zone.begin(), zone.end(),
                        [&](const BodyElement& a, const BodyElement& b) {
@@ -99,19 +99,20 @@ class Zones {
   }
 
   /// Assigns each opposite element to the zone with the largest links to it.
-  void addMet() {
+  void addOpposite() {
     struct Share {
       double size = 0;
       double moment = 0;
     };
-    std::map<std::pair<int, int>, std::map<int, Share>> met;
+    std::map<std::pair<int, int>, std::map<int, Share>> opposite;
     for (const Link& link : links_)
-      if (of(link.met).zone < 0) {
-        Share& share = met[{link.met.body, link.met.element}][of(link.carrier).zone];
+      if (of(link.opposite).zone < 0) {
+        Share& share =
+            opposite[{link.opposite.body, link.opposite.element}][of(link.carrier).zone];
         share.size += link.size;
         share.moment += link.size * of(link.carrier).place;
       }
-    for (const auto& [key, shares] : met) {
+    for (const auto& [key, shares] : opposite) {
       const auto most = std::max_element(
           shares.begin(), shares.end(),
           [](const auto& a, const auto& b) { return a.second.size < b.second.size; });

@@ -101,8 +101,8 @@ SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& com
                         rowsBetween(half_, half_.rows() - count, half_.rows()), t);
   Matrix gram = addGram(Matrix(count, count), t);
   fillUpper(gram);
-  response_ = std::make_shared<DensityResponse>(
-      DensityResponse{compliance.densities, std::move(displacements), std::move(gram)});
+  response_ = std::make_shared<ComplianceResponse>(ComplianceResponse{
+      compliance.densities, std::move(displacements), std::move(gram)});
 }
 
 SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& solver,
@@ -124,7 +124,7 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   for (Index j = 0; j < count; ++j)
     for (Index i = 0; i < j; ++i)
       density(i, j) = density(j, i) = 0.5 * (density(i, j) + density(j, i));
-  response_ = std::make_shared<DensityResponse>(DensityResponse{
+  response_ = std::make_shared<ComplianceResponse>(ComplianceResponse{
       compliance.densities, addTransposeTimes(Matrix(k.columns(), count), k, units_),
       std::move(density)});
 }

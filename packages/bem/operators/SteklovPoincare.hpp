@@ -16,14 +16,14 @@ namespace epafi::bem {
 struct LocalCompliance {
   std::vector<Index> densities;  ///< distinct
   Vector diagonal;               ///< g_k > 0, one for each density
-  /// (k, g_k) of densities that are zero in the solution; not part of DensityResponse.
+  /// (k, g_k) of densities that are zero in the solution; not part of ComplianceResponse.
   std::vector<std::pair<Index, double>> pinned;
 };
 
 class CompressedOperators;
 
 /// Response to the densities of a LocalCompliance; E: their unit vectors as columns.
-struct DensityResponse {
+struct ComplianceResponse {
   std::vector<Index> densities;
   Matrix displacements;  ///< (K + 1/2)ᵀ (V + G)⁻¹ E
   Matrix density;        ///< Eᵀ (V + G)⁻¹ E
@@ -64,14 +64,14 @@ class SteklovPoincare {
   /// Projected tractions on tractionElements().
   std::shared_ptr<const TractionRows> tractions() const { return tractions_; }
   /// Response to the densities of the LocalCompliance; null without any.
-  std::shared_ptr<const DensityResponse> response() const { return response_; }
+  std::shared_ptr<const ComplianceResponse> response() const { return response_; }
 
   Vector apply(const Vector& u) const;
 
   /// ψ = V⁻¹ (K + 1/2) u, the density that approximates the traction.            [P (15)]
   Vector density(const Vector& u) const;
 
-  /// V⁻¹ ((K + 1/2) u - E b), E as in DensityResponse.
+  /// V⁻¹ ((K + 1/2) u - E b), E as in ComplianceResponse.
   Vector density(const Vector& u, const Vector& b) const;
 
   /// V⁻¹ b, b a vector of all densities.
@@ -100,7 +100,7 @@ class SteklovPoincare {
   Matrix half_;                           ///< Y, or Z
   Matrix units_;                          ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
-  std::shared_ptr<const DensityResponse> response_;
+  std::shared_ptr<const ComplianceResponse> response_;
   std::vector<int> tractionElements_;
   std::shared_ptr<const TractionRows> tractions_;
 };

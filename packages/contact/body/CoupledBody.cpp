@@ -5,7 +5,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/tractions/TractionRows.hpp"
 #include "contact/body/BalancedStiffness.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ class Coupled final : public StabilisedBody {
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     std::vector<Index> free = unclamped(holding.loads);
     Matrix a = addOuter(subtract(unpackedAt(free, stiffness_.stiffness()), free),
-                        rowsAt(free, holding.rigid.functionals.copy()), 1);
+                        rowsAt(free, holding.functionals.copy()), 1);
     return std::make_shared<const Factored>(std::move(a), std::move(free));
   }
 
@@ -122,7 +122,7 @@ class Coupled final : public StabilisedBody {
   Matrix coupling() const override {
     Matrix result(space_.displacements(),
                   static_cast<Index>(coupling_.trace.rests.size()));
-    coupling_.trace.addTo(result, [](Index i) { return i; });
+    coupling_.trace.addTo(result);
     for (const bem::Entry& entry : coupling_.weights) {
       const double* traction = columns_->column(entry.row);
       double* column = result.column(entry.column);
@@ -223,22 +223,19 @@ class Coupled final : public StabilisedBody {
   }
 
   const bem::SteklovPoincare& stiffness_;
-  std::shared_ptr<const bem::DensityResponse> response_;  ///< Density; else null
-  std::shared_ptr<const bem::TractionRows> tractions_;    ///< S φ; null: no S^
-  const Matrix* columns_;                                 ///< R
+  std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
+  std::shared_ptr<const bem::TractionRows> tractions_;       ///< S φ; null: no S^
+  const Matrix* columns_;                                    ///< R
   BalancedStiffness balanced_;
 };
 
 /// Of the forms that insert S u; else null.
 std::shared_ptr<const bem::TractionRows> tractionsOf(const BodyInput& input,
                                                      const MultiplierSpace& multiplier) {
-  using Form = Stabilization::Form;
-  const Form form = input.stabilization.form;
-  if (form != Form::Projected && form != Form::Exact)
-    return nullptr;
-  return bem::tractionRows(
-      input.space, input.lame, input.stiffness, multiplier.meshElements(),
-      form == Form::Exact ? bem::TractionForm::Exact : bem::TractionForm::Projected);
+  const auto form = input.stabilization.tractions();
+  return form ? bem::tractionRows(input.space, input.lame, input.stiffness,
+                                  multiplier.meshElements(), *form)
+              : nullptr;
 }
 
 }  // namespace

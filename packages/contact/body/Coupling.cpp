@@ -2,7 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <array>
 #include <cmath>
@@ -40,24 +40,25 @@ std::vector<Coefficient> coefficientsOf(const ContactElement& contact) {
 }
 
 /// values of functions times a force, by components: two rows a function.
-void add(Vec2 force, const double* values, double* rows, Index size) {
+void addForce(Vec2 force, const double* values, double* rows, Index size) {
   for (Index k = 0; k < size; k += 2) {
     rows[k] += force.x * values[k / 2];
     rows[k + 1] += force.y * values[k / 2];
   }
 }
 
-/// What one contact element has of C, G and M; with densities by Legendre polynomials in G's
-/// rows where `byDensity`, else tractions by orthonormal ones.
+/// What one contact element has of C, G and M.  G's rows: with Form Density Legendre polynomials,
+/// the densities', where S u is evaluated orthonormal ones, else none.
 class ElementCoupling {
  public:
-  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
-                  const ContactElement& contact)
+  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis,
+                  const Stabilization& stabilization, const ContactElement& contact)
       : space_(space),
         basis_(basis),
-        byDensity_(byDensity),
-        number_(contact.element),
-        element_(space.mesh()[number_]),
+        byDensity_(stabilization.byDensity()),
+        byTractions_(stabilization.tractions().has_value()),
+        contact_(contact),
+        element_(space.mesh()[contact.element]),
         coefficients_(coefficientsOf(contact)),
         traces_(2 * (element_.degree + 1), size()),
         parts_(rows(), size()),
@@ -87,21 +88,19 @@ class ElementCoupling {
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
                   TractionMoments& moments) const {
-    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
     Vector parts(at(rows()));
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vec2 force =
-          element_.half * rule.weights[q] * inside.traction(space_.mesh(), number_, t);
-      add(force, orthonormal(t).data(), parts.data(), rows());
-      const Vector chi = basis_.values(element_.degree, t);
-      for (const Coefficient& c : coefficients_)
-        if (isWhole())
-          moments.multipliers[at(c.number)] +=
-              gamma * chi[at(c.function)] *
-              dot(force,
-                  c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
-    }
+    forEachPointOf(contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
+                   [&](const SidePoint& point) {
+                     const Vec2 force =
+                         point.weight *
+                         inside.traction(space_.mesh(), contact_.element, point.t);
+                     addForce(force, orthonormal(point.t).data(), parts.data(), rows());
+                     for (const Coefficient& c : coefficients_)
+                       if (isWhole())
+                         moments.multipliers[at(c.number)] +=
+                             gamma * point.chi[at(c.function)] *
+                             dot(force, c.tangential ? point.tangent : point.normal);
+                   });
     for (Index i = 0; i < size() && !isWhole(); ++i)
       moments.multipliers[at(coefficients_[at(i)].number)] +=
           gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
@@ -113,7 +112,7 @@ class ElementCoupling {
   Index size() const { return static_cast<Index>(coefficients_.size()); }
   /// The rows of the element's tractions, or its densities.
   Index rows() const {
-    return 2 * (byDensity_ ? element_.densities : element_.degree + 1);
+    return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
   }
 
   /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
@@ -133,34 +132,34 @@ class ElementCoupling {
 
   /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
   /// the product of what they take.
-  bool isWhole() const { return byDensity_ || element_.curve.isStraight(); }
+  bool isWhole() const { return !byTractions_ || element_.curve.isStraight(); }
 
   void integrate() {
     const int p = element_.degree;
-    const bem::Rule& rule =
-        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning));
-    std::array<double, bem::largestDegree + 1> phi{};
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vector chi = basis_.values(p, t);
-      bem::DisplacementBasis::values(p, t, phi.data());
-      const auto legendre = orthonormal(t);
-      const Vec2 rest = space_.rotationRest(number_, t);
-      for (Index i = 0; i < size(); ++i) {
-        const Coefficient& c = coefficients_[at(i)];
-        const double value = element_.half * rule.weights[q] * chi[at(c.function)];
-        const Vec2 force =
-            value * (c.tangential ? element_.curve.tangent(t) : element_.curve.normal(t));
-        add(force, phi.data(), traces_.column(i), traces_.rows());
-        add(force, legendre.data(), parts_.column(i), rows());
-        rests_[at(i)] += dot(force, rest);
-        for (Index k = 0; k < size(); ++k)
-          if (coefficients_[at(k)].tangential == c.tangential)
-            mass_(i, k) += value * chi[at(coefficients_[at(k)].function)];
-      }
-    }
+    forEachPointOf(
+        contact_, space_.mesh(), basis_,
+        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning)),
+        [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
+  }
+
+  void add(const SidePoint& point) {
+    std::array<double, bem::largestDegree + 1> phi{};
+    bem::DisplacementBasis::values(element_.degree, point.t, phi.data());
+    const auto legendre = orthonormal(point.t);
+    const Vec2 rest = space_.rotationRest(contact_.element, point.t);
+    for (Index i = 0; i < size(); ++i) {
+      const Coefficient& c = coefficients_[at(i)];
+      const double value = point.weight * point.chi[at(c.function)];
+      const Vec2 force = value * (c.tangential ? point.tangent : point.normal);
+      addForce(force, phi.data(), traces_.column(i), traces_.rows());
+      addForce(force, legendre.data(), parts_.column(i), rows());
+      rests_[at(i)] += dot(force, rest);
+      for (Index k = 0; k < size(); ++k)
+        if (coefficients_[at(k)].tangential == c.tangential)
+          mass_(i, k) += value * point.chi[at(coefficients_[at(k)].function)];
+    }
   }
 
   /// Of a coefficient's work, as a part of that of another one.
@@ -168,14 +167,15 @@ class ElementCoupling {
     trace.rests[at(number)] += factor * rests_[at(i)];
     for (int k = 0; k <= element_.degree; ++k)
       for (const int c : {0, 1})
-        trace.entries.push_back({space_.displacement(number_, k, c), number,
+        trace.entries.push_back({space_.displacement(contact_.element, k, c), number,
                                  factor * traces_(2 * static_cast<Index>(k) + c, i)});
   }
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
   bool byDensity_;
-  int number_;
+  bool byTractions_;
+  const ContactElement& contact_;
   const bem::Element& element_;
   std::vector<Coefficient> coefficients_;
   Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
@@ -193,6 +193,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   Coupling coupling;
   coupling.trace = {{}, space.rotation(), none};
   coupling.completion = coupling.trace;
+  coupling.stabilization = stabilization;
   coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
@@ -203,7 +204,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
     if (ofDensities)
       coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
     coupling.gamma.push_back(gamma);
-    ElementCoupling(space, multiplier.basis(), coupling.byDensity(), contact)
+    ElementCoupling(space, multiplier.basis(), stabilization, contact)
         .addTo(gamma, first, coupling);
   }
   return coupling;
@@ -217,7 +218,7 @@ TractionMoments tractionMoments(const bem::Space& space,
                           Vector(at(multiplier.size()))};
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
-      ElementCoupling(space, multiplier.basis(), coupling.byDensity(),
+      ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
           .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
   return moments;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/body/TraceCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
 namespace epafi::contact {
@@ -21,6 +21,7 @@ struct Coupling {
   TraceCoupling completion;
   std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
   std::vector<bem::Entry> mass;     ///< M: multiplier x multiplier
+  Stabilization stabilization;
   Vector gamma;                     ///< γ per contact element, dimensionless
   bem::LocalCompliance compliance;  ///< of the densities in X's order
   std::vector<Index> start;         ///< of an element's columns in R

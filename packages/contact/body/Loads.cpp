@@ -101,7 +101,7 @@ void clamp(const bem::Space& space, int e, const Vector& values, int component,
 }
 
 void addDirichlet(const bem::Space& space, const std::string& name,
-                  const Conditions::Dirichlet& dirichlet, const Inside& inside,
+                  const Conditions::Dirichlet& dirichlet, const BodyLoadSolution& inside,
                   bem::Units units, Loads& loads) {
   const bem::Mesh& mesh = space.mesh();
   const std::vector<int> elements = mesh.elementsOf(name);
@@ -132,7 +132,7 @@ void addDirichlet(const bem::Space& space, const std::string& name,
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units) {
   checkBoundaries(space.mesh(), conditions);
   const std::size_t size = space.displacements();
-  const Inside& inside = conditions.inside;
+  const BodyLoadSolution& inside = conditions.inside;
   Loads loads;
   loads.load.assign(size, 0.0);
   loads.prescribed.assign(size, 0.0);
@@ -206,7 +206,7 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
 }
 
 Vector meansOf(const Conditions& conditions, const bem::Mesh& mesh, Vec2 centroid) {
-  const Inside& inside = conditions.inside;
+  const BodyLoadSolution& inside = conditions.inside;
   if (!inside)
     return {};
   Vector means(3, 0.0);

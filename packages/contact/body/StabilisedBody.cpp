@@ -6,17 +6,17 @@
 
 namespace epafi::contact {
 
-Vector StabilisedBody::push(const Vector& multiplier) const {
+Vector StabilisedBody::applyTranspose(const Vector& multiplier) const {
   Vector force(at(space_.displacements()));
   if (!coupling_.weights.empty())
     bem::axpy(-1, forcesOf(coupling_.weighted(multiplier)), force);
-  coupling_.trace.push(multiplier, force);
-  coupling_.completion.push(multiplier, force);
+  coupling_.trace.addTranspose(multiplier, force);
+  coupling_.completion.addTranspose(multiplier, force);
   return force;
 }
 
-Vector StabilisedBody::pull(const Vector& u) const {
-  Vector result = coupling_.trace.pull(u);
+Vector StabilisedBody::apply(const Vector& u) const {
+  Vector result = coupling_.trace.apply(u);
   if (!coupling_.weights.empty())
     coupling_.subtractWeighted(tractionsOf(u), result);
   return result;
@@ -30,7 +30,7 @@ Vector StabilisedBody::massTimes(const Vector& multiplier) const {
 }
 
 ResidualTerms StabilisedBody::residualTerms(const MultiplierSpace& multiplier) const {
-  const Inside& inside = multiplier.conditions().inside;
+  const BodyLoadSolution& inside = multiplier.conditions().inside;
   if (!inside)
     return {};
   const TractionMoments moments = tractionMoments(space_, multiplier, coupling_, *inside);

@@ -39,9 +39,7 @@ class HeldStiffness {
 ///   B = C - Gᵀ Rᵀ,   M - Gᵀ X G in M's place with Form Density,   see Coupling
 ///
 /// What differs is how S is held, and with it R and X: for dense S makeCoupledBody supports all
-/// forms, for compressed S makeCompressedBody the forms Density and None.  A new form needs a
-/// name in Stabilization and its Coupling; makeSpace and densityCompliance give it additional
-/// densities and a compliance.
+/// forms, for compressed S makeCompressedBody those that do not evaluate S u.
 class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;
@@ -60,9 +58,9 @@ class StabilisedBody {
                               const ResidualTerms& terms) const = 0;
 
   /// Bᵀ λ, including forces on clamps and corners.
-  Vector push(const Vector& multiplier) const;
+  Vector applyTranspose(const Vector& multiplier) const;
   /// B u
-  Vector pull(const Vector& u) const;
+  Vector apply(const Vector& u) const;
   /// M λ
   Vector massTimes(const Vector& multiplier) const;
   /// Terms of the body loads in the conditions of the multiplier.

@@ -28,7 +28,8 @@ void CompressedCoupling::addOwn(const bem::Space& space, const Coupling& couplin
     mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
 }
 
-void CompressedCoupling::push(double s, const double* multiplier, double* x) const {
+void CompressedCoupling::addTranspose(double s, const double* multiplier,
+                                      double* x) const {
   for (const bem::Entry& entry : entries)
     x[entry.row] += s * entry.value * multiplier[entry.column];
   for (const Rest& rest : rests) {
@@ -40,7 +41,7 @@ void CompressedCoupling::push(double s, const double* multiplier, double* x) con
   }
 }
 
-Vector CompressedCoupling::pull(const double* x) const {
+Vector CompressedCoupling::apply(const double* x) const {
   Vector result(at(multipliers));
   for (const bem::Entry& entry : entries)
     result[at(entry.column)] += entry.value * x[entry.row];

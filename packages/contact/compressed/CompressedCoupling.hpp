@@ -35,9 +35,9 @@ struct CompressedCoupling {
            const Numbers& numberOf);
 
   /// x += s Ĉᵀ λ on displacements and densities.
-  void push(double s, const double* multiplier, double* x) const;
+  void addTranspose(double s, const double* multiplier, double* x) const;
   /// Ĉ x
-  Vector pull(const double* x) const;
+  Vector apply(const double* x) const;
 };
 
 }  // namespace epafi::contact

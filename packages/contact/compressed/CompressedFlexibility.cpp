@@ -78,8 +78,8 @@ void CompressedFlexibility::addMotions() {
     const Index own = moved.columns();
     const Matrix answers = own > 0 ? body->factor().solve(forces) : Matrix();
     for (Index k = 0; k < own; ++k) {
-      const Vector g = coupling_.pull(moved.column(k));
-      const Vector w = coupling_.pull(answers.column(k));
+      const Vector g = coupling_.apply(moved.column(k));
+      const Vector w = coupling_.apply(answers.column(k));
       std::copy(g.begin(), g.end(), u.column(first + k));
       std::copy(w.begin(), w.end(), u.column(count + first + k));
       for (Index l = 0; l < own; ++l)
@@ -94,15 +94,15 @@ void CompressedFlexibility::addMotions() {
 Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   Matrix forces(operators().size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
-    coupling_.push(1, x.column(j), forces.column(j));
+    coupling_.addTranspose(1, x.column(j), forces.column(j));
   // a multiplier that is held ties no bodies to one another
   Matrix moved = own_.front().solve(forces);
   for (std::size_t b = 1; b < own_.size(); ++b)
     bem::addTo(moved, own_[b].solve(forces));
   Matrix result(size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j) {
-    const Vector pulled = coupling_.pull(moved.column(j));
-    std::copy(pulled.begin(), pulled.end(), result.column(j));
+    const Vector applied = coupling_.apply(moved.column(j));
+    std::copy(applied.begin(), applied.end(), result.column(j));
     for (const bem::Entry& entry : coupling_.mass)
       result(entry.row, j) += entry.value * x(entry.column, j);
   }

@@ -37,8 +37,8 @@ Vector CompressedHolding::solve(const Vector& force) const {
   const Matrix x = displaced(placed(bem::asColumn(force)));
   densities_.assign(x.data() + range_.densities, x.data() + range_.last);
   Vector u(x.data() + range_.first, x.data() + range_.densities);
-  for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_.rigid.allowed, k);
+  for (Index k = 0; k < holding_.allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_.allowed, k);
     bem::axpy(bem::dot(r, force), r, u);
   }
   return u;
@@ -55,10 +55,10 @@ Matrix CompressedHolding::placed(const Matrix& columns) const {
 // (complete pivoting), rows weighted with the lengths of functionals: a force on a short
 // element causes densities, and rounding errors, proportional to 1/h.
 void CompressedHolding::addSprings() {
-  Matrix motions = holding_.rigid.allowed.copy();
+  Matrix motions = holding_.allowed.copy();
   if (motions.columns() == 0)
     return;
-  const Matrix& functionals = holding_.rigid.functionals;
+  const Matrix& functionals = holding_.functionals;
   Vector lengths(at(motions.rows()));
   for (Index k = 0; k < functionals.columns(); ++k)
     for (Index i = 0; i < functionals.rows(); ++i)
@@ -92,7 +92,6 @@ void CompressedHolding::addSprings() {
 // A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: under balanced loads, as many springs as motions
 // carry no force
 Matrix CompressedHolding::displaced(Matrix forces) const {
-  const RigidConstraints& rigid = holding_.rigid;
   const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
     for (Index j = 0; j < x.columns(); ++j)
       for (Index k = 0; k < taken.columns(); ++k) {
@@ -103,9 +102,9 @@ Matrix CompressedHolding::displaced(Matrix forces) const {
           x(range_.first + i, j) -= sum * taken(i, k);
       }
   };
-  subtract(rigid.allowed, rigid.functionals, forces);
+  subtract(holding_.allowed, holding_.functionals, forces);
   Matrix x = factor_->solve(forces);
-  subtract(rigid.functionals, rigid.allowed, x);
+  subtract(holding_.functionals, holding_.allowed, x);
   return x;
 }
 

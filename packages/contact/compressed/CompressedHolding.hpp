@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/compressed/CompressedFactor.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/body/StabilisedBody.hpp"
 
 namespace epafi::contact {
@@ -27,8 +27,8 @@ class CompressedHolding final : public HeldStiffness {
   const bem::CompressedOperators& operators() const { return operators_; }
 
   /// R and c, rigid motions that clamps do not hold and their functionals, by all unknowns.
-  Matrix motions() const { return placed(holding_.rigid.allowed); }
-  Matrix functionals() const { return placed(holding_.rigid.functionals); }
+  Matrix motions() const { return placed(holding_.allowed); }
+  Matrix functionals() const { return placed(holding_.functionals); }
 
   /// Factor of M, the matrix of the body with springs.
   const bem::CompressedFactor& factor() const { return *factor_; }

@@ -1,7 +1,7 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/problem/Numbering.hpp"
 
 #include <algorithm>
@@ -70,8 +70,7 @@ Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
 }  // namespace
 
 std::string whyNotCompressed(const Stabilization& stabilization) {
-  using Form = Stabilization::Form;
-  if (stabilization.form != Form::None && stabilization.form != Form::Density)
+  if (stabilization.tractions())
     return "Discretization->Stabilization->Form must be Density, or None with the "
            "multiplier Biorthogonal";
   return "";

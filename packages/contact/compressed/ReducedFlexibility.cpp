@@ -69,7 +69,7 @@ Vector ReducedFlexibility::solveSprung(Vector b) const {
   Matrix right(whole_.operators().size(), 1);
   for (const Index row : system_.rows)
     right(coupling.first + row, 0) = -std::exchange(b[at(row)], 0.0);
-  coupling.push(-1, b.data(), right.column(0));
+  coupling.addTranspose(-1, b.data(), right.column(0));
   for (const auto* entries : {&coupling.mass, &system_.added})
     for (const bem::Entry& entry : *entries)
       right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];

@@ -107,7 +107,7 @@ struct Conditions {
   std::vector<int> pins{};
 
   /// Particular solution of the body loads; null: none.
-  Inside inside{};
+  BodyLoadSolution inside{};
   /// Set if the temperature in `inside` is missing until a mesh exists, see Conduction.
   std::shared_ptr<const ThermalConditions> heat{};
 };

@@ -109,6 +109,6 @@ class ParticularSolution {
 };
 
 /// Null: no body loads.
-using Inside = std::shared_ptr<const ParticularSolution>;
+using BodyLoadSolution = std::shared_ptr<const ParticularSolution>;
 
 }  // namespace epafi::contact

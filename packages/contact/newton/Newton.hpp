@@ -11,7 +11,7 @@ namespace epafi::contact {
 enum class End {
   Converged,
   Iterations,  ///< no convergence within the allowed steps
-  Restless,    ///< an active set recurred without a smaller residual, or no progress
+  Cycling,     ///< an active set recurred without a smaller residual, or no progress
   Growth,      ///< the residual grew by a factor of a million
   NotFinite,
   Stalled,    ///< no step length decreases the merit function
@@ -31,7 +31,7 @@ struct NewtonRun {
   double residual = 0;          ///< Evaluation::scaled of `last`
   double tolerance = 0;         ///< Evaluation::tolerance of `last`
   std::vector<int> setChanges;  ///< coefficients that changed state, one entry per step
-  std::vector<Index> restless;  ///< coefficients that changed in the last steps
+  std::vector<Index> changing;  ///< coefficients that changed in the last steps
   std::string message;          ///< of a singular Jacobian
 };
 

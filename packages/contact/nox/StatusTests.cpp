@@ -58,7 +58,7 @@ void StepTest::record(const Evaluation& e) {
     run_.best = e.unknowns;
   }
   sets_.push_back(e.set);
-  run_.restless = changing(sets_);
+  run_.changing = changing(sets_);
 }
 
 NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& solver,
@@ -90,7 +90,7 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
                         --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
-      fail(End::Restless);
+      fail(End::Cycling);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);
     seen_[e.set] = e.scaled;

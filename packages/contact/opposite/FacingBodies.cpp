@@ -26,16 +26,16 @@ const Facing* stretchAt(const std::vector<Facing>& stretches, double t) {
 }  // namespace
 
 FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                           double length, std::map<std::string, MetSide> met)
+                           double length, std::map<std::string, OppositeSide> sides)
     : mesh_(mesh),
       length_(length),
       distant_(mesh, length),
-      met_(std::move(met)),
+      sides_(std::move(sides)),
       sights_(mesh.size()) {
   for (const ContactElement& element : multiplier.elements()) {
     if (element.condition->name.empty())
       continue;
-    const MetSide& side = met_.at(element.condition->name);
+    const OppositeSide& side = sides_.at(element.condition->name);
     Sight& sight = sights_[element.element];
     sight.side = &side;
     sight.element = &element;
@@ -44,7 +44,7 @@ FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multipl
   }
   for (std::size_t e = 0; e < sights_.size(); ++e)
     for (std::size_t k = 0; k < sights_[e].stretches.size(); ++k)
-      if (const MetSide& side = *sights_[e].side; side.body >= 0)
+      if (const OppositeSide& side = *sights_[e].side; side.body >= 0)
         facing_[{side.body, side.elements[sights_[e].stretches[k].curve]}].push_back(
             {e, k});
 }
@@ -65,7 +65,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
   const Facing* stretch = stretchAt(here.stretches, t);
   if (stretch == nullptr)
     return point;
-  const MetSide& side = *here.side;
+  const OppositeSide& side = *here.side;
   const std::size_t k = stretch->curve;
   const bem::Curve& own = mesh_[element.element].curve;
   const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
@@ -105,7 +105,7 @@ int FacingBodies::degree(const ContactElement& element) const {
 
 std::vector<int> FacingBodies::bodies() const {
   std::vector<int> result;
-  for (const auto& [name, side] : met_)
+  for (const auto& [name, side] : sides_)
     if (side.body >= 0 &&
         std::find(result.begin(), result.end(), side.body) == result.end())
       result.push_back(side.body);
@@ -116,16 +116,16 @@ std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
                                                     double t) const {
   std::vector<Source> result;
   forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
-    const bem::Curve& met = here.side->curves[stretch.curve];
+    const bem::Curve& other = here.side->curves[stretch.curve];
     const bem::Curve& own = mesh_[here.element->element].curve;
-    const double foot = footOn(own, met.point(t) - here.side->shift);
+    const double foot = footOn(own, other.point(t) - here.side->shift);
     if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
       return;
     // the foot runs along the side with the part of the way that is along it, which an arc
     // draws in or out by the distance from its centre
     const double distance =
-        dot(met.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-    const double along = std::abs(dot(met.tangent(t), own.tangent(foot))) /
+        dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
+    const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
                          std::abs(1 + own.curvature() * distance);
     result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
   });
@@ -137,9 +137,9 @@ Vector FacingBodies::sourceBreaks(int body, int element) const {
   forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
     const bem::Curve& own = mesh_[here.element->element].curve;
     for (const double t : {stretch.begin, stretch.end})
-      if (const auto met = crossing(own.point(t) + here.side->shift, own.normal(t),
+      if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
                                     here.side->curves[stretch.curve]))
-        result.push_back(std::clamp(met->t, -1.0, 1.0));
+        result.push_back(std::clamp(hit->t, -1.0, 1.0));
   });
   return result;
 }

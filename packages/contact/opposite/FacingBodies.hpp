@@ -11,7 +11,7 @@
 namespace epafi::contact {
 
 /// Boundary of the opposite body of a contact side.
-struct MetSide {
+struct OppositeSide {
   int body = -1;                   ///< index of a deformable body; -1: rigid
   int rigid = -1;                  ///< index of a rigid body
   std::vector<bem::Curve> curves;  ///< elements or edges, in the scaling of that body
@@ -30,21 +30,21 @@ struct MetSide {
 ///                                                    [doc/theory/contact.md, Several bodies]
 class FacingBodies final : public Opposite {
  public:
-  /// \param met by the contacts' names.  Refers to the mesh.
+  /// \param sides by the contacts' names.  Refers to the mesh.
   FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
-               std::map<std::string, MetSide> met);
+               std::map<std::string, OppositeSide> sides);
 
   Point at(const MultiplierSpace::ContactElement& element, double t) const override;
   Vector breaks(const MultiplierSpace::ContactElement& element) const override;
   int degree(const MultiplierSpace::ContactElement& element) const override;
-  bool isStill() const override { return met_.empty(); }
+  bool isStill() const override { return sides_.empty(); }
   std::vector<int> bodies() const override;
   std::vector<Source> sources(int body, int element, double t) const override;
   Vector sourceBreaks(int body, int element) const override;
 
  private:
   struct Sight {
-    const MetSide* side = nullptr;
+    const OppositeSide* side = nullptr;
     std::vector<Facing> stretches;
     const MultiplierSpace::ContactElement* element = nullptr;
   };
@@ -58,7 +58,7 @@ class FacingBodies final : public Opposite {
   const bem::Mesh& mesh_;
   double length_;
   DistantObstacle distant_;
-  std::map<std::string, MetSide> met_;
+  std::map<std::string, OppositeSide> sides_;
   std::vector<Sight> sights_;  ///< by element of the mesh
   /// By body and element: indices into sights_ and their stretches that face it.
   std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, std::size_t>>> facing_;

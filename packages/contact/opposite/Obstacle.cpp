@@ -35,59 +35,56 @@ void addLinear(double weight, const Vector& chi, const std::function<Index(int)>
         linear.push_back({number(i), number(j), value});
 }
 
-/// What an element's side yields and wears by, from the points of a rule by which ∫ χ_i χ_j is
-/// exact.
-/// A law that is not linear acts on values there: other bases would lose their order.
-void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
-  Surface& surface = obstacle.surface;
+/// \throws bem::InputError where the surfaces' laws do not go with the basis or with a bond
+void checkSurface(const ContactElement& contact, const MultiplierBasis& basis) {
   const Conditions::Contact& condition = *contact.condition;
   const Normal& normal = condition.normal;
-  const bem::Function& ofShear = condition.friction.compliance;
-  if (!normal && !ofShear && !condition.wear && !condition.sliding)
+  if (basis.sharesNodes && (normal || condition.friction.compliance || condition.wear))
+    throw bem::InputError("boundary '", *contact.boundary,
+                          "': contacts under the multiplier 'Biorthogonal' do not yield "
+                          "or wear; use Gauss-Legendre-Lagrange");
+  if (contact.ties() && normal && !normal.law->isLinear())
+    throw bem::InputError(
+        "boundary '", *contact.boundary,
+        "': a bond yields by the normal law 'Linear' alone; use that or none");
+}
+
+/// What a side yields and wears by at one of its Gauss points.  A law that is not linear acts on
+/// values there: other bases would lose their order.
+void addSurface(const SidePoint& point, Vec2 x, bem::Units units, Obstacle& obstacle) {
+  const ContactElement& contact = point.contact;
+  const Conditions::Contact& condition = *contact.condition;
+  Surface& surface = obstacle.surface;
+  if (condition.sliding)
+    obstacle.slid[point.gaussPoint()] = condition.sliding(x) / units.length;
+  if (condition.wear)
+    obstacle.wear[point.gaussPoint()] =
+        condition.cycles * condition.wear(x) * units.stress;
+  if (const bem::Function& ofShear = condition.friction.compliance)
+    addLinear(
+        point.weight * ofShear(x) * units.stress / units.length, point.chi,
+        [&](int i) { return contact.tangentialOf(i); }, surface.linear);
+  const Normal& normal = condition.normal;
+  if (!normal)
     return;
-  const auto refuse = [&](const char* what, const char* instead) {
-    throw bem::InputError("boundary '", *contact.boundary, "': ", what, "; ", instead);
-  };
-  if (multiplier.basis().sharesNodes && (normal || ofShear || condition.wear))
-    refuse("contacts under the multiplier 'Biorthogonal' do not yield or wear",
-           "use Gauss-Legendre-Lagrange");
-  const bool isLinear = !normal || normal.law->isLinear();
-  if (contact.ties() && !isLinear)
-    refuse("a bond yields by the normal law 'Linear' alone", "use that or none");
-  const bem::Rule& rule = bem::gaussLegendre(contact.degree + 1);
-  for (int q = 0; q < rule.size(); ++q) {
-    const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
-    const double length = mesh[contact.element].half * rule.weights[q];
-    const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
-    if (condition.sliding)
-      obstacle.slid[at(contact.point + q)] = condition.sliding(x) / units.length;
-    if (condition.wear)
-      obstacle.wear[at(contact.point + q)] =
-          condition.cycles * condition.wear(x) * units.stress;
-    if (ofShear)
-      addLinear(
-          length * ofShear(x) * units.stress / units.length, chi,
-          [&](int i) { return contact.tangentialOf(i); }, surface.linear);
-    if (!normal)
-      continue;
-    const Vector fields = fieldsAt(normal, "normal", contact, x);
-    const PointClosing law(normal.law, fields, units);
-    if (isLinear) {
-      addLinear(
-          length * law.slope(0), chi, [&](int i) { return contact.normalOf(i); },
-          surface.linear);
-      continue;
-    }
-    if (*std::min_element(fields.begin(), fields.end()) <= 0)
-      refuse("a field of the normal law is zero", "it must be positive");
-    if (chi[q] != 1 || std::count(chi.begin(), chi.end(), 0) != contact.degree)
-      refuse(
-          "only coefficients that are values at Gauss points follow a normal law that "
-          "is not linear",
-          "use the multiplier Gauss-Legendre-Lagrange");
-    surface.places.push_back({contact.normalOf(q), length, law});
+  const Vector fields = fieldsAt(normal, "normal", contact, x);
+  const PointClosing law(normal.law, fields, units);
+  if (normal.law->isLinear()) {
+    addLinear(
+        point.weight * law.slope(0), point.chi,
+        [&](int i) { return contact.normalOf(i); }, surface.linear);
+    return;
   }
+  if (*std::min_element(fields.begin(), fields.end()) <= 0)
+    throw bem::InputError("boundary '", *contact.boundary,
+                          "': a field of the normal law is zero; it must be positive");
+  if (point.chi[at(point.number)] != 1 ||
+      std::count(point.chi.begin(), point.chi.end(), 0) != contact.degree)
+    throw bem::InputError("boundary '", *contact.boundary,
+                          "': only coefficients that are values at Gauss points follow a "
+                          "normal law that is not linear; use the multiplier "
+                          "Gauss-Legendre-Lagrange");
+  surface.places.push_back({contact.normalOf(point.number), point.weight, law});
 }
 
 void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
@@ -128,20 +125,19 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   obstacle.slid.assign(at(multiplier.points()), 0.0);
   obstacle.wear = obstacle.slid;
   forEachSidePoint(
-      mesh, multiplier.elements(), opposite,
+      mesh, multiplier, opposite,
       [](const ContactElement& contact, const Opposite::Point&) {
         return &bem::gaussForGiven(contact.degree);
       },
       [&](const SidePoint& point) {
         const ContactElement& contact = point.contact;
-        const double gap = point.met.gap;
+        const double gap = point.opposite.gap;
         obstacle.largestPenetration =
             std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
-        const Vector chi = multiplier.basis().values(contact.degree, point.t);
         Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.holdsNothing(contact.normalCompletions, i))
-            numbers[contact.normalOf(i)] += point.weight * gap * chi[i];
+            numbers[contact.normalOf(i)] += point.weight * gap * point.chi[i];
         const bem::Function& sliding = contact.condition->sliding;
         if (!sliding || contact.tangential < 0)
           return;
@@ -150,13 +146,17 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
         obstacle.largestSliding = std::max(obstacle.largestSliding, std::abs(m));
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.holdsNothing(contact.tangentialCompletions, i))
-            obstacle.jump[contact.tangentialOf(i)] += point.weight * m * chi[i];
+            obstacle.jump[contact.tangentialOf(i)] += point.weight * m * point.chi[i];
       });
   for (const ContactElement& contact : multiplier.elements()) {
     if (contact.tangential >= 0)
       setFriction(mesh, multiplier, contact, units, obstacle);
-    setSurface(mesh, multiplier, contact, units, obstacle);
+    checkSurface(contact, multiplier.basis());
   }
+  forEachGaussPoint(mesh, multiplier, [&](const SidePoint& point) {
+    addSurface(point, mesh.physicalPoint(point.contact.element, point.t), units,
+               obstacle);
+  });
   return obstacle;
 }
 

@@ -31,7 +31,8 @@ Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
     return {};
   const bem::DisplacementField& field = motions->displacements[point.body];
   const Vec2 u = field.at(point.element, point.t);
-  const Inside inside = motions->inside.empty() ? nullptr : motions->inside[point.body];
+  const BodyLoadSolution inside =
+      motions->inside.empty() ? nullptr : motions->inside[point.body];
   return inside ? u + inside->displacement(field.space().mesh(), point.element, point.t)
                 : u;
 }

@@ -57,7 +57,7 @@ class Opposite {
   /// Where these bend or jump inside that element, within [-1, 1], in any order.
   virtual Vector sourceBreaks(int /*body*/, int /*element*/) const { return {}; }
 
-  /// Does nothing that is met move at all?
+  /// Does nothing opposite move at all?
   virtual bool isStill() const { return true; }
 
   /// Indices of the opposite deformable bodies, each once.
@@ -87,9 +87,9 @@ class DistantObstacle final : public Opposite {
 /// Displacements and motions of all bodies of a scene, for relative displacements.
 struct Motions {
   std::vector<bem::DisplacementField> displacements;
-  std::vector<RigidMotion> rigid{};  ///< of rigid bodies, dimensionless
-  Vector shearModuli;                ///< dimensionless
-  std::vector<Inside> inside{};      ///< body loads; empty: none
+  std::vector<RigidMotion> rigid{};        ///< of rigid bodies, dimensionless
+  Vector shearModuli;                      ///< dimensionless
+  std::vector<BodyLoadSolution> inside{};  ///< body loads; empty: none
 };
 
 /// Displacement of the opposite point, dimensionless; zero if `motions` is null.

@@ -28,7 +28,7 @@ struct Drive {
 /// the forces on the body are tracesᵀ λ.
 struct RigidTraces {
   Matrix traces;      ///< multiplier x 3
-  double lever = 0;   ///< largest |y - y₀| where it is met; zero: it is met nowhere
+  double lever = 0;   ///< largest |y - y₀| at contacts; zero: it has none
   double length = 0;  ///< of the side that meets it
 };
 

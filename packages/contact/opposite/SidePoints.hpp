@@ -5,19 +5,24 @@
 
 namespace epafi::contact {
 
-/// A quadrature point of a contact side and its opposite point.
+/// A quadrature point of a contact side.
 struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
-  double t;
+  int number;     ///< of the point in its rule
+  double t;       ///< parameter on the element
   double weight;  ///< quadrature weight, by arc length
+  Vector chi;     ///< χ_i(t) of the element
   bem::Vec2 normal;
   bem::Vec2 tangent;
-  Opposite::Point met;
+  Opposite::Point opposite;  ///< of a loop that has been given what lies opposite
+
+  /// Number among the Gauss points of all elements, see forEachGaussPoint.
+  std::size_t gaussPoint() const { return at(contact.point + number); }
 
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
-  /// clamped ends.  d: normal or tangent; chi: values χ_i(t).
+  /// clamped ends.  d: normal or tangent.
   template <class Visit>
-  void forEachCoefficient(const Vector& chi, const Visit& visit) const {
+  void forEachCoefficient(const Visit& visit) const {
     for (int i = 0; i <= contact.degree; ++i) {
       if (!contact.holdsNothing(contact.normalCompletions, i))
         visit(contact.normalOf(i), chi[at(i)], normal);
@@ -28,26 +33,45 @@ struct SidePoint {
   }
 };
 
-/// Calls visit(point) for the quadrature points of the contact sides of a body, in order: on each
-/// stretch those of *ruleOf(contact element, opposite point of its midpoint); stretches with a
-/// null rule are skipped.
+/// The contact quadrature: calls visit(point) for the points of a rule on a stretch of a contact
+/// element, in order.
+/// \param opposite null: the points' opposite is not asked for
+template <class Visit>
+void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::Mesh& side,
+                    const MultiplierBasis& basis, const bem::Rule& rule,
+                    const Visit& visit, const Opposite* opposite = nullptr,
+                    Stretch stretch = {}) {
+  const bem::Element& element = side[contact.element];
+  for (int q = 0; q < rule.size(); ++q) {
+    const double t = stretch.middle + stretch.half * rule.points[at(q)];
+    visit(SidePoint{contact, q, t, stretch.half * rule.weights[at(q)] * element.half,
+                    basis.values(contact.degree, t), element.curve.normal(t),
+                    element.curve.tangent(t),
+                    opposite != nullptr ? opposite->at(contact, t) : Opposite::Point{}});
+  }
+}
+
+/// The same on all contact elements of a body, by the p + 1 Gauss points of each, which integrate
+/// χ_i χ_j exactly.
+template <class Visit>
+void forEachGaussPoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                       const Visit& visit) {
+  for (const auto& contact : multiplier.elements())
+    forEachPointOf(contact, side, multiplier.basis(),
+                   bem::gaussLegendre(contact.degree + 1), visit);
+}
+
+/// The same with what lies opposite: on each stretch on which that is smooth by *ruleOf(contact
+/// element, opposite point of its midpoint); stretches with a null rule are skipped.
 template <class RuleOf, class Visit>
-void forEachSidePoint(const bem::Mesh& side,
-                      const std::vector<MultiplierSpace::ContactElement>& elements,
+void forEachSidePoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
                       const Opposite& opposite, const RuleOf& ruleOf,
                       const Visit& visit) {
-  for (const auto& contact : elements) {
-    const bem::Element& element = side[contact.element];
-    for (const auto& [middle, half] : stretches(opposite, contact)) {
-      const bem::Rule* rule = ruleOf(contact, opposite.at(contact, middle));
-      for (int q = 0; rule != nullptr && q < rule->size(); ++q) {
-        const double t = middle + half * rule->points[at(q)];
-        visit(SidePoint{contact, t, half * rule->weights[at(q)] * element.half,
-                        element.curve.normal(t), element.curve.tangent(t),
-                        opposite.at(contact, t)});
-      }
-    }
-  }
+  for (const auto& contact : multiplier.elements())
+    for (const Stretch& stretch : stretches(opposite, contact))
+      if (const bem::Rule* rule = ruleOf(contact, opposite.at(contact, stretch.middle)))
+        forEachPointOf(contact, side, multiplier.basis(), *rule, visit, &opposite,
+                       stretch);
 }
 
 }  // namespace epafi::contact

@@ -1,8 +1,8 @@
 #include "contact/path/PathMemory.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/quadrature/Gauss.hpp"
 #include "contact/equation/ContactState.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +23,12 @@ double trapezoid(const Vector& a, const Vector& aBefore, const Vector& b,
   return sum;
 }
 
-/// visit(element, i, number of the tangential coefficient among them) of each that is the
-/// element's own.
+/// visit(i, number among the tangential coefficients) of each that is the element's own.
 template <class Visit>
-void forEachTangential(const MultiplierSpace& multiplier, const Visit& visit) {
-  for (const Element& element : multiplier.elements())
-    for (int i = 0; i <= element.degree && element.tangential >= 0; ++i)
-      if (Element::isOwn(element.tangentialEnds, element.degree, i))
-        visit(element, i,
-              static_cast<std::size_t>(element.tangentialOf(i) - multiplier.normals()));
+void forEachTangential(const Element& element, Index normals, const Visit& visit) {
+  for (int i = 0; i <= element.degree && element.tangential >= 0; ++i)
+    if (Element::isOwn(element.tangentialEnds, element.degree, i))
+      visit(i, at(element.tangentialOf(i) - normals));
 }
 
 /// One after the other.
@@ -57,11 +54,11 @@ bool fixWorks(const ContactSystem& step, std::size_t b) {
 Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> forces;
   for (std::size_t b = 0; b < step.size(); ++b) {
-    forces.push_back(
-        step.body(b).clampForces(at.bodies[b], at.displacements[b], at.met[b]));
+    forces.push_back(step.body(b).clampForces(at.bodies[b], at.displacements[b],
+                                              at.oppositeForces[b]));
     bem::axpy(1, step.body(b).load(), forces.back());
     if (fixWorks(step, b))
-      forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.met[b]));
+      forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.oppositeForces[b]));
   }
   for (const auto& [x, y, moment] : step.rigidForces(at.state))
     forces.push_back({-x, -y, -moment});
@@ -164,25 +161,25 @@ PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
 std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
                                                      const Vector& frictionWork) {
   std::map<std::string, double> result;
-  for (const Element& element : multiplier.elements())
-    result[nameOf(element)];
   std::vector<char> seen(frictionWork.size(), 0);  // neighbours may share a coefficient
-  forEachTangential(multiplier, [&](const Element& element, int, std::size_t t) {
-    if (seen[t] == 0)
-      result[nameOf(element)] += frictionWork[t];
-    seen[t] = 1;
-  });
+  for (const Element& element : multiplier.elements()) {
+    double& work = result[nameOf(element)];
+    forEachTangential(element, multiplier.normals(), [&](int, std::size_t t) {
+      if (seen[t] == 0)
+        work += frictionWork[t];
+      seen[t] = 1;
+    });
+  }
   return result;
 }
 
 Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                            const Vector& frictionWork) {
   Vector lengths(frictionWork.size(), 0.0);  // ∫ χ_i
-  forEachTangential(multiplier, [&](const Element& element, int i, std::size_t t) {
-    const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
-    for (std::size_t q = 0; q < rule.points.size(); ++q)
-      lengths[t] += mesh[element.element].half * rule.weights[q] *
-                    multiplier.basis().values(element.degree, rule.points[q])[i];
+  forEachGaussPoint(mesh, multiplier, [&](const SidePoint& point) {
+    forEachTangential(point.contact, multiplier.normals(), [&](int i, std::size_t t) {
+      lengths[t] += point.weight * point.chi[at(i)];
+    });
   });
   Vector density(multiplier.size(), 0.0);
   for (std::size_t t = 0; t < lengths.size(); ++t)

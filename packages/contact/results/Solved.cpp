@@ -9,8 +9,8 @@ using bem::Vec2;
 ForeignPressure::ForeignPressure(std::size_t b, const std::vector<Solved>& bodies)
     : body_(static_cast<int>(b)) {
   for (const Solved& solved : bodies) {
-    const std::vector<int> met = solved.problem.opposite().bodies();
-    if (std::find(met.begin(), met.end(), body_) != met.end())
+    const std::vector<int> opposites = solved.problem.opposite().bodies();
+    if (std::find(opposites.begin(), opposites.end(), body_) != opposites.end())
       carriers_.push_back(&solved);
   }
 }

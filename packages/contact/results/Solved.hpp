@@ -33,7 +33,7 @@ struct Solved {
   bem::Units units;
   const State& state;          ///< multiplier and rigid motions of this body
   const Vector& displacement;  ///< all unknowns, dimensionless
-  Vector met{};                ///< see ContactProblem::displacement
+  Vector oppositeForce{};      ///< see ContactProblem::displacement
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;
@@ -50,7 +50,7 @@ struct Solved {
     return whole(field, conditions.inside, element, t);
   }
   /// Particular solution of the previous step.
-  Inside insideBefore() const {
+  BodyLoadSolution insideBefore() const {
     return conditionsBefore == nullptr ? nullptr : conditionsBefore->inside;
   }
   /// displacementAt of the previous step; zero without one.
@@ -67,8 +67,8 @@ struct Solved {
   }
 
  private:
-  bem::Vec2 whole(const bem::DisplacementField& u, const Inside& inside, int element,
-                  double t) const {
+  bem::Vec2 whole(const bem::DisplacementField& u, const BodyLoadSolution& inside,
+                  int element, double t) const {
     const bem::Vec2 own = u.at(element, t);
     return inside ? own + inside->displacement(space.mesh(), element, t) : own;
   }

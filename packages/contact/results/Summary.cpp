@@ -4,8 +4,8 @@
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/body/Loads.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
 #include "contact/opposite/SidePoints.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/results/ContactFields.hpp"
 
 #include <algorithm>
@@ -19,13 +19,6 @@ namespace {
 using bem::Vec2;
 using Element = MultiplierSpace::ContactElement;
 using bem::Profile;
-
-double integrate(const Profile& f, const bem::Rule& rule) {
-  double sum = 0;
-  for (std::size_t q = 0; q < rule.points.size(); ++q)
-    sum += rule.weights[q] * f(rule.points[q]);
-  return sum;
-}
 
 /// Length of {f > 0} as a part of [-1, 1].
 double positivePart(const Profile& f, int degree) {
@@ -43,25 +36,6 @@ void add(const Resultant& more, Resultant& sum) {
   sum.moment += more.moment;
 }
 
-/// Adds the force on the body, -λₙ n - λₜ t, of one contact element, and its moment.
-void addForce(const Solved& solved, const ContactFields& fields, const Element& element,
-              Summary& summary) {
-  const bem::Element& side = solved.space.mesh()[element.element];
-  const bem::Rule& rule = bem::gaussLegendre(
-      element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
-  for (int i = 0; i < rule.size(); ++i) {
-    const double t = rule.points[i];
-    const auto stress = fields.stress(element, t);
-    const double weight = solved.units.length * side.half * rule.weights[i];
-    const Vec2 force = -weight * (stress.normal * side.curve.normal(t) +
-                                  stress.tangential * side.curve.tangent(t));
-    const Vec2 place = solved.space.mesh().physicalPoint(element.element, t);
-    add({force.x, force.y, cross(place, force)}, summary.contact);
-    if (solved.problem.opposite().at(element, t).element < 0)
-      add({force.x, force.y, cross(place, force)}, summary.obstacle);
-  }
-}
-
 double closedPart(const ContactFields& fields, const Element& element) {
   return positivePart([&](double t) { return fields.closing(element, t); },
                       element.degree);
@@ -70,24 +44,43 @@ double closedPart(const ContactFields& fields, const Element& element) {
 void addElement(const Solved& solved, const ContactFields& fields, const Element& element,
                 Summary& summary) {
   const int p = element.degree;
-  const double half = solved.units.length * solved.space.mesh()[element.element].half;
-  const auto normal = [&](double t) { return fields.stress(element, t).normal; };
-  const auto tangential = [&](double t) { return fields.stress(element, t).tangential; };
-  summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
-  summary.contactLength += half * closedPart(fields, element);
-  addForce(solved, fields, element, summary);
-  const bem::Rule& rule = bem::gaussLegendre(p + 1);
-  for (const Vector& places : {rule.points, Vector{-1, 1}})
-    for (const double t : places)
-      summary.pressureMax = std::max(summary.pressureMax, normal(t));
-  for (int q = 0; q < rule.size() && solved.wear != nullptr; ++q)
-    summary.wornVolume += half * rule.weights[q] * solved.units.length *
-                          solved.wear->depth[at(element.point + q)];
-  if (element.tangential < 0)
-    return;
-  summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
-  summary.slipLength +=
-      half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
+  const double length = solved.units.length;
+  const bem::Mesh& mesh = solved.space.mesh();
+  const MultiplierBasis& basis = solved.problem.multiplier().basis();
+  const bem::Element& side = mesh[element.element];
+  forEachPointOf(
+      element, mesh, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
+        const auto stress = fields.stress(element, point.t);
+        const double weight = length * point.weight;
+        summary.forceNormal += weight * stress.normal;
+        summary.forceTangential += weight * stress.tangential;
+        summary.pressureMax = std::max(summary.pressureMax, stress.normal);
+        if (solved.wear != nullptr)
+          summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
+      });
+  for (const double end : {-1.0, 1.0})
+    summary.pressureMax =
+        std::max(summary.pressureMax, fields.stress(element, end).normal);
+  // the force on the body, -λₙ n - λₜ t, and its moment
+  forEachPointOf(
+      element, mesh, basis,
+      bem::gaussLegendre(p + (side.curve.isStraight() ? 2 : bem::pointsOfTurning)),
+      [&](const SidePoint& point) {
+        const auto stress = fields.stress(element, point.t);
+        const Vec2 force =
+            -length * point.weight *
+            (stress.normal * point.normal + stress.tangential * point.tangent);
+        const Vec2 place = mesh.physicalPoint(element.element, point.t);
+        add({force.x, force.y, cross(place, force)}, summary.contact);
+        if (point.opposite.element < 0)
+          add({force.x, force.y, cross(place, force)}, summary.obstacle);
+      },
+      &solved.problem.opposite());
+  summary.contactLength += length * side.half * closedPart(fields, element);
+  if (element.tangential >= 0)
+    summary.slipLength +=
+        length * side.half *
+        positivePart([&](double t) { return fields.slipping(element, t); }, p);
 }
 
 /// of(element): the Summary that it is added to.
@@ -109,8 +102,9 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
-      solved.problem.clampWork(solved.state, solved.displacement, solved.met);
-  const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
+      solved.problem.clampWork(solved.state, solved.displacement, solved.oppositeForce);
+  const Vector amplitudes =
+      solved.problem.fixedReactions(solved.state, solved.oppositeForce);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
     double& sum = work[v];
@@ -160,7 +154,7 @@ std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
 
 // By Betti's formula ∫ b·u_h = ∮ t_h·u_b - t_b·u_h.
 EnergiesOfInside energiesOfInside(const Solved& solved) {
-  const Inside& inside = solved.conditions.inside;
+  const BodyLoadSolution& inside = solved.conditions.inside;
   if (!inside)
     return {};
   const bem::Mesh& mesh = solved.space.mesh();
@@ -241,7 +235,7 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
   const ContactFields fields(side);
   const bem::Mesh& mesh = side.space.mesh();
   forEachSidePoint(
-      mesh, fields.elements(), side.problem.opposite(),
+      mesh, side.problem.multiplier(), side.problem.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
         return middle.element >= 0
                    ? &mortarRule(element, mesh[element.element],
@@ -249,16 +243,16 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
                    : nullptr;
       },
       [&](const SidePoint& point) {
-        const Opposite::Point& met = point.met;
-        if (met.element < 0)
+        const Opposite::Point& there = point.opposite;
+        if (there.element < 0)
           return;
         const auto stress = fields.stress(point.contact, point.t);
         const Vec2 force =
             side.units.length * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
         const Vec2 place =
-            bodies[met.body].space.mesh().physicalPoint(met.element, met.t);
-        add({force.x, force.y, cross(place, force)}, summaries[met.body].contact);
+            bodies[there.body].space.mesh().physicalPoint(there.element, there.t);
+        add({force.x, force.y, cross(place, force)}, summaries[there.body].contact);
       });
 }
 

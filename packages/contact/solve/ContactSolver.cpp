@@ -118,9 +118,9 @@ class Stages {
   void requireSolvable() const {
     const End end = report_.stages.back().end;
     if (end == End::NoBalance)
-      throw NoBalance(report_.said);
+      throw NoBalance(report_.failure);
     if (end == End::Singular && isDifferentiated() && problem_.rigidMotions() == 0)
-      throw bem::NumericalError(report_.said);
+      throw bem::NumericalError(report_.failure);
   }
 
   const ContactSolver& solver_;

@@ -47,7 +47,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
   } catch (const bem::NumericalError& error) {
     // With this bound there is no equilibrium; with the right one there may be.
     report.status = Status::NotConverged;
-    report.said = error.what();
+    report.failure = error.what();
     report.stages.push_back({Stage::FullSteps, 0, 0, End::NoBalance});
     return before;
   }

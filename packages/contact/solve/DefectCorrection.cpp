@@ -47,10 +47,10 @@ class DefectCorrection {
     for (std::size_t i = 0; i < r.size(); ++i)
       if (e.linear.rows[i].penetration != 0)
         open[i] = r[i] / lengths_[i];
-    const Vector said = processes_.broadcast(
+    const Vector decided = processes_.broadcast(
         {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
-    at.defect = said[0];
-    return {std::move(at), std::move(e), said[1] != 0};
+    at.defect = decided[0];
+    return {std::move(at), std::move(e), decided[1] != 0};
   }
 
   /// Where a step of Newton's leads; empty if there is none.

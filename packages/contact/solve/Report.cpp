@@ -16,11 +16,11 @@ Report extended(Report report, Stage stage, const NewtonRun& run,
   report.tolerance = run.tolerance;
   report.setChanges.insert(report.setChanges.end(), run.setChanges.begin(),
                            run.setChanges.end());
-  report.said = run.message;
+  report.failure = run.message;
   report.stages.push_back({stage, run.iterations, run.residual, run.end});
-  report.restless.clear();
+  report.changing.clear();
   if (run.end != End::Converged)
-    report.restless = run.restless;
+    report.changing = run.changing;
   return report;
 }
 

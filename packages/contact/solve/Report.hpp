@@ -19,8 +19,8 @@ struct Report {
   double tolerance = 0;          ///< for the residual, at least its rounding error
   std::vector<int> setChanges;   ///< coefficients that changed state, step by step
   std::vector<StageRun> stages;  ///< in order; the last one determines the status
-  std::string said;              ///< message of a linear system that failed
-  std::vector<Index> restless;  ///< coefficients still changing state, when not converged
+  std::string failure;           ///< message of a linear system that failed
+  std::vector<Index> changing;  ///< coefficients still changing state, when not converged
 
   bool converged() const { return status == Status::Converged; }
 };

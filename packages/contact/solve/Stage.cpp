@@ -7,7 +7,7 @@ namespace {
 // As the enumerators come.
 constexpr const char* stages[] = {"full steps", "follow offset", "near start",
                                   "fixed point"};
-constexpr const char* ends[] = {"converged",  "unfinished", "restless", "grows",
+constexpr const char* ends[] = {"converged",  "unfinished", "cycling",  "grows",
                                 "not finite", "stalled",    "singular", "no balance",
                                 "too large",  "too long",   "unsettled"};
 

@@ -24,7 +24,7 @@ struct StageRun {
   std::vector<StageRun> parts{};  ///< other methods that it ran
 };
 
-/// "full steps 17 restless, follow offset 5 converged"
+/// "full steps 17 cycling, follow offset 5 converged"
 std::string told(const std::vector<StageRun>& stages);
 
 }  // namespace epafi::contact

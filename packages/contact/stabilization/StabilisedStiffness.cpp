@@ -29,17 +29,17 @@ std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
 
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization) {
-  if (stabilization.form != Stabilization::Form::Projected)
-    return {};
-  return multiplier.meshElements();
+  return stabilization.tractions() == bem::TractionForm::Projected
+             ? multiplier.meshElements()
+             : std::vector<int>();
 }
 
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
                      const Stabilization& stabilization) {
   std::vector<int> densities;
   for (int e = 0; e < mesh.size(); ++e) {
-    const bool raised = stabilization.form == Stabilization::Form::Density &&
-                        stabilization.raised && mesh[e].degree < bem::largestDegree &&
+    const bool raised = stabilization.byDensity() && stabilization.raised &&
+                        mesh[e].degree < bem::largestDegree &&
                         contactOn(mesh, e, conditions) != nullptr;
     densities.push_back(mesh[e].degree + (raised ? 1 : 0));
   }
@@ -51,7 +51,7 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units) {
   bem::LocalCompliance compliance;
-  if (stabilization.form != Stabilization::Form::Density)
+  if (!stabilization.byDensity())
     return compliance;
   for (const int e : multiplier.meshElements()) {
     const Element& element = space.mesh()[e];

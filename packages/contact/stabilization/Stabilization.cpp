@@ -16,6 +16,26 @@ constexpr bem::Named<Stabilization::Form> forms[] = {
     {"Exact", Stabilization::Form::Exact},
     {"None", Stabilization::Form::None},
 };
+/// All that the forms differ by.
+struct FormRow {
+  Stabilization::Form form;
+  bool isOn;
+  bool byDensity;
+  std::optional<bem::TractionForm> tractions;
+  double gamma0;
+};
+constexpr FormRow rows[] = {
+    {Stabilization::Form::Density, true, true, {}, 0.5},
+    {Stabilization::Form::Projected, true, false, bem::TractionForm::Projected, 0.1},
+    {Stabilization::Form::Exact, true, false, bem::TractionForm::Exact, 0.1},
+    {Stabilization::Form::None, false, false, {}, 0.1},
+};
+
+const FormRow& rowOf(Stabilization::Form form) {
+  return *std::find_if(std::begin(rows), std::end(rows),
+                       [form](const FormRow& row) { return row.form == form; });
+}
+
 constexpr bem::Named<bool> densityDegrees[] = {{"Raised", true}, {"Same", false}};
 constexpr bem::Named<Stabilization::Scaling> scalings[] = {
     {"Stiffness", Stabilization::Scaling::Stiffness},
@@ -24,9 +44,16 @@ constexpr bem::Named<Stabilization::Scaling> scalings[] = {
 
 }  // namespace
 
+bool Stabilization::isOn() const { return rowOf(form).isOn; }
+bool Stabilization::byDensity() const { return rowOf(form).byDensity; }
+std::optional<bem::TractionForm> Stabilization::tractions() const {
+  return rowOf(form).tractions;
+}
+double Stabilization::firstGamma0() const { return gamma0.value_or(rowOf(form).gamma0); }
+
 double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
                bem::Units units) {
-  if (s.form == Stabilization::Form::None)
+  if (!s.isOn())
     return 0;
   const bem::Element& element = mesh[e];
   // a coarse element beside a tiny one would lose definiteness with its own size
@@ -39,7 +66,7 @@ double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
     return physical * units.stress / units.length;
   }
   const double nearlyIncompressible =
-      s.form == Stabilization::Form::Density ? 1 : std::min(1.0, 50 * (1 - 2 * nu));
+      s.byDensity() ? 1 : std::min(1.0, 50 * (1 - 2 * nu));
   return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
 }
 

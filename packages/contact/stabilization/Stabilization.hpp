@@ -3,6 +3,7 @@
 #include "bem/base/Keys.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/mesh/Mesh.hpp"
+#include "bem/tractions/KernelRows.hpp"
 
 #include <optional>
 
@@ -33,9 +34,14 @@ struct Stabilization {
 
   void keys(bem::Keys& keys);
 
-  double firstGamma0() const {
-    return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
-  }
+  // What a form is: rows of a table in Stabilization.cpp.
+  /// Is there a stabilisation?  Else γ = 0.
+  bool isOn() const;
+  /// Does the density ψ stand for S u?
+  bool byDensity() const;
+  /// How S u itself is evaluated; empty: it is not.
+  std::optional<bem::TractionForm> tractions() const;
+  double firstGamma0() const;
 };
 
 /// γ on an element, dimensionless; h is the smallest size of the element and its neighbours, as

@@ -27,14 +27,13 @@ Vector onlyRounding(Vector correction, const Vector& u) {
 /// What Fix makes of the prescribed displacement: the whole of u, what the particular solution has
 /// of it included, has no mean motion.
 Vector withoutFixedMotions(const Holding& holding) {
-  const RigidConstraints& rigid = holding.rigid;
   Vector result = holding.loads.prescribed;
-  for (Index k = 0; k < rigid.fixed(); ++k) {
-    const Vector functional = columnOf(holding.modes.functionals, rigid.fixedModes[k]);
+  for (Index k = 0; k < holding.fixed(); ++k) {
+    const Vector functional = columnOf(holding.modes.functionals, holding.fixedModes[k]);
     double mean = dot(functional, holding.loads.prescribed);
     if (!holding.means.empty())
-      mean += holding.means[at(rigid.fixedModes[k])];
-    axpy(-rigid.scale(k) * mean, columnOf(rigid.allowed, k), result);
+      mean += holding.means[at(holding.fixedModes[k])];
+    axpy(-holding.scale(k) * mean, columnOf(holding.allowed, k), result);
   }
   return result;
 }
@@ -43,7 +42,7 @@ Vector withoutFixedMotions(const Holding& holding) {
 
 std::unique_ptr<const StabilisedBody> makeStabilisedBody(
     const BodyInput& input, const MultiplierSpace& multiplier) {
-  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+  if (input.basis.sharesNodes && input.stabilization.isOn())
     throw bem::InputError("the multiplier '", input.basis.name,
                           "' needs the stabilisation's form None");
   return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
@@ -79,9 +78,7 @@ ContactProblem::ContactProblem(const ContactProblem& same, const Conditions& con
 
 void ContactProblem::factor(const Input& input) {
   const double first = input.stabilization.firstGamma0();
-  const bool stabilised = input.stabilization.form != Stabilization::Form::None &&
-                          !multiplier_.elements().empty();
-  gamma0_ = stabilised ? first : 0;
+  gamma0_ = input.stabilization.isOn() && !multiplier_.elements().empty() ? first : 0;
   try {
     stiffness_ = form_->held(*holding_);
     return;
@@ -114,19 +111,20 @@ Vector ContactProblem::respond(Vector force) const {
     if (holding_->loads.clamped[j] != 0)
       force[j] = 0;
   Vector u = stiffness_->solve(force);
-  for (Index k = 0; k < holding_->rigid.allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->rigid.allowed, k);
+  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_->allowed, k);
     axpy(-dot(r, force), r, u);
   }
   return u;
 }
 
-Vector ContactProblem::push(const State& state, const Vector& met) const {
-  if (!state.multiplier.empty() && pushed_.multiplier != state.multiplier)
-    pushed_ = {state.multiplier, form_->push(state.multiplier)};
-  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : pushed_.force;
-  if (!met.empty())
-    axpy(1, met, force);
+Vector ContactProblem::contactForce(const State& state,
+                                    const Vector& oppositeForce) const {
+  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier)
+    cached_ = {state.multiplier, form_->applyTranspose(state.multiplier)};
+  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
+  if (!oppositeForce.empty())
+    axpy(1, oppositeForce, force);
   return force;
 }
 
@@ -136,31 +134,31 @@ Vector ContactProblem::pushing() const {
   return all;
 }
 
-Vector ContactProblem::unpushed() const {
+Vector ContactProblem::displacementOfLoads() const {
   Vector u = respond(load_);
   axpy(1, constant_, u);
   return u;
 }
 
 Vector ContactProblem::rigidLoad() const {
-  const RigidConstraints& rigid = holding_->rigid;
   Vector result;
-  for (Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k)
-    result.push_back(dot(columnOf(rigid.allowed, k), load_));
+  for (Index k = holding_->fixed(); k < holding_->allowed.columns(); ++k)
+    result.push_back(dot(columnOf(holding_->allowed, k), load_));
   return result;
 }
 
 Vector ContactProblem::moved(const double* motions) const {
   Vector u(load_.size(), 0.0);
   for (Index k = 0; k < freeMotions(); ++k)
-    axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+    axpy(motions[k], columnOf(holding_->allowed, holding_->fixed() + k), u);
   return u;
 }
 
-Vector ContactProblem::displacement(const State& state, const Vector& met) const {
-  const Vector contactForce = push(state, met);
+Vector ContactProblem::displacement(const State& state,
+                                    const Vector& oppositeForce) const {
+  const Vector pushed = contactForce(state, oppositeForce);
   Vector force = load_;
-  axpy(-1, contactForce, force);
+  axpy(-1, pushed, force);
   Vector u = respond(std::move(force));
   axpy(1, constant_, u);
   if (!state.rigid.empty())
@@ -169,7 +167,7 @@ Vector ContactProblem::displacement(const State& state, const Vector& met) const
     return u;
   // What the factor leaves is ε |A| |u|.
   Vector whole = load();
-  axpy(-1, contactForce, whole);
+  axpy(-1, pushed, whole);
   return refined(std::move(u),
                  [&](const Vector& now) { return respond(form_->residual(whole, now)); });
 }
@@ -191,13 +189,13 @@ Vector ContactProblem::density(const State& state, const Vector& displacement) c
 }
 
 Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
-                                   const Vector& met) const {
+                                   const Vector& oppositeForce) const {
   const std::vector<char>& clamped = holding_->loads.clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
   Vector rest = load();
-  axpy(-1, push(state, met), rest);
+  axpy(-1, contactForce(state, oppositeForce), rest);
   rest = form_->residual(rest, displacement);
   if (stiffness_->isFormed())
     rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
@@ -208,9 +206,9 @@ Vector ContactProblem::clampForces(const State& state, const Vector& displacemen
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
-                                 const Vector& met) const {
+                                 const Vector& oppositeForce) const {
   const RigidModes& modes = holding_->modes;
-  const Vector forces = clampForces(state, displacement, met);
+  const Vector forces = clampForces(state, displacement, oppositeForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
@@ -219,14 +217,14 @@ Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
   return work;
 }
 
-Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
-  const RigidConstraints& rigid = holding_->rigid;
+Vector ContactProblem::fixedReactions(const State& state,
+                                      const Vector& oppositeForce) const {
   Vector force = load_;
-  axpy(-1, push(state, met), force);
+  axpy(-1, contactForce(state, oppositeForce), force);
   Vector reactions(3, 0.0);
-  for (Index k = 0; k < rigid.fixed(); ++k)
-    reactions[at(rigid.fixedModes[at(k)])] =
-        -rigid.scale(k) * dot(columnOf(rigid.allowed, k), force);
+  for (Index k = 0; k < holding_->fixed(); ++k)
+    reactions[at(holding_->fixedModes[at(k)])] =
+        -holding_->scale(k) * dot(columnOf(holding_->allowed, k), force);
   return reactions;
 }
 

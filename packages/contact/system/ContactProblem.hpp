@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/body/BodyInput.hpp"
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/body/StabilisedBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
@@ -50,9 +50,9 @@ class ContactProblem {
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see BalancedStiffness).
   ///
-  /// `met`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
+  /// `oppositeForce`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
   /// below; empty: there are none.
-  Vector displacement(const State& state, const Vector& met = {}) const;
+  Vector displacement(const State& state, const Vector& oppositeForce = {}) const;
 
   /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
   /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
@@ -74,14 +74,14 @@ class ContactProblem {
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
   Vector clampForces(const State& state, const Vector& displacement,
-                     const Vector& met = {}) const;
+                     const Vector& oppositeForce = {}) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
   /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
   Vector clampWork(const State& state, const Vector& displacement,
-                   const Vector& met = {}) const;
+                   const Vector& oppositeForce = {}) const;
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
   double gamma0() const { return gamma0_; }
@@ -102,19 +102,19 @@ class ContactProblem {
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
-  Vector fixedReactions(const State& state, const Vector& met = {}) const;
+  Vector fixedReactions(const State& state, const Vector& oppositeForce = {}) const;
 
   /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
   /// for clamps and for what acts inside.
   Vector fixedMeans(const Vector& displacement) const;
 
-  Index freeMotions() const { return holding_->rigid.free(); }
+  Index freeMotions() const { return holding_->free(); }
   /// The displacement that their sizes make.
   Vector moved(const double* motions) const;
 
   /// u for λ = 0 and α = 0, the loads that it is linear in (forces, then displacements given), and
   /// Rᵀ f of the free motions.
-  Vector unpushed() const;
+  Vector displacementOfLoads() const;
   Vector pushing() const;
   Vector rigidLoad() const;
   /// Size of what acts on the body, dimensionless; zero: nothing.
@@ -136,7 +136,7 @@ class ContactProblem {
   /// The displacement under a force that is neither clamped nor rigid.
   Vector respond(Vector force) const;
   /// Bᵀ λ and what others press; the last multiplier's is kept, which several results ask for.
-  Vector push(const State& state, const Vector& met) const;
+  Vector contactForce(const State& state, const Vector& oppositeForce) const;
 
   const bem::Space* space_;
   bem::Units units_;
@@ -151,11 +151,11 @@ class ContactProblem {
   Vector load_{};          ///< f - A u_D
   Vector constant_{};      ///< u_D and what Fix makes of it
   Problem numbers_{};
-  struct Pushed {
+  struct Cached {
     Vector multiplier;
     Vector force;
   };
-  mutable Pushed pushed_{};
+  mutable Cached cached_{};
 };
 
 /// \throws bem::InputError if the multiplier does not go with the form.

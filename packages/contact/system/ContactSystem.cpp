@@ -5,9 +5,8 @@
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
-#include "contact/system/Couplings.hpp"
-#include "contact/system/InsideTerms.hpp"
-#include "contact/system/RigidDrives.hpp"
+#include "contact/system/BodyLoadTerms.hpp"
+#include "contact/system/OppositeCouplings.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,224 +15,243 @@ namespace epafi::contact {
 
 using bem::axpy;
 
-struct ContactSystem::Parts {
-  Parts(std::vector<ContactProblem> all, const Numbering& numbers_,
-        std::shared_ptr<const Couplings> coupled, RigidDrives drives,
-        const std::vector<Wear>& wearBefore)
-      : bodies(std::move(all)),
-        numbering(numbers_),
-        couplings(std::move(coupled)),
-        rigid(std::move(drives)),
-        wear(bodies, numbering, wearBefore) {}
+namespace {
 
-  std::vector<ContactProblem> bodies;
-  Numbering numbering;
-  std::shared_ptr<const Couplings> couplings;
-  RigidDrives rigid;
-  StepWear wear;
-  Problem numbers{};
-  Vector gap{};
-  Vector jump{};
-  Vector ofInside{};
-  Vector slipBefore{};
-  Vector defectBefore{};
-  std::vector<LoadResponses> toLoads{};
-
-  std::size_t size() const { return bodies.size(); }
-  bool isFormed() const { return bodies.front().stiffness().isFormed(); }
-  /// C_b u
-  Vector pull(std::size_t b, const Vector& u) const {
-    return couplings->gathered(b, bodies[b].form().pull(u), u);
-  }
-
-  ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
-  void condenseAll(const std::vector<BodyInput>& inputs) {
-    Matrix d = isFormed() ? couplings->multiplierMass(bodies) : Matrix();
-    std::vector<Vector> columns;  // of G
-    for (std::size_t b = 0; b < size(); ++b) {
-      const RigidConstraints& rigidOf = bodies[b].holding().rigid;
-      for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
-        Vector moved = pull(b, columnOf(rigidOf.allowed, k));
-        for (Index j = 0; j < d.columns(); ++j)
-          for (Index i = 0; i < d.rows(); ++i)
-            d(i, j) -= moved[at(i)] * moved[at(j)];
-        if (k >= rigidOf.fixed())
-          columns.push_back(std::move(moved));
-      }
-      if (isFormed())
-        d = addGram(std::move(d), bodies[b].stiffness().forward(
-                                      couplings->transposed(b, bodies[b].form())));
-    }
-    for (Index j = 0; j < d.columns(); ++j)
-      for (Index i = j + 1; i < d.rows(); ++i)
-        d(j, i) = d(i, j);
-    rigid.addFreeMotions(columns);
-    numbers.rigid = Matrix(numbering.size(), static_cast<Index>(columns.size()));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      std::copy(columns[k].begin(), columns[k].end(),
-                numbers.rigid.column(static_cast<Index>(k)));
-    numbers.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(inputs);
-    numbers.normals = numbering.normals();
-    respond();
-  }
-
-  Flexibility compressed(const std::vector<BodyInput>& inputs) const {
-    std::vector<CompressedInput> parts;
-    std::vector<std::shared_ptr<const CompressedHolding>> held;
-    for (std::size_t b = 0; b < size(); ++b) {
-      parts.push_back({bodies[b].space(), bodies[b].multiplier(), inputs[b].lame,
-                       &bodies[b].opposite()});
-      held.push_back(
-          std::dynamic_pointer_cast<const CompressedHolding>(bodies[b].stiffness_));
-    }
-    const auto flexibility = std::make_shared<const CompressedFlexibility>(
-        makeCompressedCoupling(parts, inputs.front().stabilization, inputs.front().units),
-        std::move(held));
-    return flexibility->size() <= inputs.front().formedUpTo
-               ? Flexibility(flexibility->formed())
-               : Flexibility(flexibility);
-  }
-
-  /// What loads make of d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b, and all else that is given.
-  void respond() {
-    numbers.offset.assign(at(numbering.size()), 0.0);
-    toLoads.resize(size());
-    for (std::size_t b = 0; b < size(); ++b) {
-      const auto unpushed = [&] { return pull(b, bodies[b].unpushed()); };
-      // with a factored matrix a solution costs as little
-      axpy(1, isFormed() ? unpushed() : toLoads[b].of(bodies[b].pushing(), unpushed),
-           numbers.offset);
-      const Vector load = bodies[b].rigidLoad();
-      numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
-    }
-    finish();
-  }
-
-  /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
-  void finish() {
-    numbers.surface = {};
-    gap.assign(numbering.normals(), 0.0);
-    jump.assign(numbering.size(), 0.0);
-    for (std::size_t b = 0; b < size(); ++b) {
-      const Obstacle& obstacle = bodies[b].obstacle();
-      const MultiplierSpace& multiplier = bodies[b].multiplier();
-      if (const auto amplification = multiplier.basis().amplification)
-        for (const auto& element : multiplier.elements())
-          numbers.amplification =
-              std::max(numbers.amplification, amplification(element.degree));
-      for (const Tangential& tangential : obstacle.tangentials)
-        numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
-      for (Index i = 0; i < numbering.sizeOf(b); ++i) {
-        const Index k = numbering(b, i);
-        jump[k] = obstacle.jump[i];
-        if (i < numbering.normalsOf(b))
-          gap[k] = obstacle.gap[i];
-      }
-      for (const auto& [row, column, value] : obstacle.surface.linear)
-        numbers.surface.linear.push_back(
-            {numbering(b, row), numbering(b, column), value});
-      for (const auto& [i, length, law] : obstacle.surface.places)
-        numbers.surface.places.push_back({numbering(b, i), length, law});
-    }
-    ofInside = insideTerms(bodies, numbering);
-    addGiven(numbers.offset);
-    rigid.addForces(numbers);
-    setScale(loadSize());
-  }
-
-  /// What is given of r: all that does not come from elastic bodies or free motions.
-  void addGiven(Vector& r) const {
-    axpy(-1, jump, r);
-    for (std::size_t i = 0; i < gap.size(); ++i)
-      r[i] -= gap[i];
-    if (!ofInside.empty())
-      axpy(1, ofInside, r);
-    if (!wear.testedBefore().empty())
-      axpy(-1, wear.testedBefore(), r);
-    rigid.addGiven(r);
-  }
-
-  void setScale(double load) {
-    numbers.stress = load > 0 ? load : 1;
-    for (ContactProblem& body : bodies)
-      body.numbers_.stress = numbers.stress;
-  }
-
-  double loadSize() const {
-    double load = rigid.loadSize();
-    for (const ContactProblem& body : bodies)
-      load += body.loadSize();
-    // shear has the size of what presses, however far that slides
-    for (std::size_t b = 0; b < size() && load == 0; ++b)
-      load = bodies[b].obstacle().largestSliding;
-    return load;
-  }
-};
-
-ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
-                             const std::vector<Drive>& rigid) {
-  assert(!inputs.empty());
-  std::vector<ContactProblem> bodies;
+Numbering numberingOf(const std::vector<ContactProblem>& bodies) {
   std::vector<Numbering::Count> counts;
-  for (const BodyInput& input : inputs) {
-    bodies.push_back(ContactProblem(input, ContactProblem::OfSystem()));
-    const MultiplierSpace& multiplier = bodies.back().multiplier();
-    counts.push_back({multiplier.normals(), multiplier.size()});
-  }
-  const Numbering numbering(counts);
-  auto couplings = std::make_shared<const Couplings>(bodies, numbering);
-  RigidDrives drives(rigid, bodies, numbering);
-  parts_ = std::make_unique<Parts>(std::move(bodies), numbering, std::move(couplings),
-                                   std::move(drives), std::vector<Wear>());
-  parts_->condenseAll(inputs);
-  parts_->wear.setSlips({}, parts_->numbers.surface);
+  for (const ContactProblem& body : bodies)
+    counts.push_back({body.multiplier().normals(), body.multiplier().size()});
+  return Numbering(counts);
 }
 
-ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+}  // namespace
+
+std::shared_ptr<std::vector<ContactProblem>> ContactSystem::problemsOf(
+    const std::vector<BodyInput>& inputs) {
+  assert(!inputs.empty());
+  auto bodies = std::make_shared<std::vector<ContactProblem>>();
+  for (const BodyInput& input : inputs)
+    bodies->push_back(ContactProblem(input, ContactProblem::OfSystem()));
+  return bodies;
+}
+
+ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
+                             const std::vector<Drive>& rigid)
+    : bodies_(problemsOf(inputs)),
+      numbering_(numberingOf(*bodies_)),
+      opposite_(std::make_shared<const std::vector<TraceCoupling>>(
+          oppositeCouplings(*bodies_, numbering_))),
+      rigid_(rigid, *bodies_, numbering_),
+      wear_(bodies_, numbering_, {}) {
+  condense(inputs);
+  wear_.setSlips({}, numbers_.surface);
+}
+
+ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
+    : bodies_(atZero.problemsUnder(step.conditions)),
+      numbering_(atZero.numbering_),
+      opposite_(atZero.opposite_),
+      rigid_(atZero.rigid_.under(step.rigid)),
+      wear_(bodies_, numbering_, step.wearBefore),
+      numbers_(atZero.numbers_.copy()),
+      responses_(step.responses) {
+  assert(step.rigid.size() == atZero.drives().size());
+  numbers_.tangentials.clear();
+  numbers_.rigidLoad.clear();
+  respond();
+  wear_.setSlips({}, numbers_.surface);
+  setScale(std::max(loadSize(), step.largestLoad));
+  if (!step.defectBefore.empty()) {
+    axpy(1, step.defectBefore, numbers_.offset);
+    defectBefore_ = step.defectBefore;
+  }
+  if (!step.slipBefore.empty()) {
+    numbers_ = withSlipBefore(numbers_, step.slipBefore);
+    slipBefore_ = step.slipBefore;
+  }
+}
+
+std::shared_ptr<std::vector<ContactProblem>> ContactSystem::problemsUnder(
+    const std::vector<Conditions>& conditions) const {
+  assert(conditions.size() == size());
+  auto bodies = std::make_shared<std::vector<ContactProblem>>();
+  for (std::size_t b = 0; b < size(); ++b)
+    bodies->push_back(ContactProblem(body(b), conditions[b]));
+  return bodies;
+}
+
+Vector ContactSystem::gathered(std::size_t b, const Vector& own, const Vector& u) const {
+  Vector all(at(numbering_.size()));
+  for (Index i = 0; i < numbering_.sizeOf(b); ++i)
+    all[at(numbering_(b, i))] = own[at(i)];
+  if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
+    axpy(1, opposite.apply(u), all);
+  return all;
+}
+
+Matrix ContactSystem::transposed(std::size_t b) const {
+  Matrix own = body(b).form().coupling();
+  if (size() == 1)
+    return own;
+  Matrix all(own.rows(), numbering_.size());
+  for (Index j = 0; j < own.columns(); ++j)
+    std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
+  (*opposite_)[b].addTo(all);
+  return all;
+}
+
+Matrix ContactSystem::multiplierMass() const {
+  Matrix all(numbering_.size(), numbering_.size());
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Matrix own = body(b).form().multiplierMass();
+    for (Index j = 0; j < own.columns(); ++j)
+      for (Index i = 0; i < own.rows(); ++i)
+        all(numbering_(b, i), numbering_(b, j)) = own(i, j);
+  }
+  return all;
+}
+
+///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
+void ContactSystem::condense(const std::vector<BodyInput>& inputs) {
+  Matrix d = isFormed() ? multiplierMass() : Matrix();
+  std::vector<Vector> columns;  // of G
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Holding& rigidOf = body(b).holding();
+    for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
+      Vector moved = apply(b, columnOf(rigidOf.allowed, k));
+      for (Index j = 0; j < d.columns(); ++j)
+        for (Index i = 0; i < d.rows(); ++i)
+          d(i, j) -= moved[at(i)] * moved[at(j)];
+      if (k >= rigidOf.fixed())
+        columns.push_back(std::move(moved));
+    }
+    if (isFormed())
+      d = addGram(std::move(d), body(b).stiffness().forward(transposed(b)));
+  }
+  for (Index j = 0; j < d.columns(); ++j)
+    for (Index i = j + 1; i < d.rows(); ++i)
+      d(j, i) = d(i, j);
+  rigid_.addFreeMotions(columns);
+  numbers_.rigid = Matrix(numbering_.size(), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    std::copy(columns[k].begin(), columns[k].end(),
+              numbers_.rigid.column(static_cast<Index>(k)));
+  numbers_.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(inputs);
+  numbers_.normals = numbering_.normals();
+  respond();
+}
+
+Flexibility ContactSystem::compressed(const std::vector<BodyInput>& inputs) const {
+  std::vector<CompressedInput> parts;
+  std::vector<std::shared_ptr<const CompressedHolding>> held;
+  for (std::size_t b = 0; b < size(); ++b) {
+    parts.push_back(
+        {body(b).space(), body(b).multiplier(), inputs[b].lame, &body(b).opposite()});
+    held.push_back(
+        std::dynamic_pointer_cast<const CompressedHolding>(body(b).stiffness_));
+  }
+  const auto flexibility = std::make_shared<const CompressedFlexibility>(
+      makeCompressedCoupling(parts, inputs.front().stabilization, inputs.front().units),
+      std::move(held));
+  return flexibility->size() <= inputs.front().formedUpTo
+             ? Flexibility(flexibility->formed())
+             : Flexibility(flexibility);
+}
+
+void ContactSystem::respond() {
+  numbers_.offset.assign(at(numbering_.size()), 0.0);
+  responses_.resize(size());
+  for (std::size_t b = 0; b < size(); ++b) {
+    const auto displacementOfLoads = [&] {
+      return apply(b, body(b).displacementOfLoads());
+    };
+    // with a factored matrix a solution costs as little
+    axpy(1,
+         isFormed() ? displacementOfLoads()
+                    : responses_[b].of(body(b).pushing(), displacementOfLoads),
+         numbers_.offset);
+    const Vector load = body(b).rigidLoad();
+    numbers_.rigidLoad.insert(numbers_.rigidLoad.end(), load.begin(), load.end());
+  }
+  finish();
+}
+
+void ContactSystem::finish() {
+  numbers_.surface = {};
+  gap_.assign(numbering_.normals(), 0.0);
+  jump_.assign(numbering_.size(), 0.0);
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Obstacle& obstacle = body(b).obstacle();
+    const MultiplierSpace& multiplier = body(b).multiplier();
+    if (const auto amplification = multiplier.basis().amplification)
+      for (const auto& element : multiplier.elements())
+        numbers_.amplification =
+            std::max(numbers_.amplification, amplification(element.degree));
+    for (const Tangential& tangential : obstacle.tangentials)
+      numbers_.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
+    for (Index i = 0; i < numbering_.sizeOf(b); ++i) {
+      const Index k = numbering_(b, i);
+      jump_[k] = obstacle.jump[i];
+      if (i < numbering_.normalsOf(b))
+        gap_[k] = obstacle.gap[i];
+    }
+    for (const auto& [row, column, value] : obstacle.surface.linear)
+      numbers_.surface.linear.push_back(
+          {numbering_(b, row), numbering_(b, column), value});
+    for (const auto& [i, length, law] : obstacle.surface.places)
+      numbers_.surface.places.push_back({numbering_(b, i), length, law});
+  }
+  ofInside_ = bodyLoadTerms(*bodies_, numbering_);
+  addGiven(numbers_.offset);
+  rigid_.addForces(numbers_);
+  setScale(loadSize());
+}
+
+void ContactSystem::addGiven(Vector& r) const {
+  axpy(-1, jump_, r);
+  for (std::size_t i = 0; i < gap_.size(); ++i)
+    r[i] -= gap_[i];
+  if (!ofInside_.empty())
+    axpy(1, ofInside_, r);
+  if (!wear_.testedBefore().empty())
+    axpy(-1, wear_.testedBefore(), r);
+  rigid_.addGiven(r);
+}
+
+void ContactSystem::setScale(double load) {
+  numbers_.stress = load > 0 ? load : 1;
+  for (ContactProblem& body : *bodies_)
+    body.numbers_.stress = numbers_.stress;
+}
+
+double ContactSystem::loadSize() const {
+  double load = rigid_.loadSize();
+  for (const ContactProblem& body : *bodies_)
+    load += body.loadSize();
+  // shear has the size of what presses, however far that slides
+  for (std::size_t b = 0; b < size() && load == 0; ++b)
+    load = body(b).obstacle().largestSliding;
+  return load;
+}
 
 ContactProblem ContactSystem::onlyBody() && {
-  ContactProblem body = std::move(parts_->bodies.front());
-  body.numbers_ = std::move(parts_->numbers);
+  ContactProblem body = std::move(bodies_->front());
+  body.numbers_ = std::move(numbers_);
   return body;
 }
 
 ContactProblem::ContactProblem(const Input& input)
     : ContactProblem(ContactSystem({input}).onlyBody()) {}
 
-ContactSystem ContactSystem::under(const Step& step) const {
-  assert(step.conditions.size() == size() && step.rigid.size() == drives().size());
-  std::vector<ContactProblem> bodies;
-  for (std::size_t b = 0; b < size(); ++b)
-    bodies.push_back(ContactProblem(body(b), step.conditions[b]));
-  auto parts = std::make_unique<Parts>(std::move(bodies), numbering(), parts_->couplings,
-                                       parts_->rigid.under(step.rigid), step.wearBefore);
-  parts->numbers = numbers().copy();
-  parts->numbers.tangentials.clear();
-  parts->numbers.rigidLoad.clear();
-  parts->toLoads = step.responses;
-  parts->respond();
-  parts->wear.setSlips({}, parts->numbers.surface);
-  parts->setScale(std::max(parts->loadSize(), step.largestLoad));
-  if (!step.defectBefore.empty()) {
-    axpy(1, step.defectBefore, parts->numbers.offset);
-    parts->defectBefore = step.defectBefore;
-  }
-  if (!step.slipBefore.empty()) {
-    parts->numbers = withSlipBefore(parts->numbers, step.slipBefore);
-    parts->slipBefore = step.slipBefore;
-  }
-  return ContactSystem(std::move(parts));
-}
-
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).form().pull(at.displacements[b]);
+    Vector own = body(b).form().apply(at.displacements[b]);
     axpy(-1, body(b).form().massTimes(at.bodies[b].multiplier), own);
-    axpy(1, parts_->couplings->gathered(b, own, at.displacements[b]), r);
+    axpy(1, gathered(b, own, at.displacements[b]), r);
   }
-  parts_->addGiven(r);
-  const Index ofRigid = parts_->rigid.freeMotions();
+  addGiven(r);
+  const Index ofRigid = rigid_.freeMotions();
   for (Index k = numbers().rigidMotions() - ofRigid; k < numbers().rigidMotions(); ++k)
     axpy(at.state.rigid[k], columnOf(numbers().rigid, k), r);
   for (std::size_t t = 0; t < slipBefore().size(); ++t)
@@ -269,27 +287,20 @@ Vector ContactSystem::slipSoFar(const Configuration& at) const {
 Vector ContactSystem::defect(const Configuration& at) const {
   Vector defect = at.penetration;
   axpy(-1, contact::penetration(numbers(), at.state), defect);
-  if (!parts_->defectBefore.empty())
-    axpy(1, parts_->defectBefore, defect);
+  if (!defectBefore_.empty())
+    axpy(1, defectBefore_, defect);
   return defect;
 }
 
-const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
-
-const std::vector<LoadResponses>& ContactSystem::responses() const {
-  return parts_->toLoads;
-}
-
 bool ContactSystem::wearsBySlip() const {
-  return parts_->wear.wears() &&
-         std::any_of(parts_->bodies.begin(), parts_->bodies.end(),
-                     [](const ContactProblem& body) {
-                       return body.multiplier().size() > body.multiplier().normals();
-                     });
+  return wear_.wears() &&
+         std::any_of(bodies_->begin(), bodies_->end(), [](const ContactProblem& body) {
+           return body.multiplier().size() > body.multiplier().normals();
+         });
 }
 
 double ContactSystem::wearBy(const Configuration& at) {
-  Surface& surface = parts_->numbers.surface;
+  Surface& surface = numbers_.surface;
   const auto wornBy = [&] {
     Vector worn(numbering().size());
     addTimes(1,
@@ -299,30 +310,12 @@ double ContactSystem::wearBy(const Configuration& at) {
     return worn;
   };
   Vector change = wornBy();
-  parts_->wear.setSlips(at.penetration, surface);
+  wear_.setSlips(at.penetration, surface);
   const Vector worn = wornBy();
   axpy(-1, worn, change);
   const double all = largestEntry(worn);
   return all > 0 ? largestEntry(change) / all : 0;
 }
-
-const StepWear& ContactSystem::wear() const { return parts_->wear; }
-
-double ContactSystem::loadSize() const { return parts_->loadSize(); }
-
-ContactSystem::~ContactSystem() = default;
-ContactSystem::ContactSystem(ContactSystem&&) noexcept = default;
-
-std::size_t ContactSystem::size() const { return parts_->size(); }
-const ContactProblem& ContactSystem::body(std::size_t b) const {
-  return parts_->bodies[b];
-}
-const Problem& ContactSystem::numbers() const { return parts_->numbers; }
-const Vector& ContactSystem::gap() const { return parts_->gap; }
-const Vector& ContactSystem::jump() const { return parts_->jump; }
-const Vector& ContactSystem::ofInside() const { return parts_->ofInside; }
-const Numbering& ContactSystem::numbering() const { return parts_->numbering; }
-const std::vector<Drive>& ContactSystem::drives() const { return parts_->rigid.drives(); }
 
 State ContactSystem::joined(const std::vector<State>& states,
                             const std::vector<RigidMotion>& rigid) const {
@@ -337,8 +330,8 @@ State ContactSystem::joined(const std::vector<State>& states,
     all.rigid.insert(all.rigid.end(), states[b].rigid.begin(), states[b].rigid.end());
   }
   if (!all.rigid.empty() || !rigid.empty()) {
-    all.rigid.resize(numbers().rigidMotions() - parts_->rigid.freeMotions(), 0.0);
-    parts_->rigid.append(rigid, all.rigid);
+    all.rigid.resize(numbers().rigidMotions() - rigid_.freeMotions(), 0.0);
+    rigid_.append(rigid, all.rigid);
   }
   return all;
 }
@@ -359,21 +352,18 @@ Configuration ContactSystem::configuration(State state) const {
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    result.met.push_back(parts_->couplings->pressOn(b, result.bodies));
-    result.displacements.push_back(body(b).displacement(result.bodies[b], result.met[b]));
+    Vector& force = result.oppositeForces.emplace_back();
+    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty()) {
+      force.resize(at(body(b).space().displacements()));
+      opposite.addTranspose(state.multiplier, force);
+    }
+    result.displacements.push_back(
+        body(b).displacement(result.bodies[b], result.oppositeForces[b]));
   }
-  result.rigid = parts_->rigid.motions(motions);
+  result.rigid = rigid_.motions(motions);
   result.state = std::move(state);
   result.penetration = penetration(result);
   return result;
-}
-
-std::vector<std::array<double, 3>> ContactSystem::rigidForces(const State& state) const {
-  return parts_->rigid.forces(state.multiplier);
-}
-
-double ContactSystem::energyOfSprings(const State& state) const {
-  return parts_->rigid.energyOfSprings(state.multiplier);
 }
 
 double ContactSystem::strainEnergy(const Configuration& at) const {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "contact/opposite/RigidBodies.hpp"
 #include "contact/problem/Numbering.hpp"
 #include "contact/system/ContactProblem.hpp"
 #include "contact/system/LoadResponses.hpp"
+#include "contact/system/RigidDrives.hpp"
 #include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
@@ -12,9 +12,9 @@ namespace epafi::contact {
 struct Configuration {
   State state;                ///< of all
   std::vector<State> bodies;  ///< own multipliers and motions of those that deform
-  std::vector<Vector> met;    ///< what presses on each, see ContactProblem
-  std::vector<Vector> displacements;  ///< likewise all unknowns
-  std::vector<RigidMotion> rigid;     ///< of those that do not
+  std::vector<Vector> oppositeForces;  ///< what presses on each, see ContactProblem
+  std::vector<Vector> displacements;   ///< likewise all unknowns
+  std::vector<RigidMotion> rigid;      ///< of those that do not
   /// r of numbers() by the displacements in place of D, which has not the digits of what bends
   /// slender bodies: C u - M λ - g.
   Vector penetration;
@@ -39,8 +39,6 @@ class ContactSystem {
   ///   contact with another body meets a clamp or another contact side.
   explicit ContactSystem(const std::vector<BodyInput>& bodies,
                          const std::vector<Drive>& rigid = {});
-  ~ContactSystem();
-  ContactSystem(ContactSystem&&) noexcept;
 
   /// What a step of a path changes.
   struct Step {
@@ -58,7 +56,7 @@ class ContactSystem {
   /// couplings, so that a step costs one solution with the factors; where operators are compressed
   /// this system outlives the result.
   /// [doc/theory/paths.md]
-  ContactSystem under(const Step& step) const;
+  ContactSystem under(const Step& step) const { return {*this, step}; }
 
   /// By coefficient: about the integral of its function.
   Vector lengths() const;
@@ -68,26 +66,26 @@ class ContactSystem {
   Vector slipSoFar(const Configuration& at) const;
   Vector defect(const Configuration& at) const;
   /// What this step was told; empty: nothing.
-  const Vector& slipBefore() const;
+  const Vector& slipBefore() const { return slipBefore_; }
   /// What is known of each body's loads, this step's included: what the next step is told.
-  const std::vector<LoadResponses>& responses() const;
+  const std::vector<LoadResponses>& responses() const { return responses_; }
 
   /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
   /// zero without load.
   double loadSize() const;
 
-  std::size_t size() const;
-  const ContactProblem& body(std::size_t b) const;
+  std::size_t size() const { return bodies_->size(); }
+  const ContactProblem& body(std::size_t b) const { return (*bodies_)[b]; }
 
   /// What the nonlinear solver sees, and see ContactProblem::gap.
-  const Problem& numbers() const;
-  const Vector& gap() const;
+  const Problem& numbers() const { return numbers_; }
+  const Vector& gap() const { return gap_; }
   /// The jump that bonded sides are given, and what slides by, one number per coefficient.
-  const Vector& jump() const;
+  const Vector& jump() const { return jump_; }
 
   /// What is given of r where something acts inside, by coefficients: the displacement u_p of the
   /// sides and what t_p adds through the stabilisation; empty: nothing does.
-  const Vector& ofInside() const;
+  const Vector& ofInside() const { return ofInside_; }
 
   /// Does this step wear by a slip that is part of the solution?  First it wears as if the sides
   /// slid by as much as what slides by.
@@ -95,7 +93,7 @@ class ContactSystem {
   /// Lets the step wear by the slips of a configuration.  Returns how much that changes what it
   /// wears there, relative to that.
   double wearBy(const Configuration& at);
-  const StepWear& wear() const;
+  const StepWear& wear() const { return wear_; }
 
   /// The state of all from each body's own, where an empty vector stays empty, and back with
   /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:
@@ -103,15 +101,19 @@ class ContactSystem {
   State joined(const std::vector<State>& states,
                const std::vector<RigidMotion>& rigid = {}) const;
   Configuration configuration(State state) const;
-  const Numbering& numbering() const;
+  const Numbering& numbering() const { return numbering_; }
 
   /// How many bodies do not deform, how they are moved now, which of their motions are free
   /// (behind those of bodies that deform), and what contact does to each: forces in x and
   /// y, and the moment about the reference point.
-  const std::vector<Drive>& drives() const;
-  std::vector<std::array<double, 3>> rigidForces(const State& state) const;
+  const std::vector<Drive>& drives() const { return rigid_.drives(); }
+  std::vector<std::array<double, 3>> rigidForces(const State& state) const {
+    return rigid_.forces(state.multiplier);
+  }
   /// What the springs of such bodies store.
-  double energyOfSprings(const State& state) const;
+  double energyOfSprings(const State& state) const {
+    return rigid_.energyOfSprings(state.multiplier);
+  }
 
   /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies, and with what the stabilisation adds, see
   /// ContactProblem.
@@ -119,13 +121,49 @@ class ContactSystem {
   double storedEnergy(const Configuration& at) const;
 
  private:
-  Vector penetration(const Configuration& at) const;
-
   friend class ContactProblem;  // is a system of one body
   ContactProblem onlyBody() &&;
-  struct Parts;
-  explicit ContactSystem(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  ContactSystem(const ContactSystem& atZero, const Step& step);
+  static std::shared_ptr<std::vector<ContactProblem>> problemsOf(
+      const std::vector<BodyInput>& inputs);
+  std::shared_ptr<std::vector<ContactProblem>> problemsUnder(
+      const std::vector<Conditions>& conditions) const;
+
+  bool isFormed() const { return body(0).stiffness().isFormed(); }
+  /// On all multipliers what a displacement of a body does to its own, given, and to all that it
+  /// is opposite to.
+  Vector gathered(std::size_t b, const Vector& own, const Vector& u) const;
+  /// C_b u
+  Vector apply(std::size_t b, const Vector& u) const {
+    return gathered(b, body(b).form().apply(u), u);
+  }
+  /// C_bᵀ and M, on all multipliers.
+  Matrix transposed(std::size_t b) const;
+  Matrix multiplierMass() const;
+  /// D and G.
+  void condense(const std::vector<BodyInput>& inputs);
+  Flexibility compressed(const std::vector<BodyInput>& inputs) const;
+  /// What loads make of d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b, and all else that is given.
+  void respond();
+  /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
+  void finish();
+  /// What is given of r: all that does not come from elastic bodies or free motions.
+  void addGiven(Vector& r) const;
+  void setScale(double load);
+  Vector penetration(const Configuration& at) const;
+
+  std::shared_ptr<std::vector<ContactProblem>> bodies_;
+  Numbering numbering_;
+  std::shared_ptr<const std::vector<TraceCoupling>> opposite_;
+  RigidDrives rigid_;
+  StepWear wear_;
+  Problem numbers_{};
+  Vector gap_{};
+  Vector jump_{};
+  Vector ofInside_{};
+  Vector slipBefore_{};
+  Vector defectBefore_{};
+  std::vector<LoadResponses> responses_{};
 };
 
 }  // namespace epafi::contact

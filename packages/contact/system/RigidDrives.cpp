@@ -13,9 +13,9 @@ RigidTraces tracesOf(int body, const std::vector<ContactProblem>& bodies,
                      const Numbering& numbering) {
   std::vector<RigidTraces> parts;
   RigidTraces all{Matrix(numbering.size(), 3)};
-  for (const ContactProblem& met : bodies) {
-    parts.push_back(
-        rigidTraces(met.space().mesh(), met.multiplier(), met.opposite(), body));
+  for (const ContactProblem& carrier : bodies) {
+    parts.push_back(rigidTraces(carrier.space().mesh(), carrier.multiplier(),
+                                carrier.opposite(), body));
     all.lever = std::max(all.lever, parts.back().lever);
     all.length += parts.back().length;
   }
@@ -66,14 +66,15 @@ double RigidDrives::force(std::size_t k, std::size_t c) const {
 double RigidDrives::loadSize() const {
   double load = 0;
   for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const RigidTraces& met = (*traces_)[k];
+    const RigidTraces& traces = (*traces_)[k];
     bem::Vec2 slide;
-    double others = 0;  // turning, and forces as pressures on what is met
+    double others = 0;  // turning, and forces as pressures on opposite sides
     for (std::size_t c = 0; c < 3; ++c) {
       if (drives_[k].components[c].free)
-        others += met.length > 0 ? std::abs(force(k, c)) / scaleOf(k, c) / met.length : 0;
+        others +=
+            traces.length > 0 ? std::abs(force(k, c)) / scaleOf(k, c) / traces.length : 0;
       if (c == 2)
-        others += met.lever * std::abs(given(k, c));
+        others += traces.lever * std::abs(given(k, c));
       else
         (c == 0 ? slide.x : slide.y) = given(k, c);
     }

@@ -19,7 +19,7 @@ class RigidDrives {
 
   const std::vector<Drive>& drives() const { return drives_; }
   Index freeMotions() const;
-  /// Σ over bodies: of given motions and, as pressures on what is met, of forces.
+  /// Σ over bodies: of given motions and, as pressures on opposite sides, of forces.
   double loadSize() const;
 
   /// Behind elastic bodies' columns of G one -T m for each free motion m.

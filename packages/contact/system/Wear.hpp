@@ -18,11 +18,11 @@ struct Wear {
   Vector rate;      ///< n k |Δs| of the step: by how much more a pressure wears
 };
 
-/// The wear of a step of a path, of all bodies together.  Refers to the bodies, which must outlive it.
+/// The wear of a step of a path, of all bodies together.
 class StepWear {
  public:
   /// `before`: of each body behind the step before; empty: nothing wore.
-  StepWear(const std::vector<ContactProblem>& bodies, Numbering numbering,
+  StepWear(std::shared_ptr<const std::vector<ContactProblem>> bodies, Numbering numbering,
            std::vector<Wear> before);
 
   /// Does anything wear?
@@ -39,7 +39,7 @@ class StepWear {
   std::vector<Wear> behind(const std::vector<State>& states) const;
 
  private:
-  const std::vector<ContactProblem>& bodies_;
+  std::shared_ptr<const std::vector<ContactProblem>> bodies_;
   Numbering numbering_;
   std::vector<Wear> before_;
   bool wears_ = false;

@@ -1,4 +1,4 @@
-#include "contact/system/InsideTerms.hpp"
+#include "contact/system/BodyLoadTerms.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/opposite/SidePoints.hpp"
@@ -6,9 +6,9 @@
 
 namespace epafi::contact {
 
-Vector insideTerms(const std::vector<ContactProblem>& bodies,
-                   const Numbering& numbering) {
-  const auto insideOf = [&](std::size_t b) -> const Inside& {
+Vector bodyLoadTerms(const std::vector<ContactProblem>& bodies,
+                     const Numbering& numbering) {
+  const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
     return bodies[b].multiplier().conditions().inside;
   };
   Vector terms;
@@ -22,24 +22,22 @@ Vector insideTerms(const std::vector<ContactProblem>& bodies,
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
     forEachSidePoint(
-        mesh, own.multiplier().elements(), own.opposite(),
+        mesh, own.multiplier(), own.opposite(),
         [](const auto& contact, const Opposite::Point&) {
           return &bem::gaussForGiven(contact.degree);
         },
         [&](const SidePoint& point) {
-          const Opposite::Point& met = point.met;
+          const Opposite::Point& there = point.opposite;
           bem::Vec2 u;
           if (insideOf(b))
             u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
-          if (met.element >= 0 && insideOf(at(met.body)))
-            u = u - insideOf(at(met.body))
-                        ->displacement(bodies[at(met.body)].space().mesh(), met.element,
-                                       met.t);
-          point.forEachCoefficient(
-              own.multiplier().basis().values(point.contact.degree, point.t),
-              [&](Index i, double chi, bem::Vec2 direction) {
-                terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
-              });
+          if (there.element >= 0 && insideOf(at(there.body)))
+            u = u - insideOf(at(there.body))
+                        ->displacement(bodies[at(there.body)].space().mesh(),
+                                       there.element, there.t);
+          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
+            terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+          });
         });
   }
   return terms;

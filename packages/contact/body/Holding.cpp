@@ -1,4 +1,4 @@
-#include "contact/body/RigidConstraints.hpp"
+#include "contact/body/Holding.hpp"
 
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/Products.hpp"
@@ -174,62 +174,58 @@ Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
   return combinations;
 }
 
-}  // namespace
-
-RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
-                                      const Conditions::Fix& fix) {
+/// Sets the motions, their functionals and fixedModes.
+void setMotions(const Conditions::Fix& fix, Holding& holding) {
+  const Loads& loads = holding.loads;
+  const RigidModes& modes = holding.modes;
   const Svd clamps = singularValues(clampedMotions(modes, loads));
   // motions are of size 1, coordinates known to 1e-16
   const Matrix allowedCombinations =
       bem::transposed(bem::rowsBetween(clamps.vt, rank(clamps, 1e-12), 3));
   const Index allowed = allowedCombinations.columns();
+  holding.fixedModes = namedModes(fix);
+  const Index fixed = holding.fixed();
 
-  RigidConstraints constraints;
-  constraints.fixedModes = namedModes(fix);
-  const Index fixed = constraints.fixed();
-
-  const Svd held =
-      heldByFix(modes, allowedCombinations, constraints.fixedModes, fix.path);
+  const Svd held = heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
   const Matrix inModes = reduced(
       multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
-  constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
+  holding.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
   Matrix functionals = multiply(modes.functionals, inModes);
   for (Index k = 0; k < fixed; ++k)
-    std::copy_n(modes.functionals.column(constraints.fixedModes[k]), functionals.rows(),
+    std::copy_n(modes.functionals.column(holding.fixedModes[at(k)]), functionals.rows(),
                 functionals.column(k));
   functionals = withoutClamped(std::move(functionals), loads);
-  constraints.functionals = dualTo(constraints.allowed, std::move(functionals), fixed);
-  return constraints;
+  holding.functionals = dualTo(holding.allowed, std::move(functionals), fixed);
 }
 
-void scalePairs(RigidConstraints& constraints) {
-  constraints.scales.clear();
-  for (Index k = 0; k < constraints.allowed.columns(); ++k) {
-    double* motion = constraints.allowed.column(k);
-    double* functional = constraints.functionals.column(k);
+void scaleMotions(Holding& holding) {
+  for (Index k = 0; k < holding.allowed.columns(); ++k) {
+    double* motion = holding.allowed.column(k);
+    double* functional = holding.functionals.column(k);
     double largest = 0;
-    for (Index j = 0; j < constraints.allowed.rows(); ++j)
+    for (Index j = 0; j < holding.allowed.rows(); ++j)
       largest = std::max(largest, std::abs(motion[j]));
-    for (Index j = 0; j < constraints.allowed.rows(); ++j) {
+    for (Index j = 0; j < holding.allowed.rows(); ++j) {
       motion[j] /= largest;
       functional[j] *= largest;
     }
-    constraints.scales.push_back(largest);
+    holding.scales.push_back(largest);
   }
 }
 
+}  // namespace
+
 Holding makeHolding(const bem::Space& space, const Conditions& conditions,
                     bem::Units units) {
-  Loads loads = makeLoads(space, conditions, units);
-  RigidModes modes = makeRigidModes(space, conditions);
-  RigidConstraints rigid = makeRigidConstraints(modes, loads, conditions.fix);
+  Holding holding{makeLoads(space, conditions, units), makeRigidModes(space, conditions)};
+  holding.means = meansOf(conditions, space.mesh(), holding.modes.centroid);
+  setMotions(conditions.fix, holding);
   const bem::Outline& outline = space.mesh().outline();
   if (outline.diameter() < outline.scaling().length)
-    scalePairs(rigid);
-  Vector means = meansOf(conditions, space.mesh(), modes.centroid);
-  return {std::move(loads), std::move(modes), std::move(rigid), std::move(means)};
+    scaleMotions(holding);
+  return holding;
 }
 
 }  // namespace epafi::contact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "contact/body/Loads.hpp"
+
+namespace epafi::contact {
+
+/// How a body is loaded and held: by clamps, by Fix, or not at all.
+///
+/// Columns of `allowed`: the rigid motions that clamps allow, first those fixed by Fix, then
+/// the free ones.  `functionals` is the dual basis: functional k of motion l is δ_kl; those of
+/// fixed motions are  ∫ u · r ds  for the modes of Fix.
+struct Holding {
+  Loads loads;
+  RigidModes modes;
+  Vector means{};        ///< see meansOf
+  Matrix allowed{};      ///< displacements x (fixed + free)
+  Matrix functionals{};  ///< displacements x (fixed + free)
+  std::vector<int>
+      fixedModes{};  ///< which of x (0), y (1), rotation (2) Fix holds, in order
+
+  /// Factors of the motions for which ∫ u · r ds is the dual functional; empty: 1.  On a body of
+  /// diameter d < 1 entries of motions grow like 1/d or 1/d², and rounding errors of A⁻¹ like their
+  /// square: there each motion has the largest entry 1.
+  Vector scales{};
+
+  double scale(Index k) const { return scales.empty() ? 1 : scales[at(k)]; }
+  Index fixed() const { return static_cast<Index>(fixedModes.size()); }
+  Index free() const { return allowed.columns() - fixed(); }
+};
+
+/// \throws bem::InputError, see makeLoads, and if clamps already prevent a mode of Fix
+Holding makeHolding(const bem::Space& space, const Conditions& conditions,
+                    bem::Units units);
+
+}  // namespace epafi::contact
