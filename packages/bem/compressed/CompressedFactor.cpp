@@ -65,7 +65,7 @@ int CompressedFactor::update(Restriction restriction) {
   return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
 
-CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const {
+CompressedFactor CompressedFactor::restrictedTo(const std::vector<int>& leaves) const {
   const ClusterTree& tree = operators_->tree();
   CompressedFactor result = *this;
   // springs and rotations act elsewhere

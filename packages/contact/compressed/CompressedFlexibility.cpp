@@ -60,7 +60,7 @@ void CompressedFlexibility::restrictAll() {
 
 CompressedFlexibility::Along CompressedFlexibility::along(
     const bem::CompressedFactor& factor) const {
-  bem::CompressedFactor narrow = factor.within(leaves_);
+  bem::CompressedFactor narrow = factor.restrictedTo(leaves_);
   std::vector<char> paths = narrow.paths(leaves_);
   return {std::move(narrow), std::move(paths)};
 }
