@@ -206,7 +206,7 @@ void NearBlocks::findPairs(const ClusterTree& tree, const std::vector<char>& fir
   std::size_t next = 0;
   const auto addPair = [&](int e, int f) {
     const bool isAsked = (first[e] & second[f]) != 0 || (first[f] & second[e]) != 0;
-    if (!isAsked || isDeep(e, f))
+    if (!isAsked || isFullyFar(e, f))
       return;
     pairs_[e].push_back({f, next});
     next += static_cast<std::size_t>(sizes_[e] * sizes_[f]);
