@@ -192,7 +192,7 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
       leaves[c].added.push_back({places[entry.row], places[entry.column], entry.value});
   };
   std::for_each(restriction_.entries.begin(), restriction_.entries.end(), add);
-  for (const Index i : operators_->floating())
+  for (const Index i : operators_->springUnknowns())
     add({i, i, 1});
   return leaves;
 }
@@ -298,7 +298,7 @@ void CompressedFactor::addBorder() {
   border_ = nullptr;
   const LowRank& rotations = operators_->rotations();
   std::vector<Index> sprung;
-  for (const Index i : operators_->floating())
+  for (const Index i : operators_->springUnknowns())
     if (restriction_.held[i] == 0)
       sprung.push_back(i);
   const Index turning = rotations.u.columns();
@@ -326,7 +326,7 @@ void CompressedFactor::addBorder() {
 }
 
 std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
-  for (const Index i : operators_->floating())
+  for (const Index i : operators_->springUnknowns())
     leaves.push_back(operators_->leafOf(i));
   return withoutAbove(operators_->tree().paths(leaves));
 }

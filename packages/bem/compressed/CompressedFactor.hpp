@@ -110,7 +110,7 @@ class CompressedFactor {
       whole_;  ///< inside() of top_, if it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
   std::vector<std::shared_ptr<const Response>> responses_;  ///< while needed
-  /// Correction for springs on unknowns of CompressedOperators::floating that are not held, and
+  /// Correction for springs on unknowns of CompressedOperators::springUnknowns that are not held, and
   /// for rotations; null without any.
   std::shared_ptr<const Woodbury> border_;
 };
