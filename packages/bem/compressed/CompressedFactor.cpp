@@ -325,7 +325,7 @@ void CompressedFactor::addBorder() {
                                              std::move(answers), compressedSystem);
 }
 
-std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
+std::vector<char> CompressedFactor::activePaths(std::vector<int> leaves) const {
   for (const Index i : operators_->springUnknowns())
     leaves.push_back(operators_->leafOf(i));
   return withoutAbove(operators_->tree().paths(leaves));

@@ -70,7 +70,7 @@ class CompressedFactor {
   /// `paths`.  Only the unknowns in these leaves are valid.
   Matrix solveAlong(const std::vector<char>& paths, const Matrix& b) const;
   /// By cluster: is it one of the leaves, an ancestor, or a cluster that every solution needs?
-  std::vector<char> paths(std::vector<int> leaves) const;
+  std::vector<char> activePaths(std::vector<int> leaves) const;
 
   const Restriction& restriction() const { return restriction_; }
 
