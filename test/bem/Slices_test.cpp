@@ -88,10 +88,10 @@ TEUCHOS_UNIT_TEST(Slices, cutNothingThatIsLinked) {
   for (int level = 1; level <= 3; ++level) {
     int apart = 0;
     for (const bem::Link& link : links)
-      apart +=
-          at(first, link.carrier.element, level) != at(second, link.met.element, level)
-              ? 1
-              : 0;
+      apart += at(first, link.carrier.element, level) !=
+                       at(second, link.opposite.element, level)
+                   ? 1
+                   : 0;
     TEST_COMPARE(apart, <, 1 << level);
   }
 }

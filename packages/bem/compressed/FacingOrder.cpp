@@ -104,14 +104,15 @@ class Zones {
       double size = 0;
       double moment = 0;
     };
-    std::map<std::pair<int, int>, std::map<int, Share>> met;
+    std::map<std::pair<int, int>, std::map<int, Share>> opposite;
     for (const Link& link : links_)
-      if (of(link.met).zone < 0) {
-        Share& share = met[{link.met.body, link.met.element}][of(link.carrier).zone];
+      if (of(link.opposite).zone < 0) {
+        Share& share =
+            opposite[{link.opposite.body, link.opposite.element}][of(link.carrier).zone];
         share.size += link.size;
         share.moment += link.size * of(link.carrier).place;
       }
-    for (const auto& [key, shares] : met) {
+    for (const auto& [key, shares] : opposite) {
       const auto most = std::max_element(
           shares.begin(), shares.end(),
           [](const auto& a, const auto& b) { return a.second.size < b.second.size; });

@@ -15,7 +15,7 @@ struct BodyElement {
 /// its absolute value.
 struct Link {
   BodyElement carrier;
-  BodyElement met;
+  BodyElement opposite;
   double size;
 };
 
