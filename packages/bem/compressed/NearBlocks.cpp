@@ -112,9 +112,8 @@ class Distances {
     const int trials[3] = {mesh[f].previous, f, mesh[f].next};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        FarOrder order;
         const Vec2 w = mesh.offset(tests[i], trials[j]);
-        far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
+        far_[i][j] = nearness(mesh, tests[i], trials[j], w).isFar();
       }
   }
   /// Of the elements themselves.
