@@ -57,16 +57,18 @@ Mesh graded(int layers, int largest) {
   return Mesh(outline, pieces);
 }
 
-FarBatch farBatch() {
-  FarBatch batch{};
+FarLanes farLanes(int degree, int order) {
+  FarLanes far{};
+  far.densities = degree;
+  far.smooth = {order - degreeShare(degree), order - degreeShare(degree)};
   for (int lane = 0; lane < lanes; ++lane) {
-    batch.wx[lane] = 2 + 0.25 * lane;
-    batch.wy[lane] = 1 + 0.125 * lane;
-    batch.tx[lane] = std::cos(0.3 * lane);
-    batch.ty[lane] = std::sin(0.3 * lane);
-    batch.half[lane] = 0.1;
+    far.wx[lane] = 2 + 0.25 * lane;
+    far.wy[lane] = 1 + 0.125 * lane;
+    far.tx[lane] = std::cos(0.3 * lane);
+    far.ty[lane] = std::sin(0.3 * lane);
+    far.half[lane] = 0.1;
   }
-  return batch;
+  return far;
 }
 
 void perItem(benchmark::State& state, const char* name, double items) {
@@ -79,11 +81,10 @@ void farPair(benchmark::State& state) {
   const int degree = static_cast<int>(state.range(0));
   const int order = static_cast<int>(state.range(1));
   const Mesh mesh = uniform(4, degree);
-  const FarBatch batch = farBatch();
+  const FarLanes far = farLanes(degree, order);
   const auto moments = std::make_unique<TileMoments>();
   for (auto _ : state) {
-    farMoments(mesh[0], batch, {degree, degree},
-               {order - degreeShare(degree), order - degreeShare(degree)}, *moments);
+    farMoments(mesh[0], far, *moments);
     benchmark::DoNotOptimize(moments->log[0][0]);
   }
   perItem(state, "seconds_per_pair", lanes);
@@ -95,9 +96,8 @@ void nearPair(benchmark::State& state) {
   const Mesh mesh = uniform(64, static_cast<int>(state.range(0)));
   const int distance = static_cast<int>(state.range(1));
   const auto moments = std::make_unique<TileMoments>();
-  NearMoments near;
   for (auto _ : state) {
-    near.evaluate(mesh, 4 + distance, 4, *moments, 0);
+    nearMoments(mesh, 4 + distance, 4, *moments, 0);
     benchmark::DoNotOptimize(moments->log[0][0]);
   }
   perItem(state, "seconds_per_pair", 1);

@@ -29,9 +29,9 @@ double differenceFromFiner(const Mesh& mesh, int e) {
     features.push_back({seen.z().real(), std::abs(seen.b())});
   }
   const auto exact = std::make_unique<bem::TileMoments>();
-  bem::nearArcMoments(mesh, e, f, bem::gradedRule(features, 60, 1e-16), *exact, 0);
+  bem::nearMoments(mesh, e, f, bem::gradedRule(features, 60, 1e-16), *exact, 0);
   const auto near = std::make_unique<bem::TileMoments>();
-  bem::NearMoments().evaluate(mesh, e, f, *near, 0);
+  bem::nearMoments(mesh, e, f, *near, 0);
   double worst = 0;
   double largest = 0;
   for (int i = 0; i < mesh[e].densities; ++i)
@@ -49,7 +49,7 @@ double differenceFromFiner(const Mesh& mesh, int e) {
 }
 
 /// The largest difference of far pairs from what near ones would be, over the largest
-/// moment of the pair; NearMoments are the reference.
+/// moment of the pair; nearMoments are the reference.
 double differenceFarAndNear(const Mesh& mesh, int e, int f) {
   const bem::ElementRuns runs(mesh);
   bem::Tile tile(runs);
@@ -59,7 +59,7 @@ double differenceFarAndNear(const Mesh& mesh, int e, int f) {
   if (!tile.isFar(lane))
     return 0;
   const auto near = std::make_unique<bem::TileMoments>();
-  bem::NearMoments().evaluate(mesh, e, f, *near, 0);
+  bem::nearMoments(mesh, e, f, *near, 0);
   const bem::TileMoments& far = tile.moments();
   double worst = 0;
   double largest = 0;

@@ -152,7 +152,8 @@ TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
     changed.held[space.displacement(50, 0, 1)] = 1;
     changed.held[space.displacement(last - 2, 0, 0)] = 1;
     const auto made = [&](const bem::CompressedOperators& from) {
-      bem::CompressedFactor factor = bem::CompressedFactor(from, clamp).within(leaves);
+      bem::CompressedFactor factor =
+          bem::CompressedFactor(from, clamp).restrictedTo(leaves);
       factor.update(changed);
       return factor;
     };
@@ -161,8 +162,8 @@ TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
     Matrix b(z.size(), 2);
     for (int e = 49; e < last; ++e)
       b(space.displacement(e, 0, 0), e % 2) = std::sin(1.7 * e);
-    const std::vector<char> paths = one.paths(leaves);
-    TEST_ASSERT(paths == several.paths(leaves));
+    const std::vector<char> paths = one.activePaths(leaves);
+    TEST_ASSERT(paths == several.activePaths(leaves));
     TEST_EQUALITY(
         relativeDifference(several.solveAlong(paths, b), one.solveAlong(paths, b)), 0);
   }
@@ -225,8 +226,8 @@ TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
   const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const auto leafOf = [&](int e) { return z.leafOf(space.displacement(e, 0, 0)); };
   const bem::CompressedFactor factor(z, clamped(space, 0, 48), {leafOf(100)});
-  TEST_THROW(factor.within({leafOf(10)}), std::logic_error);
-  TEST_NOTHROW(factor.within({leafOf(100), leafOf(10)}));
+  TEST_THROW(factor.restrictedTo({leafOf(10)}), std::logic_error);
+  TEST_NOTHROW(factor.restrictedTo({leafOf(100), leafOf(10)}));
 }
 
 /// What would be read beside its place is refused: followers in other leaves than their

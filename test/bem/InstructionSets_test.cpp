@@ -1,5 +1,6 @@
 // Every instruction set that this processor has gives the same moments and sums.
 #include "bem/fields/PointSources.hpp"
+#include "bem/moments/FarPairs.hpp"
 #include "bem/moments/NearPairs.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/SampleMeshes.hpp"
@@ -20,16 +21,18 @@ TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
   TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
 }
 
-bem::FarBatch anyBatch() {
-  bem::FarBatch batch{};
+bem::FarLanes anyLanes(int densities, bem::Nearness order) {
+  bem::FarLanes all{};
+  all.densities = densities;
+  all.smooth = order;
   for (int lane = 0; lane < bem::lanes; ++lane) {
     bem::Element f;
     f.half = 0.1 + 0.02 * lane;
     const bem::Vec2 half{f.half * std::cos(0.7 * lane), f.half * std::sin(0.7 * lane)};
     f.curve = bem::Curve(-half, half);
-    batch.set(lane, {1.5 + 0.3 * lane, 0.2 * lane - 1}, f);
+    all.set(lane, {1.5 + 0.3 * lane, 0.2 * lane - 1}, f);
   }
-  return batch;
+  return all;
 }
 
 double difference(const bem::TileMoments& a, const bem::TileMoments& b, int degree) {
@@ -60,11 +63,10 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
   const auto other = std::make_unique<bem::TileMoments>();
   for (const int degree : {1, 2, 3, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
-    const bem::FarOrder order = {degree + 5, degree + 7};
-    bem::farMoments(mesh[1], anyBatch(), {degree, degree}, order, *baseline,
-                    bem::InstructionSet::Baseline);
+    const bem::FarLanes lanes = anyLanes(degree, {degree + 5, degree + 7});
+    bem::farMoments(mesh[1], lanes, *baseline, bem::InstructionSet::Baseline);
     for (const bem::InstructionSet set : bem::instructionSets()) {
-      bem::farMoments(mesh[1], anyBatch(), {degree, degree}, order, *other, set);
+      bem::farMoments(mesh[1], lanes, *other, set);
       TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
     }
   }
@@ -77,13 +79,12 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
       polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.4, 0.1}}));
   const auto baseline = std::make_unique<bem::TileMoments>();
   const auto other = std::make_unique<bem::TileMoments>();
-  bem::NearMoments near;
   for (const int degree : {1, 2, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {4, 2, 3, 2}, degree);
     for (const int e : {0, 1, 2, 4, 6, 7}) {
-      near.evaluate(mesh, e, 2, *baseline, 0, bem::InstructionSet::Baseline);
+      bem::nearMoments(mesh, e, 2, *baseline, 0, bem::InstructionSet::Baseline);
       for (const bem::InstructionSet set : bem::instructionSets()) {
-        near.evaluate(mesh, e, 2, *other, 0, set);
+        bem::nearMoments(mesh, e, 2, *other, 0, set);
         for (int lane = 1; lane < bem::lanes; ++lane)
           for (int i = 0; i <= degree; ++i)
             for (int j = 0; j <= degree; ++j) {

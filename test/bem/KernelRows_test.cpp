@@ -2,7 +2,7 @@
 #include "bem/tractions/KernelRows.hpp"
 
 #include "bem/kernel/Elasticity.hpp"
-#include "bem/moments/ArcWeights.hpp"
+#include "bem/moments/ArcRule.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "reference/SampleMeshes.hpp"
@@ -47,7 +47,7 @@ class Slow {
         std::fill_n(
             targets, bem::lanes,
             bem::seenFrom(mesh, f, mesh.at(element, point.fromStart, point.toEnd)));
-        bem::arcWeights(arc, targets, weights.data());
+        arc.evaluate(bem::TargetLanes(targets), weights.data());
         std::vector<double> tests(static_cast<std::size_t>(moments) + 1);
         bem::legendreValues(moments - 1, point.t, tests.data());
         std::array<double, bem::largestDegree + 2> own{};

@@ -16,8 +16,7 @@ LowRank::LowRank(Matrix columns, const Matrix& kappa)
 
 void LowRank::addTo(Matrix& y, const Matrix& x) const {
   const Index rank = u.columns() / 2;
-  Matrix seen(u.columns(), x.columns());
-  addTransposedProduct(1, u, x, seen);
+  const Matrix seen = transposedProduct(u, x);
   Matrix sizes(u.columns(), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     for (Index k = 0; k < rank; ++k) {
@@ -36,8 +35,7 @@ Woodbury::Woodbury(Matrix u, Matrix inverse, Matrix answers, const char* name)
 }
 
 void Woodbury::correct(Matrix& x) const {
-  Matrix sizes(u_.columns(), x.columns());
-  addTransposedProduct(1, u_, x, sizes);
+  Matrix sizes = transposedProduct(u_, x);
   rest_.solve(sizes);
   addProduct(-1, answers_, sizes, x);
 }

@@ -8,7 +8,9 @@ namespace epafi::bem {
 
 namespace {
 
-void add(Teuchos::ETransp op, double s, const Matrix& a, const Matrix& b, Matrix& c) {
+/// C <- s op(A) B + keep C
+void multiply(Teuchos::ETransp op, double s, const Matrix& a, const Matrix& b,
+              double keep, Matrix& c) {
   using Blas = Teuchos::BLAS<int, double>;
   const int lda = asInt(a.stride());
   if (c.empty() || b.rows() == 0)
@@ -17,22 +19,38 @@ void add(Teuchos::ETransp op, double s, const Matrix& a, const Matrix& b, Matrix
   const BlasThreads threads(blasThreadsFor(work));  // where byColumns has one for all
   if (c.columns() == 1)
     return Blas().GEMV(op, asInt(a.rows()), asInt(a.columns()), s, a.data(), lda,
-                       b.data(), 1, 1, c.data(), 1);
+                       b.data(), 1, keep, c.data(), 1);
   byColumns(c.columns(), work, [&](Index first, Index count) {
     Blas().GEMM(op, Teuchos::NO_TRANS, asInt(c.rows()), asInt(count), asInt(b.rows()), s,
-                a.data(), lda, b.column(first), asInt(b.stride()), 1, c.column(first),
+                a.data(), lda, b.column(first), asInt(b.stride()), keep, c.column(first),
                 asInt(c.stride()));
   });
+}
+
+Matrix productOf(Teuchos::ETransp op, Index rows, const Matrix& a, const Matrix& b) {
+  if (b.rows() == 0)
+    return {rows, b.columns()};
+  Matrix c = Matrix::unset(rows, b.columns());
+  multiply(op, 1, a, b, 0, c);
+  return c;
 }
 
 }  // namespace
 
 void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
-  add(Teuchos::NO_TRANS, s, a, b, c);
+  multiply(Teuchos::NO_TRANS, s, a, b, 1, c);
 }
 
 void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
-  add(Teuchos::TRANS, s, a, b, c);
+  multiply(Teuchos::TRANS, s, a, b, 1, c);
+}
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  return productOf(Teuchos::NO_TRANS, a.rows(), a, b);
+}
+
+Matrix transposedProduct(const Matrix& a, const Matrix& b) {
+  return productOf(Teuchos::TRANS, a.columns(), a, b);
 }
 
 }  // namespace epafi::bem

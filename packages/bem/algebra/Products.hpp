@@ -12,11 +12,9 @@ namespace epafi::bem {
 /// C += s A B, and C += s Aᵀ B; in parallel, see byColumns
 void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
 void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
-inline Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c(a.rows(), b.columns());
-  addProduct(1, a, b, c);
-  return c;
-}
+/// A B, and Aᵀ B
+Matrix product(const Matrix& a, const Matrix& b);
+Matrix transposedProduct(const Matrix& a, const Matrix& b);
 
 /// B += A
 inline void addTo(Matrix& b, const Matrix& a) {
@@ -26,7 +24,7 @@ inline void addTo(Matrix& b, const Matrix& a) {
 }
 
 inline Matrix transposed(const Matrix& a) {
-  Matrix result(a.columns(), a.rows());
+  Matrix result = Matrix::unset(a.columns(), a.rows());
   for (Index j = 0; j < a.columns(); ++j)
     for (Index i = 0; i < a.rows(); ++i)
       result(j, i) = a(i, j);
@@ -34,7 +32,7 @@ inline Matrix transposed(const Matrix& a) {
 }
 
 inline Matrix rowsOf(const Matrix& x, const std::vector<Index>& rows) {
-  Matrix result(static_cast<Index>(rows.size()), x.columns());
+  Matrix result = Matrix::unset(static_cast<Index>(rows.size()), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     for (std::size_t i = 0; i < rows.size(); ++i)
       result(static_cast<Index>(i), j) = x(rows[i], j);
@@ -46,13 +44,13 @@ inline void putRows(const Matrix& from, const std::vector<Index>& rows, Matrix& 
       x(rows[i], j) = from(static_cast<Index>(i), j);
 }
 inline Matrix rowsBetween(const Matrix& x, Index first, Index last) {
-  Matrix result(last - first, x.columns());
+  Matrix result = Matrix::unset(last - first, x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     std::copy(x.column(j) + first, x.column(j) + last, result.column(j));
   return result;
 }
 inline Matrix stacked(const Matrix& a, const Matrix& b) {
-  Matrix result(a.rows() + b.rows(), a.columns());
+  Matrix result = Matrix::unset(a.rows() + b.rows(), a.columns());
   for (Index j = 0; j < a.columns(); ++j) {
     std::copy_n(a.column(j), a.rows(), result.column(j));
     std::copy_n(b.column(j), b.rows(), result.column(j) + a.rows());
@@ -60,7 +58,7 @@ inline Matrix stacked(const Matrix& a, const Matrix& b) {
   return result;
 }
 inline Matrix columnsBetween(const Matrix& a, Index first, Index last) {
-  Matrix result(a.rows(), last - first);
+  Matrix result = Matrix::unset(a.rows(), last - first);
   for (Index j = first; j < last; ++j)
     std::copy_n(a.column(j), a.rows(), result.column(j - first));
   return result;

@@ -24,7 +24,6 @@ std::unique_ptr<double[], FreeMatrix> fromHeap(std::size_t bytes) {
   auto* memory = static_cast<double*>(std::aligned_alloc(cacheLine, bytes));
   if (memory == nullptr)
     throw std::bad_alloc();
-  std::fill_n(memory, bytes / sizeof(double), 0.0);
   return {memory, FreeMatrix{0}};
 }
 
@@ -56,11 +55,20 @@ void FreeMatrix::operator()(double* p) const {
     std::free(p);
 }
 
-Matrix::Matrix(Index rows, Index columns)
-    : rows_(rows), columns_(columns), stride_(paddedStride(rows)) {
-  const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(stride_) *
+Matrix::Matrix(Index rows, Index columns) : Matrix(unset(rows, columns)) {
+  if (data_.get_deleter().mapped == 0)
+    std::fill_n(data_.get(), stride_ * std::max<Index>(1, columns), 0.0);
+}
+
+Matrix Matrix::unset(Index rows, Index columns) {
+  Matrix result;
+  result.rows_ = rows;
+  result.columns_ = columns;
+  result.stride_ = paddedStride(rows);
+  const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(result.stride_) *
                             static_cast<std::size_t>(std::max<Index>(1, columns));
-  data_ = bytes < hugePage ? fromHeap(bytes) : fromSystem(bytes);
+  result.data_ = bytes < hugePage ? fromHeap(bytes) : fromSystem(bytes);
+  return result;
 }
 
 void Matrix::shrink(Index columns) {
@@ -76,7 +84,7 @@ void Matrix::shrink(Index columns) {
 }
 
 Matrix Matrix::copy() const {
-  Matrix result(rows_, columns_);
+  Matrix result = unset(rows_, columns_);
   for (Index j = 0; j < columns_; ++j)
     std::copy_n(column(j), rows_, result.column(j));
   return result;

@@ -30,6 +30,8 @@ class Matrix {
  public:
   Matrix() = default;
   Matrix(Index rows, Index columns);  ///< all entries zero
+  /// Entries have no value: for a result that is written as a whole.
+  static Matrix unset(Index rows, Index columns);
 
   Matrix(Matrix&&) noexcept = default;
   Matrix& operator=(Matrix&&) noexcept = default;

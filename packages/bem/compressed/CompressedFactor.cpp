@@ -65,7 +65,7 @@ int CompressedFactor::update(Restriction restriction) {
   return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
 
-CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const {
+CompressedFactor CompressedFactor::restrictedTo(const std::vector<int>& leaves) const {
   const ClusterTree& tree = operators_->tree();
   CompressedFactor result = *this;
   // springs and rotations act elsewhere
@@ -192,7 +192,7 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
       leaves[c].added.push_back({places[entry.row], places[entry.column], entry.value});
   };
   std::for_each(restriction_.entries.begin(), restriction_.entries.end(), add);
-  for (const Index i : operators_->floating())
+  for (const Index i : operators_->springUnknowns())
     add({i, i, 1});
   return leaves;
 }
@@ -298,7 +298,7 @@ void CompressedFactor::addBorder() {
   border_ = nullptr;
   const LowRank& rotations = operators_->rotations();
   std::vector<Index> sprung;
-  for (const Index i : operators_->floating())
+  for (const Index i : operators_->springUnknowns())
     if (restriction_.held[i] == 0)
       sprung.push_back(i);
   const Index turning = rotations.u.columns();
@@ -325,8 +325,8 @@ void CompressedFactor::addBorder() {
                                              std::move(answers), compressedSystem);
 }
 
-std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
-  for (const Index i : operators_->floating())
+std::vector<char> CompressedFactor::activePaths(std::vector<int> leaves) const {
+  for (const Index i : operators_->springUnknowns())
     leaves.push_back(operators_->leafOf(i));
   return withoutAbove(operators_->tree().paths(leaves));
 }

@@ -51,7 +51,7 @@ class CompressedFactor {
   /// their lowest common ancestor is eliminated once; its response is added there.  The leaves
   /// that may change stay the same.
   /// \throws std::logic_error if none of the leaves may change: their matrices are not kept
-  CompressedFactor within(const std::vector<int>& leaves) const;
+  CompressedFactor restrictedTo(const std::vector<int>& leaves) const;
 
   /// Changes the restriction; eliminates only leaves where it differs and their ancestors.
   /// Returns the number of eliminated clusters.
@@ -63,14 +63,14 @@ class CompressedFactor {
   /// X of Z X = B; held unknowns are zero or followers.
   /// \param refinements steps of iterative refinement with the residual of the density equations,
   /// which grows with the number of elements
-  /// \throws std::logic_error for a factor made by within()
+  /// \throws std::logic_error for a factor made by restrictedTo()
   Matrix solve(const Matrix& b, int refinements = 1) const;
 
   /// solve() without refinement, for right-hand sides that are zero outside the leaves of
   /// `paths`.  Only the unknowns in these leaves are valid.
   Matrix solveAlong(const std::vector<char>& paths, const Matrix& b) const;
   /// By cluster: is it one of the leaves, an ancestor, or a cluster that every solution needs?
-  std::vector<char> paths(std::vector<int> leaves) const;
+  std::vector<char> activePaths(std::vector<int> leaves) const;
 
   const Restriction& restriction() const { return restriction_; }
 
@@ -105,12 +105,12 @@ class CompressedFactor {
   std::vector<char> changing_;  ///< by cluster
   /// By cluster: is it possibly out of date after an update() that threw?
   std::vector<char> unfinished_;
-  int top_ = 0;  ///< the root, or the lowest common ancestor of within()
+  int top_ = 0;  ///< the root, or the lowest common ancestor of restrictedTo()
   std::shared_ptr<const Matrix>
       whole_;  ///< inside() of top_, if it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
   std::vector<std::shared_ptr<const Response>> responses_;  ///< while needed
-  /// Correction for springs on unknowns of CompressedOperators::floating that are not held, and
+  /// Correction for springs on unknowns of CompressedOperators::springUnknowns that are not held, and
   /// for rotations; null without any.
   std::shared_ptr<const Woodbury> border_;
 };

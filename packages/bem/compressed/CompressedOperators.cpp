@@ -106,7 +106,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                        youngOf(bodies[b].lame)});
     spaces.push_back(&space);
     for (const Index i : restingDisplacements(space))
-      floating_.push_back(first + i);
+      springUnknowns_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
       all.add(b, unknown);
   }

@@ -82,7 +82,7 @@ class CompressedOperators {
 
   /// With holes, three displacements of the outer loop that determine a rigid motion.
   /// CompressedFactor puts springs there, since a cluster that is a whole loop may float.
-  const std::vector<Index>& floating() const { return floating_; }
+  const std::vector<Index>& springUnknowns() const { return springUnknowns_; }
 
   /// Low-rank correction of the compressed system for exact rotations: replaces Z r_I of each body
   /// with arcs, where q of Rotation gives the amplitude of r_I; with LocalCoupling::rotations.
@@ -98,7 +98,7 @@ class CompressedOperators {
   std::vector<ClusterTree> trees_;
   std::unique_ptr<const Subtrees> subtrees_;
   std::vector<ClusterPart> parts_;
-  std::vector<Index> floating_;
+  std::vector<Index> springUnknowns_;
   LowRank rotations_;
 };
 

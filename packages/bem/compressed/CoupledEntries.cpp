@@ -75,7 +75,7 @@ void CoupledEntries::addColumn(const std::vector<ElementFunctions>& rows,
   for (std::size_t k = first; k < rows.size(); ++k) {
     const int e = rows[k].element;
     const Vec2 w = near_.offset(e, f);
-    if (!near_.isDeep(e, f, w)) {
+    if (!near_.isFullyFar(e, f, w)) {
       const NearBlocks::View block = near_.of(e, f);
       for (const auto& [b, place] : column.functions)
         for (const auto& [a, row] : rows[k].functions)

@@ -16,7 +16,8 @@ void addIdentity(Matrix& a) {
 /// A matrix in some rows and columns.
 Matrix between(const Matrix& a, const std::vector<Index>& rows,
                const std::vector<Index>& columns) {
-  Matrix result(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  Matrix result =
+      Matrix::unset(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const double* column = a.column(columns[j]);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -37,7 +38,7 @@ Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index f
   }
   const auto begin = std::lower_bound(t.rest.begin(), t.rest.end(), first);
   const auto end = std::lower_bound(t.rest.begin(), t.rest.end(), last);
-  Matrix columns(response.rows(), end - begin);
+  Matrix columns = Matrix::unset(response.rows(), end - begin);
   for (auto place = begin; place != end; ++place)
     std::copy_n(response.column(*place - first), response.rows(),
                 columns.column(place - begin));

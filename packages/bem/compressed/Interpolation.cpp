@@ -36,7 +36,7 @@ Matrix triangle(Matrix a) {
 }  // namespace
 
 Matrix Interpolation::times(const Matrix& x) const {
-  Matrix y(rows(), x.columns());
+  Matrix y = Matrix::unset(rows(), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     for (std::size_t i = 0; i < skeleton.size(); ++i)
       y(static_cast<Index>(i), j) = skeleton[i] < 0 ? 0 : x(skeleton[i], j);
@@ -45,8 +45,7 @@ Matrix Interpolation::times(const Matrix& x) const {
 }
 
 void Interpolation::addTransposed(const Matrix& x, Matrix& y) const {
-  Matrix parts(weights.columns(), x.columns());
-  addTransposedProduct(1, weights, x, parts);
+  const Matrix parts = transposedProduct(weights, x);
   for (Index j = 0; j < x.columns(); ++j) {
     for (std::size_t i = 0; i < skeleton.size(); ++i)
       y(skeleton[i], j) += x(static_cast<Index>(i), j);
@@ -89,7 +88,7 @@ Interpolation Interpolation::on(const std::vector<Index>& columns,
       result.skeleton.push_back(place);
     }
   }
-  result.weights = Matrix(result.rows(), static_cast<Index>(kept.size()));
+  result.weights = Matrix::unset(result.rows(), static_cast<Index>(kept.size()));
   for (std::size_t j = 0; j < kept.size(); ++j)
     for (std::size_t i = 0; i < rows.size(); ++i)
       result.weights(static_cast<Index>(i), static_cast<Index>(j)) =
@@ -113,7 +112,7 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
     ++rank;
 
   Interpolation result;
-  Matrix rest(rank, columns - rank);
+  Matrix rest = Matrix::unset(rank, columns - rank);
   for (Index j = 0; j < rest.columns(); ++j)
     std::copy_n(a.column(rank + j), rank, rest.column(j));
   if (!rest.empty())
@@ -126,7 +125,7 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
   for (Index j = rank; j < columns; ++j)
     places.emplace_back(pivots[j], j - rank);
   std::sort(places.begin(), places.end());
-  result.weights = Matrix(rank, columns - rank);
+  result.weights = Matrix::unset(rank, columns - rank);
   for (std::size_t j = 0; j < places.size(); ++j) {
     result.rest.push_back(places[j].first);
     std::copy_n(rest.column(places[j].second), rank,

@@ -112,9 +112,8 @@ class Distances {
     const int trials[3] = {mesh[f].previous, f, mesh[f].next};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        FarOrder order;
         const Vec2 w = mesh.offset(tests[i], trials[j]);
-        far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
+        far_[i][j] = nearness(mesh, tests[i], trials[j], w).isFar();
       }
   }
   /// Of the elements themselves.
@@ -206,7 +205,7 @@ void NearBlocks::findPairs(const ClusterTree& tree, const std::vector<char>& fir
   std::size_t next = 0;
   const auto addPair = [&](int e, int f) {
     const bool isAsked = (first[e] & second[f]) != 0 || (first[f] & second[e]) != 0;
-    if (!isAsked || isDeep(e, f))
+    if (!isAsked || isFullyFar(e, f))
       return;
     pairs_[e].push_back({f, next});
     next += static_cast<std::size_t>(sizes_[e] * sizes_[f]);

@@ -10,7 +10,7 @@
 namespace epafi::bem {
 
 /// Stored blocks of the coupled system (see FarBlocks) for all pairs of elements that are not
-/// deep: integrated by parts from the moments of a tile, except entries of two functions
+/// fully far: integrated by parts from the moments of a tile, except entries of two functions
 /// whose supports are far from each other.
 class NearBlocks {
  public:
@@ -20,9 +20,9 @@ class NearBlocks {
              const std::vector<char>& first, const std::vector<char>& second);
 
   /// Are all functions of e far from all functions of f?  Such a pair has no block here.
-  bool isDeep(int e, int f) const { return isDeep(e, f, offset(e, f)); }
+  bool isFullyFar(int e, int f) const { return isFullyFar(e, f, offset(e, f)); }
   /// \param offset offset(e, f)
-  bool isDeep(int e, int f, Vec2 offset) const {
+  bool isFullyFar(int e, int f, Vec2 offset) const {
     const Hood& a = hoods_[e];
     const Hood& b = hoods_[f];
     const double reach =
@@ -42,12 +42,12 @@ class NearBlocks {
     Index nextColumn;
     double operator()(int a, int b) const { return data[a * nextRow + b * nextColumn]; }
   };
-  /// \throws std::logic_error if the pair is deep or was not requested
+  /// \throws std::logic_error if the pair is fully far or was not requested
   View of(int e, int f) const;
 
  private:
   // Meshes of halved elements have many pairs exactly at the limit distance, which rounding may
-  // make near; the factor prevents that their neighbours count as deep.
+  // make near; the factor prevents that their neighbours count as fully far.
   static constexpr double clearly = 1 + 1e-6;
   // From this distance on (in diameters) differences of coordinates are accurate enough.
   static constexpr double plainDistance = 1e-2;

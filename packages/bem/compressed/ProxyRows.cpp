@@ -1,7 +1,7 @@
 #include "bem/compressed/ProxyRows.hpp"
 
 #include "bem/compressed/CoupledEntries.hpp"
-#include "bem/moments/FarOrder.hpp"
+#include "bem/moments/Nearness.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>

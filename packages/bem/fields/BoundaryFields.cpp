@@ -53,17 +53,17 @@ class NearElements {
   /// Adds an element, its field in each state.
   void add(int source, const LocalField* fields) {
     const Element& y = mesh_[source];
-    const SeenPoints seen(mesh_, element_, source, points_);
     ElementPotential kernels(y.curve, std::max(y.degree, y.densities));
     std::vector<Complex> shares;  // densities and slopes of the first state, and so on
     for (std::size_t state = 0; state < states_; ++state)
       for (const auto series : {&LocalField::density, &LocalField::slope})
         for (int k = 0; k < kernels.size(); ++k)
           shares.push_back(kernels.share(fields[state].*series, k));
-    for (std::size_t first = 0; first < points_.size(); first += lanes) {
-      kernels.evaluate(seen, first);
-      dispatch(largestInstructionSet(),
-               Combination{kernels, shares, sums_.data() + first / lanes * states_});
+    PointSources::Sums* to = sums_.data();
+    for (const TargetLanes& x : seenFrom(mesh_, source, element_, points_)) {
+      kernels.evaluate(x);
+      dispatch(largestInstructionSet(), Combination{kernels, shares, to});
+      to += states_;
     }
   }
 
@@ -170,11 +170,10 @@ void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points)
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
-  FarBatch batch{};
   const ElementRun& run = runs_[r];
-  const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
-  if (chosen.atOnce) {
-    const int order = pointsOn(chosen.smooth.inner, chosen.columns);
+  const FarLanes chosen = runs_.choose(element, r, {run.first, run.last});
+  if (chosen.arePlain) {
+    const int order = pointsOn(chosen.smooth.inner, run.degree);
     const std::size_t first = run.first * order;
     const std::size_t last = run.last * order;
     // interpolation needs twice as many points as a product of two such fields
@@ -192,7 +191,7 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       sources.near.push_back(f);
       continue;
     }
-    const FarOrder& smooth = chosen.own[lane];
+    const Nearness& smooth = chosen.own[lane];
     addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
            sources.far(2 * smooth.outer).points);
   }

@@ -1,6 +1,6 @@
 #include "bem/fields/SourceGroups.hpp"
 
-#include "bem/moments/FarOrder.hpp"
+#include "bem/moments/Nearness.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
 

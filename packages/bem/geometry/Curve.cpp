@@ -73,14 +73,9 @@ double Curve::parameter(Position place) const {
                                        : 1 - place.toEnd / half_;
 }
 
-Vec2 Curve::tangent(double t) const {
-  return isStraight() ? frame_.tangent : turned(frame_.tangent, alpha_ * t);
-}
+Vec2 Curve::turnedTangent(double t) const { return turned(frame_.tangent, alpha_ * t); }
 
-// A chord has the direction of the tangent half way.
-Vec2 Curve::chord(double t, double distance) const {
-  if (isStraight())
-    return distance * frame_.tangent;
+Vec2 Curve::chordOfArc(double t, double distance) const {
   const double s = 0.5 * distance / half_;
   return distance * sinc(alpha_ * s) * tangent(t + s);
 }

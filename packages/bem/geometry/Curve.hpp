@@ -80,7 +80,9 @@ class Curve {
     return frame_;
   }
 
-  Vec2 tangent(double t) const;
+  Vec2 tangent(double t) const {
+    return isStraight() ? frame_.tangent : turnedTangent(t);
+  }
   Vec2 normal(double t) const { return turnRight(tangent(t)); }
   /// y(t), computed from the nearer end.
   Vec2 point(double t) const;
@@ -108,7 +110,12 @@ class Curve {
 
  private:
   double parameter(Position place) const;
-  Vec2 chord(double t, double distance) const;
+  Vec2 turnedTangent(double t) const;
+  Vec2 chordOfArc(double t, double distance) const;
+  // A chord has the direction of the tangent half way.
+  Vec2 chord(double t, double distance) const {
+    return isStraight() ? distance * frame_.tangent : chordOfArc(t, distance);
+  }
 
   Vec2 from_;
   Vec2 to_;

@@ -104,6 +104,13 @@ Mesh Mesh::withDegreesOfDensities() const {
   return result;
 }
 
+bool Mesh::hasArcs() const {
+  for (int e = 0; e < size(); ++e)
+    if (lineOf(e) < 0)
+      return true;
+  return false;
+}
+
 std::vector<int> Mesh::elementsOf(const std::string& name) const {
   std::vector<int> result;
   for (int e = 0; e < size(); ++e)

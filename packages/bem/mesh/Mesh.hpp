@@ -71,6 +71,14 @@ class Mesh {
   /// Elements of a named boundary, in the direction of the outline.
   std::vector<int> elementsOf(const std::string& boundary) const;
 
+  /// Number of the straight edge of e; -1 if e is an arc.
+  int lineOf(int e) const {
+    return (*this)[e].curve.isStraight() ? (*this)[e].piece.edge : -1;
+  }
+  bool hasArcs() const;
+  /// Are both elements on one straight edge?
+  bool areOnLine(int e, int f) const { return lineOf(e) >= 0 && lineOf(e) == lineOf(f); }
+
   BoundaryPoint at(int e, double t) const { return at(e, 1 + t, 1 - t); }
   /// The point with 1 + t = fromStart, 1 - t = toEnd, anchored at the nearer end of e.
   BoundaryPoint at(int e, double fromStart, double toEnd) const;

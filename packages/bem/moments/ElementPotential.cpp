@@ -33,7 +33,8 @@ EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
   for (int j = 0; j < terms; ++j) {
     const ComplexPack c = legendre.at(j);
     to[j].overConj.store(tangent * c);
-    to[j].cubic.store((tangent * square) * legendre.cubic(x, j));
+    if (need != Need::Moments)
+      to[j].cubic.store((tangent * square) * legendre.cubic(x, j));
     if (need == Need::Sums)
       continue;
     const double half = curve.half();
@@ -44,15 +45,13 @@ EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
   }
 }
 
-struct AtPoints {
+struct AtTargets {
   const OfSegment& segment;
-  const SeenPoints& points;
-  std::size_t first;
+  const TargetLanes& x;
 
   template <Division>
   EPAFI_INLINE void run() const {
-    const TargetLanes x(points, first);
-    if (points.areOnLine())
+    if (x.isOnEdge)
       segment.evaluate<1>(x);
     else
       segment.evaluate<2>(x);
@@ -78,15 +77,11 @@ ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
     rule_.emplace(curve, terms - 1);
 }
 
-void ElementPotential::evaluate(const SeenPoints& points, std::size_t first,
-                                InstructionSet set) {
-  if (!rule_)
-    return dispatch(
-        set, AtPoints{OfSegment{curve_, terms_, need_, lanes_.data()}, points, first});
-  RelativeTarget targets[lanes];
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    targets[lane] = points[first + lane];
-  arcWeights(*rule_, targets, lanes_.data(), set);
+void ElementPotential::evaluate(const TargetLanes& x, InstructionSet set) {
+  if (rule_)
+    rule_->evaluate(x, lanes_.data(), set);
+  else
+    dispatch(set, AtTargets{OfSegment{curve_, terms_, need_, lanes_.data()}, x});
 }
 
 void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,
@@ -96,28 +91,12 @@ void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,
   RelativeTarget targets[lanes];
   for (int lane = 0; lane < lanes; ++lane)
     targets[lane] = curve_.seen({x.lane[lane], y.lane[lane]});
-  arcWeights(*rule_, targets, lanes_.data(), set);
+  rule_->evaluate(TargetLanes(targets), lanes_.data(), set);
 }
 
 Complex ElementPotential::share(const LegendreSeries<Complex>& density, int k) const {
   return rule_ ? bem::evaluate(density, terms_ - 1, rule_->point(k))
                : density[static_cast<std::size_t>(k)];
-}
-
-ElementPotential::Values ElementPotential::at(int j, std::size_t lane) const {
-  Values sum;
-  for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
-    const KernelLanes& of = (*this)[k];
-    const double share = rule_ ? rule_->legendre(k, j) : 1;
-    sum.overConj += share * of.overConj[lane];
-    sum.cubic += share * of.cubic[lane];
-    sum.flow += share * std::real(normal(k) * std::conj(of.overConj[lane]));
-    if (need_ == Need::Sums)
-      continue;
-    sum.phase += share * of.phase[lane];
-    sum.log += share * of.log.lane[lane];
-  }
-  return sum;
 }
 
 }  // namespace epafi::bem

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "bem/moments/ArcWeights.hpp"
-#include "bem/moments/LegendreLanes.hpp"
+#include "bem/moments/ArcRule.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
@@ -14,15 +13,14 @@ namespace epafi::bem {
 /// (ArcRule).                                               [doc/theory/operators.md]
 class ElementPotential {
  public:
-  enum class Need { Sums, All };
+  /// Which integrals: overConj and cubic; overConj, phase and log; all.
+  enum class Need { Sums, Moments, All };
 
   /// \param terms number of Legendre polynomials of the densities, at most 26
-  /// \param need Sums: without phase and log.  Refers to the curve.
+  /// Refers to the curve.
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
-  /// At points[first] ... points[first + 7].
-  void evaluate(const SeenPoints& points, std::size_t first,
-                InstructionSet set = largestInstructionSet());
+  void evaluate(const TargetLanes& x, InstructionSet set = largestInstructionSet());
   /// At points with these coordinates, not on the element.
   void evaluate(const AlignedLane& x, const AlignedLane& y,
                 InstructionSet set = largestInstructionSet());
@@ -42,22 +40,32 @@ class ElementPotential {
   double whole(int k) const {
     return curve_.half() * (rule_ ? rule_->weight(k) : k == 0 ? 2 : 0);
   }
-  /// Kernel integrals of P_j at a target.
-  struct Values {
-    Complex overConj;
-    Complex cubic;
-    Complex phase;
-    double log = 0;
-    double flow = 0;  ///< ∫ P_j (w·n_y)/|w|² ds
+
+  /// Kernel integrals of P_j, those that are needed.
+  struct alignas(64) Values {
+    ComplexPack overConj;
+    ComplexPack cubic;
+    ComplexPack phase;
+    Pack log{};
+    Pack flow{};  ///< ∫ P_j (w·n_y)/|w|² ds, with log
   };
-  Values at(int j, std::size_t lane) const;
-  /// Adds overConj and cubic of P_j at all targets.
-  EPAFI_INLINE void add(int j, ComplexPack& overConj, ComplexPack& cubic) const {
+  EPAFI_INLINE Values of(int j) const {
+    Values sum;
     for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
+      const KernelLanes& own = (*this)[k];
       const double share = rule_ ? rule_->legendre(k, j) : 1;
-      overConj = overConj + share * (*this)[k].overConj.load();
-      cubic = cubic + share * (*this)[k].cubic.load();
+      const ComplexPack overConj = share * own.overConj.load();
+      sum.overConj = sum.overConj + overConj;
+      if (need_ != Need::Moments)
+        sum.cubic = sum.cubic + share * own.cubic.load();
+      if (need_ == Need::Sums)
+        continue;
+      const Complex n = normal(k);
+      sum.phase = sum.phase + share * own.phase.load();
+      sum.log += share * load(own.log.lane);
+      sum.flow += n.real() * overConj.re + n.imag() * overConj.im;
     }
+    return sum;
   }
 
  private:

@@ -34,6 +34,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     high = {std::max(high.x, element.curve.frame().middle.x),
             std::max(high.y, element.curve.frame().middle.y)};
   }
+  run.elements.densities = run.densities;
   run.centre = 0.5 * (low + high);
   for (int f = first; f < run.last; ++f) {
     const Vec2 offset = mesh[f].curve.frame().middle - run.centre;
@@ -54,60 +55,56 @@ ElementRuns::ElementRuns(const Mesh& mesh) : mesh_(&mesh) {
   }
 }
 
-FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
+FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted,
                              int largestOuter) const {
   const ElementRun& run = (*this)[r];
   FarLanes result;
   const bool all = wanted.first <= run.first && run.last <= wanted.last;
-  if (all && chooseAtOnce(e, run, result, batch))
+  if (all && chooseAtOnce(e, run, result))
     return result;
+  result.densities = run.densities;
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = run.first + lane;
-    batch.drop(lane);
+    result.drop(lane);
     if (f >= run.last || !wanted.contain(f))
       continue;
-    FarOrder order;
     const Vec2 w = mesh_->offset(e, f);
-    const Element& source = (*mesh_)[f];
-    result.far[lane] = !isNear(*mesh_, e, f, w, order) && order.outer <= largestOuter;
-    if (!result.far[lane])
+    const Nearness order = nearness(*mesh_, e, f, w);
+    if (!order.isFar() || order.outer > largestOuter)
       continue;
-    batch.set(lane, w, source);
+    result.set(lane, w, (*mesh_)[f]);
     result.own[lane] = order;
-    ++result.count;
-    result.columns = std::max(result.columns, source.degree);
-    result.smooth = {std::max(result.smooth.outer, order.outer),
-                     std::max(result.smooth.inner, order.inner)};
+    result.smooth.include(order);
   }
   return result;
 }
 
 // |w| between middles is at least the distance to the circle plus half of the element,
-// and a bound for the sums of focal distances, see isNear.
-bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
-                               FarBatch& batch) const {
+// and a bound for the sums of focal distances, see nearness.
+bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result) const {
   const Element& x = (*mesh_)[e];
   const Vec2 toCentre = x.curve.frame().middle - run.centre;
   const double gap = length(toCentre) - run.radius;
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
-  const bool isFar =
-      gap > Mesh::plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
-  if (!isFar || std::min(zE, zF) < zOfCircles)
+  constexpr double ofRounding =
+      1e-12;  // less is not known to the digits that matter here
+  if (gap < ofRounding || gap - x.half < std::max(x.half, run.largestHalf) ||
+      std::min(zE, zF) < zOfCircles)
     return false;
-  result.smooth = {farOrder(x.curve.angle(), zE), farOrder(run.angle, zF)};
-  if (std::max(result.smooth.outer, result.smooth.inner) > smoothOrderOfCircles) {
-    result.smooth = {};  // arcs'
+  const Nearness smooth{farOrder(x.curve.angle(), zE), farOrder(run.angle, zF)};
+  if (std::max(smooth.outer, smooth.inner) > smoothOrderOfCircles)  // arcs'
     return false;
-  }
-  result.atOnce = true;
-  result.columns = run.degree;
-  result.count = run.last - run.first;
-  std::fill_n(result.far, result.count, true);
-  batch = run.elements;
-  for (int lane = 0; lane < result.count; ++lane) {
-    batch.wx[lane] = x.curve.frame().middle.x - run.elements.wx[lane];
-    batch.wy[lane] = x.curve.frame().middle.y - run.elements.wy[lane];
+  result = run.elements;
+  result.arePlain = gap > Mesh::plainDistance;
+  result.smooth = smooth;
+  for (int lane = 0; lane < run.last - run.first; ++lane) {
+    const Vec2 w = result.arePlain
+                       ? x.curve.frame().middle - Vec2{result.wx[lane], result.wy[lane]}
+                       : mesh_->offset(e, run.first + lane);
+    result.wx[lane] = w.x;
+    result.wy[lane] = w.y;
+    result.own[lane] = smooth;
   }
   return true;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "bem/moments/FarPairs.hpp"
+#include "bem/mesh/Mesh.hpp"
+#include "bem/moments/Nearness.hpp"
+#include "bem/simd/Pack.hpp"
 
 #include <vector>
 
@@ -13,10 +15,71 @@ struct ElementRange {
   bool contain(int e) const { return first <= e && e < last; }
 };
 
+/// Eight elements F = first ... first+7 relative to an element E, as structure of arrays, and
+/// which of the pairs are far.
+struct alignas(64) FarLanes {
+  double wx[lanes];  ///< midpoint of E minus midpoint of F
+  double wy[lanes];
+  double tx[lanes];  ///< tangent of F at its midpoint
+  double ty[lanes];
+  double half[lanes];
+  double alpha[lanes];  ///< half the angle by which F turns
+  bool far[lanes] = {};
+  bool arePlain = false;  ///< all are far enough for differences of rounded coordinates
+  int densities = 0;      ///< of the run, the largest number on an element
+  Nearness smooth;        ///< for all far pairs
+  Nearness own[lanes]{};  ///< for each of them
+
+  /// `w`: midpoint of E minus midpoint of F.
+  void set(int lane, Vec2 w, const Element& f) {
+    wx[lane] = w.x;
+    wy[lane] = w.y;
+    tx[lane] = f.curve.frame().tangent.x;
+    ty[lane] = f.curve.frame().tangent.y;
+    half[lane] = f.half;
+    alpha[lane] = 0.5 * f.curve.angle();
+    far[lane] = true;
+  }
+  /// Fills an unused lane with a distant element, so that nothing overflows.
+  void drop(int lane) {
+    wx[lane] = wy[lane] = 10;
+    tx[lane] = half[lane] = 1;
+    ty[lane] = alpha[lane] = 0;
+  }
+};
+
+/// A point t of each of eight elements relative to their middles, and the unit tangent there.
+struct alignas(64) CurvePoints {
+  Pack x;
+  Pack y;
+  Pack tangentX;
+  Pack tangentY;
+
+  CurvePoints() = default;
+  EPAFI_INLINE CurvePoints(const FarLanes& elements, const Pack& t) {
+    const Pack half = load(elements.half);
+    const Pack tx = load(elements.tx);
+    const Pack ty = load(elements.ty);
+    Pack sinc;
+    Pack cosine;
+    const Pack angle = (0.5 * t) * load(elements.alpha);
+    sineCosine(angle, sinc, cosine);
+    const Pack sine = angle * sinc;
+    const Pack along = (half * t) * sinc * cosine;
+    const Pack across = (half * t) * sinc * sine;
+    x = along * tx - across * ty;
+    y = along * ty + across * tx;
+    const Pack sine2 = 2.0 * sine * cosine;
+    const Pack cosine2 = 1.0 - 2.0 * sine * sine;
+    tangentX = cosine2 * tx - sine2 * ty;
+    tangentY = cosine2 * ty + sine2 * tx;
+  }
+};
+
 /// Up to eight consecutive elements of one loop, first ... last - 1, and a circle around
 /// them.
 struct ElementRun {
-  FarBatch elements{};  ///< wx, wy: midpoints, scaled; lanes beyond the last dropped
+  FarLanes elements{};  ///< wx, wy: midpoints, scaled; lanes beyond the last dropped
   int first = 0;
   int last = 0;
   Vec2 centre;
@@ -29,16 +92,6 @@ struct ElementRun {
   double angle = 0;         ///< largest angle by which an element turns
 };
 
-/// The far pairs of an element and a run, and Gauss orders for all of them.
-struct FarLanes {
-  bool far[lanes] = {};
-  int count = 0;
-  bool atOnce = false;  ///< the circle is far; plain coordinates are accurate enough
-  int columns = 0;      ///< largest degree of the far elements
-  FarOrder smooth;      ///< for all pairs, without degreeShare
-  FarOrder own[lanes];  ///< for each pair, unless atOnce
-};
-
 /// Division of a mesh into runs of eight elements; the last run of a loop may be shorter.
 class ElementRuns {
  public:
@@ -49,16 +102,16 @@ class ElementRuns {
   int runOf(int e) const { return runOf_[e]; }
   const ElementRun& operator[](int r) const { return runs_[r]; }
 
-  /// Selects the far pairs of e and the wanted elements of run r; fills the batch.  A single
-  /// test suffices if all elements are wanted and the circle is far.
+  /// Selects the far pairs of e and the wanted elements of run r.  A single test suffices if all
+  /// elements are wanted and the circle is far.
   /// \param largestOuter pairs that need more Gauss points on e (without degreeShare) count as
   /// near; at least 7, which a far circle needs.  With the default, the result does not depend
   /// on which element of a pair is e.
-  FarLanes choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
+  FarLanes choose(int e, int r, const ElementRange& wanted,
                   int largestOuter = largestSmoothOrder) const;
 
  private:
-  bool chooseAtOnce(int e, const ElementRun& run, FarLanes& pairs, FarBatch& batch) const;
+  bool chooseAtOnce(int e, const ElementRun& run, FarLanes& result) const;
 
   const Mesh* mesh_;
   std::vector<ElementRun> runs_;

@@ -3,127 +3,212 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
 namespace {
 
-/// The inner integrals at one outer point; Degree 0 for any.
-template <int Degree>
-struct Inner {
-  static constexpr int size = (Degree > 0 ? Degree : largestMoment) + 2;
-  Pack i[size];  // ∫ P_k / r²
-  Pack j[size];  // ∫ P_k η / r²,  η = w·τ_F
-  Pack l[size];  // ∫ P_k log r
+/// Gauss rules of the pairs, Legendre polynomials at their points, and where moments go.
+struct Work {
+  const Element& e;
+  const FarLanes& far;
+  TileMoments& m;
+  int rows = e.densities;
+  int columns = far.densities;
+  const Rule& outer = gaussLegendre(far.smooth.outer + degreeShare(rows));
+  const Rule& inner = gaussLegendre(far.smooth.inner + degreeShare(columns));
+  const WeightedLegendre& outerTable = weightedLegendre(outer.size());
+  const WeightedLegendre& innerTable = weightedLegendre(inner.size());
 };
 
-template <int Degree, Division How>
-EPAFI_INLINE void innerIntegrals(const FarRules& work, int degree, const Pack& eta0,
-                                 const Pack& off2, const Pack& a, Inner<Degree>& in) {
-  const int p = Degree > 0 ? Degree : degree;
-  for (int k = 0; k <= p + 1; ++k)
-    in.i[k] = Pack{};
-  for (int q = 0; q < work.inner.size(); ++q) {
-    const double* weights = work.innerTable[q].data();
-    const Pack eta = eta0 - a * work.inner.points[q];
-    Pack inverse;
-    reciprocal<How>(eta * eta + off2, inverse);
-    for (int k = 0; k <= p + 1; ++k)
-      in.i[k] += inverse * weights[k];
-  }
-  for (int k = 0; k <= p; ++k) {
-    Pack t = in.i[k + 1] * ((k + 1.0) / (2 * k + 1));
-    if (k > 0)
-      t += in.i[k - 1] * (static_cast<double>(k) / (2 * k + 1));
-    in.j[k] = eta0 * in.i[k] - a * t;
-  }
-  // ∫ log r dt = (log r(1) + log r(-1)) + a ∫ t η/r² dt, and by parts for the others
-  const Pack right = eta0 - a;
-  const Pack left = eta0 + a;
-  const Pack product = (right * right + off2) * (left * left + off2);
-  Pack ends;
-  logarithm(product, ends);
-  in.l[0] = 0.5 * ends + a * in.j[1];
-  for (int k = 1; k < p; ++k)
-    in.l[k] = a * (in.j[k + 1] - in.j[k - 1]) * (1.0 / (2 * k + 1));
-}
+/// ∫ P_j over F of the five integrands at an outer point.
+struct alignas(64) Integrals {
+  Pack log;
+  Pack along;
+  Pack across;
+  Pack direct;
+  Pack reverse;
 
-template <int Degree, Division How>
-EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
-                            int columns, const FarRules& work, TileMoments& m) {
-  const int pE = Degree > 0 ? Degree : rows;
-  const int pF = Degree > 0 ? Degree : columns;
-  const Pack tx = load(batch.tx);
-  const Pack ty = load(batch.ty);
-  const Pack a = load(batch.half);
-  const Pack tangentOnNormal =
-      tx * e.segment().normal.x + ty * e.segment().normal.y;  // τ_F·n_E
-  const Pack normalOnNormal =
-      ty * e.segment().normal.x - tx * e.segment().normal.y;  // n_F·n_E
-  constexpr int stride = TileMoments::stride;
-  m.clear(pE, pF);
-  Inner<Degree> in{};
-  for (int q = 0; q < work.outer.size(); ++q) {
-    const double s = e.half * work.outer.points[q];
-    const Pack wx = load(batch.wx) + s * e.segment().tangent.x;
-    const Pack wy = load(batch.wy) + s * e.segment().tangent.y;
-    const Pack eta0 = wx * tx + wy * ty;
-    const Pack off = wx * ty - wy * tx;
-    const Pack off2 = off * off;
-    innerIntegrals<Degree, How>(work, pF, eta0, off2, a, in);
-    const double* weight = work.outerTable[q].data();
-    for (int j = 0; j <= pF; ++j) {
-      const Pack offI = off * in.i[j];
-      const Pack direct = a * offI;
-      const Pack along = off * in.j[j];
-      const Pack across = off * offI;
-      const Pack reverse = -e.half * (tangentOnNormal * in.j[j] + normalOnNormal * offI);
-      for (int i = 0; i < pE; ++i)
-        add(m.direct[i * stride + j], direct * weight[i]);
-      if (j == pF)
-        continue;
-      for (int i = 0; i < pE; ++i) {
-        const int at = i * stride + j;
-        add(m.log[at], in.l[j] * weight[i]);
-        add(m.along[at], along * weight[i]);
-        add(m.across[at], across * weight[i]);
+  /// Adds them for all P_i, `weight` the weighted P_i at the outer point.
+  EPAFI_INLINE void addTo(TileMoments& m, int rows, int columns, int j,
+                          const double* weight) const {
+    constexpr int stride = TileMoments::stride;
+    for (int i = 0; i < rows; ++i)
+      add(m.direct[i * stride + j], direct * weight[i]);
+    if (j == columns)
+      return;
+    for (int i = 0; i < rows; ++i) {
+      const int at = i * stride + j;
+      add(m.log[at], log * weight[i]);
+      add(m.along[at], along * weight[i]);
+      add(m.across[at], across * weight[i]);
+    }
+    for (int i = 0; i <= rows; ++i)
+      add(m.reverse[i * stride + j], reverse * weight[i]);
+  }
+};
+
+/// Between segments, all of one degree; Degree 0: of any.
+template <int Degree>
+class alignas(64) SegmentKernel {
+ public:
+  EPAFI_INLINE explicit SegmentKernel(const Work& work) : work_(work) {}
+
+  template <Division How>
+  EPAFI_INLINE void run() {
+    const int rows = Degree > 0 ? Degree : work_.rows;
+    const int columns = Degree > 0 ? Degree : work_.columns;
+    const FarLanes& far = work_.far;
+    const Curve::Frame& e = work_.e.segment();
+    const double halfE = work_.e.half;
+    const Pack tx = load(far.tx);
+    const Pack ty = load(far.ty);
+    const Pack a = load(far.half);
+    const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
+    const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
+    for (int q = 0; q < work_.outer.size(); ++q) {
+      const double s = halfE * work_.outer.points[q];
+      const Pack wx = load(far.wx) + s * e.tangent.x;
+      const Pack wy = load(far.wy) + s * e.tangent.y;
+      const Pack off = wx * ty - wy * tx;
+      integrate<How>(columns, wx * tx + wy * ty, off * off, a);
+      for (int j = 0; j <= columns; ++j) {
+        const Pack offI = off * i_[j];
+        Integrals{l_[j], off * j_[j], off * offI, a * offI,
+                  -halfE * (tangentOnNormal * j_[j] + normalOnNormal * offI)}
+            .addTo(work_.m, rows, columns, j, work_.outerTable[q].data());
       }
-      for (int i = 0; i <= pE; ++i)
-        add(m.reverse[i * stride + j], reverse * weight[i]);
     }
   }
-}
 
-/// The kernel for the degrees at hand.
+ private:
+  template <Division How>
+  EPAFI_INLINE void integrate(int p, const Pack& eta0, const Pack& off2, const Pack& a) {
+    for (int k = 0; k <= p + 1; ++k)
+      i_[k] = Pack{};
+    for (int q = 0; q < work_.inner.size(); ++q) {
+      const double* weights = work_.innerTable[q].data();
+      const Pack eta = eta0 - a * work_.inner.points[q];
+      Pack inverse;
+      reciprocal<How>(eta * eta + off2, inverse);
+      for (int k = 0; k <= p + 1; ++k)
+        i_[k] += inverse * weights[k];
+    }
+    for (int k = 0; k <= p; ++k) {
+      Pack t = i_[k + 1] * ((k + 1.0) / (2 * k + 1));
+      if (k > 0)
+        t += i_[k - 1] * (static_cast<double>(k) / (2 * k + 1));
+      j_[k] = eta0 * i_[k] - a * t;
+    }
+    // ∫ log r dt = (log r(1) + log r(-1)) + a ∫ t η/r² dt, and by parts for the others
+    const Pack right = eta0 - a;
+    const Pack left = eta0 + a;
+    const Pack product = (right * right + off2) * (left * left + off2);
+    Pack ends;
+    logarithm(product, ends);
+    l_[0] = 0.5 * ends + a * j_[1];
+    for (int k = 1; k < p; ++k)
+      l_[k] = a * (j_[k + 1] - j_[k - 1]) * (1.0 / (2 * k + 1));
+  }
+
+  static constexpr int size = (Degree > 0 ? Degree : largestMoment) + 2;
+  const Work& work_;
+  Pack i_[size] = {};  ///< ∫ P_k / r²
+  Pack j_[size] = {};  ///< ∫ P_k η / r²,  η = w·τ_F
+  Pack l_[size] = {};  ///< ∫ P_k log r
+};
+
+/// With arcs among them.
+class alignas(64) ArcKernel {
+ public:
+  EPAFI_INLINE explicit ArcKernel(const Work& work) : work_(work) {}
+
+  template <Division How>
+  EPAFI_INLINE void run() {
+    for (int q = 0; q < work_.inner.size(); ++q)
+      points_[q] = CurvePoints(work_.far, Pack{} + work_.inner.points[q]);
+    for (int q = 0; q < work_.outer.size(); ++q) {
+      const double s = work_.outer.points[q];
+      const Curve& e = work_.e.curve;
+      integrate<How>(e.fromMiddle(s), work_.e.half * e.normal(s));
+      for (int j = 0; j <= work_.columns; ++j)
+        sums_[j].addTo(work_.m, work_.rows, work_.columns, j, work_.outerTable[q].data());
+    }
+  }
+
+ private:
+  template <Division How>
+  EPAFI_INLINE void integrate(const Vec2& offset, const Vec2& normal) {
+    for (int j = 0; j <= work_.columns; ++j)
+      sums_[j] = Integrals{};
+    const Pack tx = load(work_.far.tx);
+    const Pack ty = load(work_.far.ty);
+    const Pack half = load(work_.far.half);
+    const Pack middleX = load(work_.far.wx) + offset.x;
+    const Pack middleY = load(work_.far.wy) + offset.y;
+    for (int q = 0; q < work_.inner.size(); ++q) {
+      const CurvePoints& y = points_[q];
+      const double* weights = work_.innerTable[q].data();
+      const Pack wx = middleX - y.x;
+      const Pack wy = middleY - y.y;
+      const Pack square = wx * wx + wy * wy;
+      Pack inverse;
+      Pack logarithmOfSquare;
+      reciprocal<How>(square, inverse);
+      logarithm(square, logarithmOfSquare);
+      const Pack eta = wx * tx + wy * ty;
+      const Pack off = (wx * ty - wy * tx) * inverse;
+      const Pack log = 0.5 * logarithmOfSquare;
+      const Pack along = off * eta;
+      const Pack across = off * (wx * ty - wy * tx);
+      const Pack direct = half * (wx * y.tangentY - wy * y.tangentX) * inverse;
+      const Pack reverse = -(wx * normal.x + wy * normal.y) * inverse;
+      for (int j = 0; j <= work_.columns; ++j) {
+        sums_[j].log += log * weights[j];
+        sums_[j].along += along * weights[j];
+        sums_[j].across += across * weights[j];
+        sums_[j].direct += direct * weights[j];
+        sums_[j].reverse += reverse * weights[j];
+      }
+    }
+  }
+
+  const Work& work_;
+  CurvePoints points_[largestGaussOrder];
+  Integrals sums_[largestMoment + 1];
+};
+
 struct FarKernel {
-  const Element& e;
-  const FarBatch& batch;
-  PairDegrees degrees;
-  const FarRules& work;
-  TileMoments& m;
+  const Work& work;
 
   template <Division How>
   EPAFI_INLINE void run() const {
-    const auto [rows, columns] = degrees;
-    const int both = rows == columns ? rows : 0;
-    if (both == 1)
-      farKernel<1, How>(e, batch, rows, columns, work, m);
+    work.m.clear(work.rows, work.columns);
+    const bool hasArcs = work.e.curve.angle() != 0 ||
+                         std::any_of(std::begin(work.far.alpha), std::end(work.far.alpha),
+                                     [](double alpha) { return alpha != 0; });
+    const int both = work.rows == work.columns ? work.rows : 0;
+    if (hasArcs)
+      ArcKernel(work).run<How>();
+    else if (both == 1)
+      SegmentKernel<1>(work).template run<How>();
     else if (both == 2)
-      farKernel<2, How>(e, batch, rows, columns, work, m);
+      SegmentKernel<2>(work).template run<How>();
     else if (both == 3)
-      farKernel<3, How>(e, batch, rows, columns, work, m);
+      SegmentKernel<3>(work).template run<How>();
     else if (both == 4)
-      farKernel<4, How>(e, batch, rows, columns, work, m);
+      SegmentKernel<4>(work).template run<How>();
     else
-      farKernel<0, How>(e, batch, rows, columns, work, m);
+      SegmentKernel<0>(work).template run<How>();
   }
 };
 
 }  // namespace
 
-void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                FarOrder order, TileMoments& moments, InstructionSet set) {
-  const FarRules work(order, degrees);
-  dispatch(set, FarKernel{e, batch, degrees, work, moments});
+void farMoments(const Element& e, const FarLanes& far, TileMoments& moments,
+                InstructionSet set) {
+  dispatch(set, FarKernel{Work{e, far, moments}});
 }
 
 }  // namespace epafi::bem

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bem/moments/FarOrder.hpp"
+#include "bem/moments/Nearness.hpp"
 #include "bem/moments/RelativeTarget.hpp"
-#include "bem/quadrature/Graded.hpp"
 #include "bem/simd/ComplexPack.hpp"
 
 #include <algorithm>
@@ -10,86 +9,6 @@
 #include <limits>
 
 namespace epafi::bem {
-
-/// Eight targets z = a + ib as in RelativeTarget.
-struct TargetLanes {
-  Pack z;
-  Pack minus;  ///< a - 1
-  Pack plus;   ///< a + 1
-  Pack b;
-
-  /// points[first] ...; if fewer than eight remain, one of them is repeated.
-  EPAFI_INLINE TargetLanes(const SeenPoints& points, std::size_t first) {
-    if (points.sight()) {
-      setSeen(*points.sight(), points.points(), first);
-      return;
-    }
-    for (int lane = 0; lane < lanes; ++lane)
-      set(lane, points[first + static_cast<std::size_t>(lane)]);
-  }
-  EPAFI_INLINE explicit TargetLanes(const RelativeTarget (&targets)[lanes]) {
-    for (int lane = 0; lane < lanes; ++lane)
-      set(lane, targets[lane]);
-  }
-
-  /// Points (x, y) relative to a segment.
-  EPAFI_INLINE TargetLanes(const Curve& segment, const Pack& x, const Pack& y) {
-    const Vec2 along = (1 / segment.half()) * segment.frame().tangent;
-    const Vec2 across = (1 / segment.half()) * segment.frame().normal;
-    const Pack fromStartX = x - segment.from().x;
-    const Pack fromStartY = y - segment.from().y;
-    const Pack fromEndX = x - segment.to().x;
-    const Pack fromEndY = y - segment.to().y;
-    minus = fromEndX * along.x + fromEndY * along.y;
-    b = fromEndX * across.x + fromEndY * across.y;
-    plus = fromStartX * along.x + fromStartY * along.y;
-    takeNearer(fromStartX * across.x + fromStartY * across.y);
-  }
-
-  EPAFI_INLINE ComplexPack complex() const { return {z, b}; }
-
- private:
-  EPAFI_INLINE void set(int lane, const RelativeTarget& target) {
-    z[lane] = target.z().real();
-    minus[lane] = target.zMinus1.real();
-    plus[lane] = target.zPlus1.real();
-    b[lane] = target.b();
-  }
-
-  EPAFI_INLINE void setSeen(const SeenPoints::Sight& s,
-                            const std::vector<EndPoint>& points, std::size_t first) {
-    AlignedLane starts;
-    AlignedLane ends;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const EndPoint& point = points[first + lane < points.size() ? first + lane : first];
-      starts.lane[lane] = point.fromStart;
-      ends.lane[lane] = point.toEnd;
-    }
-    const Pack fromStart = load(starts.lane);
-    const Pack toEnd = load(ends.lane);
-    const Pack zero{};
-    const auto atStart = fromStart < toEnd;
-    const Pack along = atStart ? fromStart : -toEnd;
-    const auto from = [&](const Complex& start, const Complex& end, Pack& x, Pack& y) {
-      x = (atStart ? zero + start.real() : zero + end.real()) + s.step.real() * along;
-      y = (atStart ? zero + start.imag() : zero + end.imag()) + s.step.imag() * along;
-    };
-    Pack bOfPlus;
-    from(s.start.zMinus1, s.end.zMinus1, minus, b);
-    from(s.start.zPlus1, s.end.zPlus1, plus, bOfPlus);
-    takeNearer(bOfPlus);
-  }
-
-  /// Computes z and the offset to the farther end from the offset to the nearer end.
-  EPAFI_INLINE void takeNearer(const Pack& bOfPlus) {
-    const auto atOne = minus * minus + b * b < plus * plus + bOfPlus * bOfPlus;
-    z = atOne ? 1.0 + minus : plus - 1.0;
-    const Pack other = atOne ? minus + 2.0 : plus;
-    minus = atOne ? minus : plus - 2.0;
-    plus = other;
-    b = atOne ? b : bOfPlus;
-  }
-};
 
 /// Integrals over [-1, 1] of Legendre polynomials times factors of the kernels, in closed form
 /// by Legendre functions of the second kind Q_j.               [doc/theory/operators.md]

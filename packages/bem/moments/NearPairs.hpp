@@ -1,30 +1,22 @@
 #pragma once
 
-#include "bem/moments/FarPairs.hpp"
+#include "bem/mesh/Mesh.hpp"
+#include "bem/moments/TileMoments.hpp"
 #include "bem/quadrature/Graded.hpp"
-
-#include <vector>
+#include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {
 
-/// Moments of a near pair of elements (equal, touching or closer than half the larger length):
-/// closed form on the larger element, for eight points of the smaller one at a time; a rule on
-/// the smaller one that is graded toward the projections of the end points of the larger one,
+/// Writes the moments of a near pair (equal, touching or closer than half the larger length) to one
+/// lane; other lanes stay as they are.  Potential of the larger element in closed form, at points
+/// of the smaller one that are graded toward the projections of the end points of the larger one,
 /// where its potential has logarithms.                 [doc/theory/operators.md]
-/// Has work arrays: use one object per thread.
-class NearMoments {
- public:
-  /// Writes the moments of (e, f) to one lane; other lanes stay as they are.
-  void evaluate(const Mesh& mesh, int e, int f, TileMoments& moments, int lane,
-                InstructionSet set = largestInstructionSet());
+void nearMoments(const Mesh& mesh, int e, int f, TileMoments& moments, int lane,
+                 InstructionSet set = largestInstructionSet());
 
- private:
-  std::vector<AlignedLane> sums_;
-};
-
-/// Moments of a near pair with at least one arc: potential of the larger element at the points
-/// `rule` of the smaller one.
-void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& rule,
-                    TileMoments& moments, int lane);
+/// The same with a given rule on the smaller element, also for an element with itself.
+void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule,
+                 TileMoments& moments, int lane,
+                 InstructionSet set = largestInstructionSet());
 
 }  // namespace epafi::bem

@@ -25,25 +25,72 @@ void appendEnds(const Mesh& mesh, int element, int source,
   }
 }
 
-SeenPoints::SeenPoints(const Mesh& mesh, int element, int source,
-                       const std::vector<EndPoint>& points)
-    : mesh_(mesh), element_(element), source_(source), points_(points) {
-  const Element& x = mesh[element];
-  const Element& y = mesh[source];
-  if (!x.curve.isStraight() || !y.curve.isStraight())
-    return;
-  const Vec2 direction = x.curve.frame().tangent;
-  const Curve::Frame& frame = y.curve.frame();
-  sight_ = {seenFrom(mesh, source, mesh.at(element, -1)),
-            seenFrom(mesh, source, mesh.at(element, 1)),
-            x.half / y.half *
-                Complex(dot(direction, frame.tangent),
-                        areOnLine() ? 0.0 : dot(direction, frame.normal))};
-}
+namespace {
 
-RelativeTarget SeenPoints::operator[](std::size_t i) const {
-  const EndPoint& point = points_[std::min(i, points_.size() - 1)];
-  return seenFrom(mesh_, source_, mesh_.at(element_, point.fromStart, point.toEnd));
+/// A segment relative to a segment: z is linear along it.
+class SegmentSeen {
+ public:
+  SegmentSeen(const Mesh& mesh, int source, int element)
+      : start_(seenFrom(mesh, source, mesh.at(element, -1))),
+        end_(seenFrom(mesh, source, mesh.at(element, 1))) {
+    const Element& x = mesh[element];
+    const Curve::Frame& y = mesh[source].curve.frame();
+    const Vec2 direction = x.curve.frame().tangent;
+    const bool isOnEdge = x.piece.edge == mesh[source].piece.edge;
+    step_ = x.half / mesh[source].half *
+            Complex(dot(direction, y.tangent), isOnEdge ? 0.0 : dot(direction, y.normal));
+  }
+
+  /// At distances [half lengths] from its ends, counted from the nearer one.
+  TargetLanes at(const Pack& fromStart, const Pack& toEnd) const {
+    const Pack zero{};
+    const auto atStart = fromStart < toEnd;
+    const Pack along = atStart ? fromStart : -toEnd;
+    const auto from = [&](const Complex& start, const Complex& end) -> ComplexPack {
+      return {(atStart ? zero + start.real() : zero + end.real()) + step_.real() * along,
+              (atStart ? zero + start.imag() : zero + end.imag()) + step_.imag() * along};
+    };
+    return {from(start_.zMinus1, end_.zMinus1), from(start_.zPlus1, end_.zPlus1)};
+  }
+
+ private:
+  RelativeTarget start_;
+  RelativeTarget end_;
+  Complex step_;
+};
+
+}  // namespace
+
+std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
+                                  const std::vector<EndPoint>& points) {
+  std::vector<TargetLanes> all;
+  const auto point = [&](std::size_t i) -> const EndPoint& {
+    return points[std::min(i, points.size() - 1)];
+  };
+  if (mesh.lineOf(source) >= 0 && mesh.lineOf(element) >= 0) {
+    const SegmentSeen segment(mesh, source, element);
+    for (std::size_t first = 0; first < points.size(); first += lanes) {
+      AlignedLane starts;
+      AlignedLane ends;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        starts.lane[lane] = point(first + lane).fromStart;
+        ends.lane[lane] = point(first + lane).toEnd;
+      }
+      all.push_back(segment.at(load(starts.lane), load(ends.lane)));
+    }
+  } else {
+    RelativeTarget targets[lanes];
+    for (std::size_t first = 0; first < points.size(); first += lanes) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const EndPoint& x = point(first + lane);
+        targets[lane] = seenFrom(mesh, source, mesh.at(element, x.fromStart, x.toEnd));
+      }
+      all.emplace_back(targets);
+    }
+  }
+  for (TargetLanes& of : all)
+    of.isOnEdge = mesh[element].piece.edge == mesh[source].piece.edge;
+  return all;
 }
 
 }  // namespace epafi::bem

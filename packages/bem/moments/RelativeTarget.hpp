@@ -2,8 +2,7 @@
 
 #include "bem/mesh/Mesh.hpp"
 #include "bem/quadrature/Graded.hpp"
-
-#include <optional>
+#include "bem/simd/ComplexPack.hpp"
 
 namespace epafi::bem {
 
@@ -15,34 +14,63 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x);
 void appendEnds(const Mesh& mesh, int element, int source,
                 std::vector<Feature>& features);
 
-/// Points of `element` relative to element `source`.  Refers to its arguments.
-class SeenPoints {
- public:
-  SeenPoints(const Mesh& mesh, int element, int source,
-             const std::vector<EndPoint>& points);
+/// Eight targets z = a + ib as in RelativeTarget.
+struct alignas(64) TargetLanes {
+  Pack z;
+  Pack minus;  ///< a - 1
+  Pack plus;   ///< a + 1
+  Pack b;
+  bool isOnEdge = false;  ///< all are on the edge of the source: b = 0 exactly
 
-  const std::vector<EndPoint>& points() const { return points_; }
-  /// Do both elements belong to one edge?
-  bool areOnLine() const {
-    return mesh_[element_].piece.edge == mesh_[source_].piece.edge;
+  EPAFI_INLINE explicit TargetLanes(const RelativeTarget (&targets)[lanes])
+      : isOnEdge(true) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      isOnEdge = isOnEdge && targets[lane].b() == 0;
+      z[lane] = targets[lane].z().real();
+      minus[lane] = targets[lane].zMinus1.real();
+      plus[lane] = targets[lane].zPlus1.real();
+      b[lane] = targets[lane].b();
+    }
   }
-  /// Both ends of a straight element as targets, and the change of z along half its length.
-  struct Sight {
-    RelativeTarget start;
-    RelativeTarget end;
-    Complex step;
-  };
-  /// Set if both elements are straight.
-  const std::optional<Sight>& sight() const { return sight_; }
-  /// Point i; the last point for larger i.
-  RelativeTarget operator[](std::size_t i) const;
+
+  /// Points (x, y) relative to a segment.
+  EPAFI_INLINE TargetLanes(const Curve& segment, const Pack& x, const Pack& y) {
+    const Vec2 along = (1 / segment.half()) * segment.frame().tangent;
+    const Vec2 across = (1 / segment.half()) * segment.frame().normal;
+    const Pack fromStartX = x - segment.from().x;
+    const Pack fromStartY = y - segment.from().y;
+    const Pack fromEndX = x - segment.to().x;
+    const Pack fromEndY = y - segment.to().y;
+    takeNearer({fromEndX * along.x + fromEndY * along.y,
+                fromEndX * across.x + fromEndY * across.y},
+               {fromStartX * along.x + fromStartY * along.y,
+                fromStartX * across.x + fromStartY * across.y});
+  }
+
+  /// z - 1 and z + 1, of which the smaller is accurate.
+  EPAFI_INLINE TargetLanes(const ComplexPack& zMinus1, const ComplexPack& zPlus1) {
+    takeNearer(zMinus1, zPlus1);
+  }
+
+  EPAFI_INLINE ComplexPack complex() const { return {z, b}; }
 
  private:
-  const Mesh& mesh_;
-  int element_;
-  int source_;
-  const std::vector<EndPoint>& points_;
-  std::optional<Sight> sight_;
+  /// Computes z and the offset to the farther end from the offset to the nearer end.
+  EPAFI_INLINE void takeNearer(const ComplexPack& zMinus1, const ComplexPack& zPlus1) {
+    Pack squareOfMinus;
+    Pack squareOfPlus;
+    squareOf(zMinus1, squareOfMinus);
+    squareOf(zPlus1, squareOfPlus);
+    const auto atOne = squareOfMinus < squareOfPlus;
+    z = atOne ? 1.0 + zMinus1.re : zPlus1.re - 1.0;
+    minus = atOne ? zMinus1.re : zPlus1.re - 2.0;
+    plus = atOne ? zMinus1.re + 2.0 : zPlus1.re;
+    b = atOne ? zMinus1.im : zPlus1.im;
+  }
 };
+
+/// Points of `element` relative to element `source`, eight at a time; the last one is repeated.
+std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
+                                  const std::vector<EndPoint>& points);
 
 }  // namespace epafi::bem

@@ -13,17 +13,12 @@ void Tile::evaluate(int trial, int r, const ElementRange& wanted, InstructionSet
   trial_ = trial;
   run_ = r;
   wanted_ = {std::max(wanted.first, run().first), std::min(wanted.last, run().last)};
-  const FarLanes chosen = runs_.choose(trial, r, wanted_, batch_);
+  const FarLanes chosen = runs_.choose(trial, r, wanted_);
   std::copy_n(chosen.far, lanes, far_);
-  const Element& element = mesh()[trial];
-  const bool hasArcs = run().angle != 0 || element.curve.angle() != 0;
-  const auto far = hasArcs ? farArcMoments : farMoments;
-  far(element, batch_, {element.densities, run().densities},
-      {std::max(1, chosen.smooth.outer), std::max(1, chosen.smooth.inner)}, *moments_,
-      set);
+  farMoments(mesh()[trial], chosen, *moments_, set);
   for (int e = wanted_.first; e < wanted_.last; ++e)
     if (!far_[e - run().first])
-      near_.evaluate(mesh(), trial, e, *moments_, e - run().first, set);
+      nearMoments(mesh(), trial, e, *moments_, e - run().first, set);
 }
 
 }  // namespace epafi::bem

@@ -28,14 +28,12 @@ class Tile {
   const TileMoments& moments() const { return *moments_; }
 
  private:
-  FarBatch batch_{};  // first, as it is aligned
   const ElementRuns& runs_;
   int trial_ = 0;
   int run_ = 0;
   ElementRange wanted_;
   bool far_[lanes] = {};
   std::unique_ptr<TileMoments> moments_;
-  NearMoments near_;
 };
 
 }  // namespace epafi::bem

@@ -34,7 +34,7 @@ struct Integrate {
   const Work& work;
   const AlignedLane* outer;
   const double* outerValues;
-  const AlignedLane& halves;
+  const double* halves;
   const double* inner;
   const double* innerValues;
   AlignedLane* sums;
@@ -74,7 +74,7 @@ struct Integrate {
       const Inner<AlignedLane> in(sums, nodes, densities);
       const double* values = outerValues + p * (rowNodes + rowDensities);
       for (int i = 0; i < rowNodes; ++i) {
-        const Pack phi = values[i] * load(halves.lane);
+        const Pack phi = values[i] * load(halves);
         for (int j = 0; j < nodes; ++j) {
           const AlignedLane* w = in.w + 3 * j;
           const Pack xy = phi * load(w[1].lane);
@@ -88,7 +88,7 @@ struct Integrate {
                   to(2 * i + 1, 2 * (nodes + j)));
       }
       for (int i = 0; i < rowDensities; ++i) {
-        const Pack chi = values[rowNodes + i] * load(halves.lane);
+        const Pack chi = values[rowNodes + i] * load(halves);
         const int row = 2 * (rowNodes + i);
         for (int j = 0; j < nodes; ++j)
           addFour(chi, in.k + 4 * j, to(row, 2 * j), to(row + 1, 2 * j));
@@ -161,18 +161,32 @@ struct Integrate {
   }
 };
 
+/// Gauss points of the test elements, and tangents.
+struct Sampling {
+  const FarLanes& tests;
+  const Rule& rule;
+  AlignedLane* to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    for (int p = 0; p < rule.size(); ++p) {
+      const CurvePoints x(tests, Pack{} + rule.points[at(p)]);
+      store(to[4 * p].lane, load(tests.wx) + x.x);
+      store(to[4 * p + 1].lane, load(tests.wy) + x.y);
+      store(to[4 * p + 2].lane, x.tangentX);
+      store(to[4 * p + 3].lane, x.tangentY);
+    }
+  }
+};
+
 }  // namespace
 
 FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
 
-FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
-  FarOrder largest{1, 1};
-  for (const Test& test : tests) {
-    FarOrder order;  // of a near one zero: the caller does not take it
-    isNear(space_.mesh(), test.element, trial, test.offset, order);
-    largest = {std::max(largest.outer, order.outer),
-               std::max(largest.inner, order.inner)};
-  }
+Nearness FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
+  Nearness largest{1, 1};
+  for (const Test& test : tests)  // of a near one zero: the caller does not take it
+    largest.include(nearness(space_.mesh(), test.element, trial, test.offset));
   return largest;
 }
 
@@ -183,31 +197,20 @@ const std::vector<double>& FarBlocks::functions(int points, int degree, int dens
   return values;
 }
 
-void FarBlocks::sampleTests(const std::vector<Test>& tests) {
+void FarBlocks::sampleTests(const std::vector<Test>& tests, InstructionSet set) {
   const Rule& rule = gaussLegendre(work_.outer);
   outer_.resize(4 * work_.outer);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const Test& test = tests[std::min(lane, tests.size() - 1)];
-    const Element& element = space_.mesh()[test.element];
-    const Curve& curve = element.curve;
-    halves_.lane[lane] = element.half;
-    const bool isStraight = curve.isStraight();
-    const Vec2 direction = curve.frame().tangent;
-    for (std::size_t p = 0; p < rule.points.size(); ++p) {
-      const double t = rule.points[p];
-      const Vec2 x =
-          test.offset + (isStraight ? element.half * t * direction : curve.fromMiddle(t));
-      const Vec2 tangent = isStraight ? direction : curve.tangent(t);
-      AlignedLane* to = outer_.data() + 4 * p;
-      to[0].lane[lane] = x.x;
-      to[1].lane[lane] = x.y;
-      to[2].lane[lane] = tangent.x;
-      to[3].lane[lane] = tangent.y;
-    }
+  for (int lane = 0; lane < lanes; ++lane) {
+    const Test& test = tests[std::min(at(lane), tests.size() - 1)];
+    tests_.set(lane, test.offset, space_.mesh()[test.element]);
   }
+  dispatch(set, Sampling{tests_, rule, outer_.data()});
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
+  if (sampled_ == &element && static_cast<int>(inner_.size()) == 4 * work_.inner)
+    return;
+  sampled_ = &element;
   const Rule& rule = gaussLegendre(work_.inner);
   inner_.resize(4 * work_.inner);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -259,11 +262,11 @@ void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial
 void FarBlocks::integrate(const std::vector<Test>& tests, const Functions& rows,
                           int trial, InstructionSet set) {
   const Element& element = space_.mesh()[trial];
-  const FarOrder order = orderOf(tests, trial);
+  const Nearness order = orderOf(tests, trial);
   // P_i themselves are larger at an element's ends than φ_k are
   const int atEnds = rows.degree < 0 ? 2 : 0;
   work_.outer = gaussPoints(order.outer, rows.degree, rows.densities + atEnds);
-  sampleTests(tests);
+  sampleTests(tests, set);
   outerValues_ = functions(work_.outer, rows.degree, rows.densities).data();
   columns_ = 2 * (element.degree + 1 + element.densities);
   block_.resize(2 * (work_.rowNodes + work_.rowDensities) * columns_);
@@ -278,7 +281,7 @@ void FarBlocks::run(const Element& trial, int order, InstructionSet set) {
   sums_.resize(7 * (trial.degree + 1 + trial.densities));
   const KernelConstants constants(lame_);
   dispatch(set,
-           Integrate{constants, work_, outer_.data(), outerValues_, halves_,
+           Integrate{constants, work_, outer_.data(), outerValues_, tests_.half,
                      inner_.data(), innerValues_.data(), sums_.data(), block_.data()});
 }
 

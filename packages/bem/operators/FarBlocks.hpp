@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/moments/FarOrder.hpp"
+#include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/TileMoments.hpp"
 #include "bem/simd/InstructionSet.hpp"
 #include "bem/space/Space.hpp"
@@ -74,12 +74,12 @@ class FarBlocks {
     int densities = 0;
   };
 
-  FarOrder orderOf(const std::vector<Test>& tests, int trial) const;
+  Nearness orderOf(const std::vector<Test>& tests, int trial) const;
   void integrate(const std::vector<Test>& tests, const Functions& rows, int trial,
                  InstructionSet set);
   void run(const Element& trial, int order, InstructionSet set);
-  void sampleTests(const std::vector<Test>& tests);
-  void sampleTrial(const Element& element);
+  void sampleTests(const std::vector<Test>& tests, InstructionSet set);
+  void sampleTrial(const Element& element);  ///< unless it is sampled by this rule
 
   /// weightedFunctions of a Gauss rule with this many points; computed once.
   const std::vector<double>& functions(int points, int degree, int densities);
@@ -89,10 +89,11 @@ class FarBlocks {
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
   int columns_ = 0;                      ///< functions on the trial element, or sums
+  FarLanes tests_{};                     ///< wx, wy: Test::offset
   std::vector<AlignedLane> outer_;       ///< at each point: position, tangent
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
-  AlignedLane halves_{};
-  std::vector<double> inner_;  ///< at each point: y, tangent
+  const Element* sampled_ = nullptr;     ///< the trial element of inner_
+  std::vector<double> inner_;            ///< at each point: y, tangent
   std::vector<double> innerValues_;
   std::vector<AlignedLane> sums_;
   std::vector<AlignedLane> block_;

@@ -30,14 +30,13 @@ void addHalfMass(const Mesh& mesh, const std::vector<int>& elements, const Add& 
 template <class Add>
 void addEdgeEnds(const Mesh& mesh, const Lame& lame, const std::vector<int>& tests,
                  const std::vector<int>& trials, const Add& add) {
-  const auto edgeOf = [&](int e) { return mesh[e].piece.edge; };
   for (const int trial : trials)
     for (int k = 0; k < 2; ++k) {
       const Element& y = mesh[trial];
-      if (!y.curve.isStraight() || edgeOf(k == 0 ? y.previous : y.next) == edgeOf(trial))
+      if (mesh.lineOf(trial) < 0 || mesh.areOnLine(k == 0 ? y.previous : y.next, trial))
         continue;
       for (const int test : tests) {
-        if (edgeOf(test) != edgeOf(trial))
+        if (!mesh.areOnLine(test, trial))
           continue;
         const double s =
             4 * lame.mu * lame.b * mesh[test].half * DisplacementBasis::slope(k);

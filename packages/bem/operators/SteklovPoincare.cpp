@@ -88,8 +88,9 @@ SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& com
     k = rowsInOrder(std::move(k), order_);
   }
   factor_.emplace(std::move(v), "the single layer potential V");
-  half_ = factor_->forward(std::move(k));
-  stiffness_ = LowerTriangle(addGram(std::move(operators.hypersingular), half_));
+  solvedDoubleLayer_ = factor_->forward(std::move(k));
+  stiffness_ =
+      LowerTriangle(addGram(std::move(operators.hypersingular), solvedDoubleLayer_));
   makeTractions(std::move(operators.tractions));
   if (compliance.densities.empty())
     return;
@@ -97,8 +98,10 @@ SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& com
   const auto count = static_cast<Index>(compliance.densities.size());
   const Matrix t = factor_->inverseOfLast(count);
   Matrix displacements =
-      addTransposeTimes(Matrix(half_.columns(), count),
-                        rowsBetween(half_, half_.rows() - count, half_.rows()), t);
+      addTransposeTimes(Matrix(solvedDoubleLayer_.columns(), count),
+                        rowsBetween(solvedDoubleLayer_, solvedDoubleLayer_.rows() - count,
+                                    solvedDoubleLayer_.rows()),
+                        t);
   Matrix gram = addGram(Matrix(count, count), t);
   fillUpper(gram);
   response_ = std::make_shared<ComplianceResponse>(ComplianceResponse{
@@ -111,12 +114,13 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   const Matrix& k = operators.doubleLayer;
   const auto count = static_cast<Index>(compliance.densities.size());
   Matrix v = added(std::move(operators.singleLayer), compliance);
-  half_ = count > 0 ? solver.solve(std::move(v), besideUnits(k, compliance.densities))
-                    : solver.solve(std::move(v), k);
-  units_ = columnsBetween(half_, k.columns(), k.columns() + count);
-  half_.shrink(k.columns());
-  stiffness_ =
-      LowerTriangle(addTransposeTimes(std::move(operators.hypersingular), k, half_));
+  solvedDoubleLayer_ =
+      count > 0 ? solver.solve(std::move(v), besideUnits(k, compliance.densities))
+                : solver.solve(std::move(v), k);
+  units_ = columnsBetween(solvedDoubleLayer_, k.columns(), k.columns() + count);
+  solvedDoubleLayer_.shrink(k.columns());
+  stiffness_ = LowerTriangle(
+      addTransposeTimes(std::move(operators.hypersingular), k, solvedDoubleLayer_));
   makeTractions(std::move(operators.tractions));
   if (count == 0)
     return;
@@ -153,7 +157,7 @@ void SteklovPoincare::makeTractions(TractionKernels kernels) {
 void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& raised,
                                 const Matrix& lowest, Matrix& rows) const {
   constexpr std::size_t atOnce = 64;
-  const Index n = static_cast<Index>(half_.columns());
+  const Index n = static_cast<Index>(solvedDoubleLayer_.columns());
   for (std::size_t first = 0; first < raised.size(); first += atOnce) {
     const std::size_t last = std::min(first + atOnce, raised.size());
     std::vector<Index> which;
@@ -180,7 +184,7 @@ void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& rais
 Vector SteklovPoincare::apply(const Vector& u) const { return stiffness_.times(u); }
 
 Vector SteklovPoincare::density(const Vector& u) const {
-  Vector psi = multiply(half_, u);
+  Vector psi = multiply(solvedDoubleLayer_, u);
   return factor_ ? unordered(factor_->backward(psi)) : psi;
 }
 
@@ -232,7 +236,7 @@ Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
   if (factor_)
     b = factor_->forward(order_.empty() ? std::move(b)
                                         : rowsInOrder(std::move(b), order_));
-  return addTransposeTimes(std::move(c), half_, b);
+  return addTransposeTimes(std::move(c), solvedDoubleLayer_, b);
 }
 
 }  // namespace epafi::bem

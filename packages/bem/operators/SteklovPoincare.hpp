@@ -97,7 +97,7 @@ class SteklovPoincare {
   /// last, so that their response needs only the last rows of the factor.
   std::vector<Index> order_;
   std::optional<CholeskyFactor> factor_;  ///< empty with a SingleLayerSolver
-  Matrix half_;                           ///< Y, or Z
+  Matrix solvedDoubleLayer_;              ///< Y, or Z
   Matrix units_;                          ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
   std::shared_ptr<const ComplianceResponse> response_;

@@ -71,8 +71,8 @@ class TileBlocks::Filling {
         bent_(load(work.bent.lane)) {}
 
   EPAFI_INLINE void fill() const {
-    const Pack tx = load(to_.tangentX_.lane);
-    const Pack ty = load(to_.tangentY_.lane);
+    const Pack tx = load(to_.run_->elements.tx);
+    const Pack ty = load(to_.run_->elements.ty);
     const Pack squareReal = tx * tx - ty * ty;
     const Pack squareImag = 2.0 * tx * ty;
     const int rows = Rows > 0 ? Rows : w_.f.densities;
@@ -97,7 +97,7 @@ class TileBlocks::Filling {
  private:
   EPAFI_INLINE void putSymmetric(int i, int j, const PackMoments& m) const {
     const Lame& lame = to_.lame_;
-    const Pack area = wanted_ * w_.f.half * load(to_.halves_.lane);
+    const Pack area = wanted_ * w_.f.half * load(to_.run_->elements.half);
     const PackBlock v = singleLayerBlock(lame.a, lame.b, m);
     double* single = to_.single_.data() + 2 * i * to_.longest_;
     densities_.put(area * v.xx, area * v.yx, j, single);
@@ -153,7 +153,7 @@ class TileBlocks::Filling {
 
   // tests P_j on the lanes, source φ_k on f
   EPAFI_INLINE void putDoubleLayer(int i, int j, const PackMoments& m) const {
-    const Pack half = wanted_ * load(to_.halves_.lane);
+    const Pack half = wanted_ * load(to_.run_->elements.half);
     for (int k = i == 0 ? 0 : i + 1; k <= (i == 0 ? 1 : i + 1); ++k) {
       Pack laplace;
       laplaceOf(k, w_.m.reverse + j, TileMoments::stride, laplace);
@@ -229,12 +229,9 @@ void TileBlocks::setRun(const ElementRun& run) {
     const bool isThere = e < run.last;
     degrees_[lane] = isThere ? mesh[e].degree : 0;
     densityCounts_[lane] = isThere ? mesh[e].densities : 0;
-    edges_[lane] = isThere && mesh[e].curve.isStraight() ? mesh[e].piece.edge : -1;
+    lines_[lane] = isThere ? mesh.lineOf(e) : -1;
     densityStarts_[lane + 1] = densityStarts_[lane] + 2 * densityCounts_[lane];
     displacementStarts_[lane + 1] = displacementStarts_[lane] + 2 * degrees_[lane];
-    tangentX_.lane[lane] = isThere ? mesh[e].curve.frame().tangent.x : 1;
-    tangentY_.lane[lane] = isThere ? mesh[e].curve.frame().tangent.y : 0;
-    halves_.lane[lane] = isThere ? mesh[e].half : 1;
   }
 }
 
@@ -245,7 +242,7 @@ void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
   Work work = {*this, tile.moments(), space_.mesh()[f]};
   for (int lane = 0; lane < lanes; ++lane) {
     const bool isThere = tile.isWanted(lane);
-    const bool isBent = edges_[static_cast<std::size_t>(lane)] != work.f.piece.edge;
+    const bool isBent = lines_[static_cast<std::size_t>(lane)] != work.f.piece.edge;
     work.wanted.lane[lane] = isThere ? 1 : 0;
     work.others.lane[lane] = isThere && run_->first + lane != f ? 1 : 0;
     work.bent.lane[lane] = isThere && isBent ? 1 : 0;

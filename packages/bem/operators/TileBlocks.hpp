@@ -55,9 +55,6 @@ class TileBlocks {
   }
 
   AlignedLane halfSlopes_[3] = {};
-  AlignedLane tangentX_ = {};
-  AlignedLane tangentY_ = {};
-  AlignedLane halves_ = {};
   const Space& space_;
   Lame lame_;
   const ElementRun* run_ = nullptr;
@@ -66,7 +63,7 @@ class TileBlocks {
   std::array<int, lanes + 1> displacementStarts_{};
   std::array<int, lanes> densityCounts_{};
   std::array<int, lanes> degrees_{};
-  std::array<int, lanes> edges_{};  ///< number of a straight edge, else -1
+  std::array<int, lanes> lines_{};  ///< Mesh::lineOf
   Index longest_;                   ///< stride between columns
   Vector single_;
   Vector double_;

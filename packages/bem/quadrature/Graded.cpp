@@ -155,19 +155,19 @@ GradedRule softenedRule(const std::vector<Feature>& features, int order, Vector 
   return rule;
 }
 
-GradedRule touchingRule(const std::vector<Feature>& features, int order,
-                        const Softening& softening) {
+GradedRule touchingRule(const std::vector<Feature>& features, int degree, int power) {
+  const int order = 17 + degree / 2;
+  const int softened = power == 5 ? 20 + 7 * degree / 6 : 26 + 27 * degree / 20;
   std::vector<Interval> leaves;
   refine({fromStart(0), toEnd(0)}, features, std::vector<double>(features.size()),
          leaves);
   GradedRule rule;
-  const std::size_t most = static_cast<std::size_t>(std::max(order, softening.order));
+  const std::size_t most = static_cast<std::size_t>(std::max(order, softened));
   rule.points.reserve(leaves.size() * most);
   rule.weights.reserve(leaves.size() * most);
   for (const Interval& leaf : leaves) {
     const Touches end = touchesAny(leaf, features, closest);
-    append(leaf, end, softening.power, end == Touches::Nothing ? order : softening.order,
-           rule);
+    append(leaf, end, power, end == Touches::Nothing ? order : softened, rule);
   }
   return rule;
 }

@@ -32,19 +32,13 @@ struct Feature {
 /// the error ε² / n⁴ on the last interval, of length ε.
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
 
-/// Substitution on an interval that touches a feature: the distance from the feature is a
-/// power of the new variable, which has `order` Gauss points.
-struct Softening {
-  int power = 1;
-  int order = 1;
-};
-
-/// Graded rule with far fewer points if features touch [-1, 1] (closer than 1e-12).  Intervals
-/// that touch a feature are not graded but softened.  They touch features at one end only
-/// (otherwise they are halved) and are at most as long as their distance from other features.
-/// Elsewhere as gradedRule.
-GradedRule touchingRule(const std::vector<Feature>& features, int order,
-                        const Softening& softening);
+/// Graded rule for polynomials of a degree times logarithms, with far fewer points than
+/// gradedRule if features touch [-1, 1] (closer than 1e-12): on an interval that touches a
+/// feature, the distance s from it is a power of the new variable.  Such intervals touch features
+/// at one end only (otherwise they are halved) and are at most as long as their distance from
+/// other features.
+/// \param power 5 for s log s, 7 for log s; error 1e-13
+GradedRule touchingRule(const std::vector<Feature>& features, int degree, int power);
 
 /// Graded rule of moderate accuracy with far fewer points: at features at -1 or 1 grading ends
 /// with intervals of 1 % of [-1, 1] and a substitution with the fourth power of the distance,

@@ -14,7 +14,8 @@ namespace epafi::bem {
 constexpr int lanes = 8;
 
 /// Eight doubles, in as many registers as the processor needs.  Passed by reference only:
-/// the ABI of vectors wider than the baseline's registers depends on the instruction set.
+/// the ABI of vectors wider than the baseline's registers depends on the instruction set, and so
+/// does their alignment: a struct of Packs that outlives a kernel is alignas(64).
 using Pack = double __attribute__((vector_size(8 * lanes)));
 
 /// Storage of a Pack in containers.
@@ -87,6 +88,18 @@ EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
   for (int k = 17; k >= 3; k -= 2)
     series = series * z + 1.0 / k;
   result = exponent * 0.69314718055994530942 + 2.0 * s * (1.0 + z * series);
+}
+
+/// sin(x)/x and cos x for |x| <= π/4, by their series.
+EPAFI_INLINE void sineCosine(const Pack& x, Pack& sinc, Pack& cosine) {
+  const Pack z = -x * x;
+  sinc = z * (1.0 / (18 * 19)) + 1.0;
+  cosine = z * (1.0 / (17 * 18)) + 1.0;
+#pragma GCC unroll 8
+  for (int k = 8; k >= 1; --k) {
+    sinc = sinc * z * (1.0 / (2 * k * (2 * k + 1))) + 1.0;
+    cosine = cosine * z * (1.0 / ((2 * k - 1) * 2 * k)) + 1.0;
+  }
 }
 
 /// √x, correctly rounded.  \pre x >= 0

@@ -15,13 +15,12 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
     displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
     densityStart_.push_back(densityStart_.back() + 2 * element.densities);
   }
-  const auto isArc = [](const Element& element) { return !element.curve.isStraight(); };
-  if (std::any_of(mesh_.elements().begin(), mesh_.elements().end(), isArc))
+  if (mesh_.hasArcs())
     rotation_ = std::make_shared<const Rotation>(*this);
 }
 
 Vec2 Space::rotationRest(int e, double t) const {
-  if (mesh_[e].curve.isStraight())
+  if (mesh_.lineOf(e) >= 0)
     return {};
   return rotation_->at(mesh_.scaledPoint(e, t)) - polynomialAt(rotation_->motion(), e, t);
 }

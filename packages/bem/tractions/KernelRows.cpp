@@ -50,9 +50,8 @@ struct Sampling {
     SumsOf<ComplexPack> sums;
     for (const Component* of = first; of != last; ++of) {
       if (of == first || of->j != (of - 1)->j) {
-        sums.overConj = sums.cubic = {};
-        source.add(of->j, sums.overConj, sums.cubic);
-        sums.overW = conj(sums.overConj);
+        const ElementPotential::Values unit = source.of(of->j);
+        sums = {conj(unit.overConj), unit.overConj, unit.cubic};
       }
       const SumsOf<ComplexPack> own = (of->c == 0 ? Complex(1, 0) : Complex(0, 1)) * sums;
       values[of - first].store(load(points.root.lane) *
@@ -125,10 +124,9 @@ class ElementRows {
   }
 
   void findFar(const ElementRuns& runs, int largestOuter) {
-    FarBatch batch{};
     for (int r = 0; r < runs.size(); ++r) {
       const ElementRange all = {runs[r].first, runs[r].last};
-      const FarLanes chosen = runs.choose(element_, r, all, batch, largestOuter);
+      const FarLanes chosen = runs.choose(element_, r, all, largestOuter);
       std::copy_n(chosen.far, all.last - all.first, far_.begin() + all.first);
     }
   }
@@ -157,9 +155,8 @@ class ElementRows {
       appendEnds(mesh_, element_, component.element, features);
     }
     degree += moments_;
-    return form == TractionForm::Exact
-               ? gradedRule(features, 17 + degree / 2, smallest)
-               : touchingRule(features, 17 + degree / 2, {7, 26 + 27 * degree / 20});
+    return form == TractionForm::Exact ? gradedRule(features, 17 + degree / 2, smallest)
+                                       : touchingRule(features, degree, 7);
   }
 
   /// The components' values at the points of a rule, times roots of its weights: x, then y.
@@ -180,11 +177,11 @@ class ElementRows {
       const int f = from->element;
       const Component* to =
           std::find_if(from, end, [f](const Component& of) { return of.element != f; });
-      const SeenPoints seen(mesh_, element_, f, rule.points);
       ElementPotential source(mesh_[f].curve, mesh_[f].degree);
       values.resize(static_cast<std::size_t>(to - from));
-      for (Index first = 0; first < points; first += lanes) {
-        source.evaluate(seen, at(first));
+      Index first = 0;
+      for (const TargetLanes& x : seenFrom(mesh_, f, element_, rule.points)) {
+        source.evaluate(x);
         dispatch(
             largestInstructionSet(),
             Sampling{lame_, source, from, to, tests[at(first / lanes)], values.data()});
@@ -195,6 +192,7 @@ class ElementRows {
           std::copy_n(value.re.lane, count, column);
           std::copy_n(value.im.lane, count, column + points);
         }
+        first += lanes;
       }
       from = to;
     }

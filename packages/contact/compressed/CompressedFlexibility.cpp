@@ -19,7 +19,7 @@ CompressedFlexibility::CompressedFlexibility(
     own_.push_back(along(bodies_.front()->factor()));
   else  // what is asked of one of them all the time is narrowed, see eliminated
     for (const auto& body : bodies_)
-      own_.push_back({body->factor(), body->factor().paths(leaves_)});
+      own_.push_back({body->factor(), body->factor().activePaths(leaves_)});
   addMotions();
 }
 
@@ -60,8 +60,8 @@ void CompressedFlexibility::restrictAll() {
 
 CompressedFlexibility::Along CompressedFlexibility::along(
     const bem::CompressedFactor& factor) const {
-  bem::CompressedFactor narrow = factor.within(leaves_);
-  std::vector<char> paths = narrow.paths(leaves_);
+  bem::CompressedFactor narrow = factor.restrictedTo(leaves_);
+  std::vector<char> paths = narrow.activePaths(leaves_);
   return {std::move(narrow), std::move(paths)};
 }
 

@@ -33,7 +33,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
   const bem::LowRank& motions() const { return motions_; }
 
-  /// A factor, and its CompressedFactor::paths of the leaves coupled to the multiplier.
+  /// A factor, and its CompressedFactor::activePaths of the leaves coupled to the multiplier.
   struct Along {
     bem::CompressedFactor factor;
     std::vector<char> paths;

@@ -1,4 +1,4 @@
-#include "bem/moments/FarOrder.hpp"
+#include "bem/moments/Nearness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,18 +108,27 @@ double smallestPlace(double distance, double alpha) {
              : std::log1p(std::abs(alpha) * std::max(distance, 0.0)) / std::abs(alpha);
 }
 
-/// Gauss points that integrate e^{2iαt} to 1e-14.
-int turningOrder(double alpha) {
-  constexpr double wanted = 1e-14;
-  double error = 2;
-  int n = 0;
-  while (error > wanted && n < largestSmoothOrder) {
-    ++n;  // error of n points: 2^(2n+1) n!⁴ / ((2n+1) (2n)!³) (2α)^(2n)
-    const double k = n;
-    const double step = 4 * std::pow(k, 4) * (2 * k - 1) /
-                        ((2 * k + 1) * std::pow(2 * k * (2 * k - 1), 3));
-    error *= step * 4 * alpha * alpha;
+/// Largest |α| for which n points integrate e^{2iαt} to 1e-14.
+struct TurningTable {
+  double largestAlpha[largestSmoothOrder + 1] = {};
+  TurningTable() {
+    constexpr double wanted = 1e-14;
+    double factor = 2;
+    for (int n = 1; n <= largestSmoothOrder; ++n) {
+      // error of n points: 2^(2n+1) n!⁴ / ((2n+1) (2n)!³) (2α)^(2n)
+      const double k = n;
+      factor *= 4 * std::pow(k, 4) * (2 * k - 1) /
+                ((2 * k + 1) * std::pow(2 * k * (2 * k - 1), 3));
+      largestAlpha[n] = 0.5 * std::pow(wanted / factor, 0.5 / k);
+    }
   }
+};
+
+int turningOrder(double alpha) {
+  static const TurningTable table;
+  int n = 1;
+  while (n < largestSmoothOrder && table.largestAlpha[n] < std::abs(alpha))
+    ++n;
   return n;
 }
 
@@ -144,17 +153,15 @@ int farOrder(double angle, double distance) {
 }
 
 // In one order, so that rounding cannot call a pair near once and far once.
-bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
+Nearness nearness(const Mesh& mesh, int ie, int jf, Vec2 w) {
   if (ie < jf) {
-    FarOrder swapped;
-    const bool near = isNear(mesh, jf, ie, -w, swapped);
-    order = {swapped.inner, swapped.outer};
-    return near;
+    const Nearness swapped = nearness(mesh, jf, ie, -w);
+    return {swapped.inner, swapped.outer};
   }
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)
-    return true;
+    return {};
   const double alphaE = 0.5 * e.curve.angle();
   const double alphaF = 0.5 * f.curve.angle();
   const bool areStraight = alphaE == 0 && alphaF == 0;
@@ -162,7 +169,7 @@ bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
   const double larger = std::max(e.half, f.half);
   if (distance - e.half - f.half < larger &&
       (areStraight ? gap(e, f, w) : sampledGap(e, f, w)) < larger)
-    return true;
+    return {};
   // |y-e0| + |y-e1| >= 2 |y-m|: a bound that costs no projections
   double zE = smallestPlace((distance - f.half) / e.half, alphaE);
   double zF = smallestPlace((distance - e.half) / f.half, alphaF);
@@ -170,8 +177,7 @@ bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
     zE = std::max(zE, areStraight ? focalRatio(e, f, -w) : arcRatio(e, f, w));
   if (zF < 4)
     zF = std::max(zF, areStraight ? focalRatio(f, e, w) : arcRatio(f, e, -w));
-  order = {arcOrder(zE, alphaE), arcOrder(zF, alphaF)};
-  return false;
+  return {arcOrder(zE, alphaE), arcOrder(zF, alphaF)};
 }
 
 }  // namespace epafi::bem

@@ -1,4 +1,4 @@
-#include "bem/moments/ArcWeights.hpp"
+#include "bem/moments/ArcRule.hpp"
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/MadeOnce.hpp"
@@ -53,13 +53,12 @@ EPAFI_INLINE ComplexPack shortSinc(const ComplexPack& s) {
 template <int Parts>
 struct ArcKernel {
   const ArcRule& rule;
-  const RelativeTarget (&targets)[lanes];
+  const TargetLanes& x;
   KernelLanes* weights;
 
   template <Division>
   EPAFI_INLINE void run() const {
     const int n = rule.size();
-    const TargetLanes x(targets);
     const double alpha = 0.5 * rule.curve().angle();
     // e^{iA} and A = α conj(z)/2
     ComplexLanes turn;
@@ -78,7 +77,8 @@ struct ArcKernel {
     int far = 0;
     Pack isFar{};  // 1 where
     for (int lane = 0; lane < lanes; ++lane)
-      if (0.5 * (std::abs(targets[lane].zMinus1) + std::abs(targets[lane].zPlus1)) >
+      if (0.5 * (std::hypot(x.minus[lane], x.b[lane]) +
+                 std::hypot(x.plus[lane], x.b[lane])) >
           limit) {
         isFar[lane] = 1;
         ++far;
@@ -158,14 +158,12 @@ ArcRule::ArcRule(const Curve& curve, int degree) : curve_(curve), degree_(degree
   }
 }
 
-void arcWeights(const ArcRule& rule, const RelativeTarget (&targets)[lanes],
-                KernelLanes* weights, InstructionSet set) {
-  const bool onLine = std::all_of(std::begin(targets), std::end(targets),
-                                  [](const RelativeTarget& x) { return x.b() == 0; });
-  if (onLine)
-    dispatch(set, ArcKernel<1>{rule, targets, weights});
+void ArcRule::evaluate(const TargetLanes& x, KernelLanes* weights,
+                       InstructionSet set) const {
+  if (x.isOnEdge)
+    dispatch(set, ArcKernel<1>{*this, x, weights});
   else
-    dispatch(set, ArcKernel<2>{rule, targets, weights});
+    dispatch(set, ArcKernel<2>{*this, x, weights});
 }
 
 }  // namespace epafi::bem

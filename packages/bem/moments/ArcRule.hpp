@@ -2,13 +2,24 @@
 
 #include "bem/moments/LegendreLanes.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
 #include <array>
 #include <vector>
 
 namespace epafi::bem {
+
+/// Largest angle [rad] by which an element may turn.
+constexpr double largestAngle = 3.1415926535897932 * (1 + 1e-12);
+
+/// Kernel integrals of a density g at eight targets x, w = x - y.  For a function g of t the
+/// integrals are over t instead of s.
+struct KernelLanes {
+  ComplexLanes overConj;  ///< ∫ g ds/conj(w); conjugate of ∫ g ds/w if g is real
+  ComplexLanes cubic;     ///< ∫ g w/conj(w)² ds
+  ComplexLanes phase;     ///< ∫ g w/conj(w) ds
+  AlignedLane log;        ///< ∫ g log|w| ds
+};
 
 /// Gauss rule on an arc for kernels times polynomials.  With x - y(t) = (t₀ - t) g(t) and as
 /// many terms as points, Legendre series represent P_j/g and P_j g/conj(g)², j <= degree, to
@@ -31,6 +42,13 @@ class ArcRule {
   Complex tangent(int q) const { return tangents_[static_cast<std::size_t>(q)]; }
   Complex normal(int q) const { return {tangent(q).imag(), -tangent(q).real()}; }
 
+  /// Weights of the kernels at eight targets: for real polynomials f of the degree
+  /// ∫ f ds/conj(w) = Σ f_q overConj_q and so on; principal values on the arc.  Accurate up to the
+  /// arc, since 1/(t₀-t) and similar factors are integrated against Legendre polynomials in closed
+  /// form (LegendreLanes).
+  void evaluate(const TargetLanes& x, KernelLanes* weights,
+                InstructionSet set = largestInstructionSet()) const;
+
  private:
   std::size_t at(int q, int j) const {
     return static_cast<std::size_t>(q * (degree_ + 1) + j);
@@ -41,24 +59,5 @@ class ArcRule {
   std::vector<double> legendre_;
   std::vector<Complex> tangents_;
 };
-
-/// Largest angle [rad] by which an element may turn.
-constexpr double largestAngle = 3.1415926535897932 * (1 + 1e-12);
-
-/// Kernel integrals of a density g at eight targets x, w = x - y.  For a function g of t the
-/// integrals are over t instead of s.
-struct KernelLanes {
-  ComplexLanes overConj;  ///< ∫ g ds/conj(w); conjugate of ∫ g ds/w if g is real
-  ComplexLanes cubic;     ///< ∫ g w/conj(w)² ds
-  ComplexLanes phase;     ///< ∫ g w/conj(w) ds
-  AlignedLane log;        ///< ∫ g log|w| ds
-};
-
-/// Quadrature weights of the kernels at eight targets: for real polynomials f of the degree of
-/// the rule ∫ f ds/conj(w) = Σ f_q overConj_q and so on; principal values on the arc.  Accurate up
-/// to the arc, since 1/(t₀-t) and similar factors are integrated against Legendre polynomials
-/// in closed form (LegendreLanes).
-void arcWeights(const ArcRule& rule, const RelativeTarget (&targets)[lanes],
-                KernelLanes* weights, InstructionSet set = largestInstructionSet());
 
 }  // namespace epafi::bem

@@ -3,18 +3,29 @@
 #include "bem/mesh/Mesh.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
-/// Number of Gauss points on each element of a far pair E, F, for an error of 1e-12 of the
-/// norm of the moments:
+/// Are two elements E and F near, that is, the gap less than half the larger length?  If not, the
+/// number of Gauss points on each of them for an error of 1e-12 of the norm of the moments:
 ///
 ///   n = smoothOrder(z) + degreeShare(degree)                  [doc/theory/operators.md]
 ///
-/// A FarOrder contains the first term only.
-struct FarOrder {
-  int outer = 0;  ///< on E
+/// A Nearness contains the first term only.
+struct Nearness {
+  int outer = 0;  ///< on E; 0: the pair is near
   int inner = 0;  ///< on F
+  bool isFar() const { return outer > 0; }
+  /// Takes as many points as another pair needs, if these are more.
+  void include(const Nearness& other) {
+    outer = std::max(outer, other.outer);
+    inner = std::max(inner, other.inner);
+  }
 };
+
+/// Symmetric in E and F.  \param w Mesh::offset(e, f)
+Nearness nearness(const Mesh& mesh, int e, int f, Vec2 w);
 
 /// The largest smoothOrder.
 constexpr int largestSmoothOrder = 48;
@@ -35,11 +46,6 @@ int smoothOrder(double z);
 /// Gauss points for the kernel on an element that turns by `angle` (0: a segment), if the other
 /// one is at least `distance` [half lengths] from its midpoint.  Grows with the angle.
 int farOrder(double angle, double distance);
-
-/// Is the pair near, that is, the gap less than half the larger length?  Otherwise sets the
-/// orders of both elements.  Symmetric in E and F.
-/// \param w Mesh::offset(e, f)
-bool isNear(const Mesh& mesh, int e, int f, Vec2 w, FarOrder& order);
 
 /// From this distance z (in half lengths) on, all elements in a circle are far, and this order
 /// suffices for them.
