@@ -222,6 +222,42 @@ TEUCHOS_UNIT_TEST(NewtonOptions, shortStepsDoNotLeaveRounding) {
   TEST_COMPARE(run.iterations, >, 20);
 }
 
+/// s = √p
+class RootOfPressure final : public contact::FrictionLaw {
+ public:
+  double bound(double pressure, const Vector& /*fields*/) const override {
+    return std::sqrt(pressure);
+  }
+  double slope(double pressure, const Vector& /*fields*/) const override {
+    return 0.5 / std::sqrt(pressure);
+  }
+};
+
+/// Two closed points that slip, D_nn nearly singular: the tangent of the bound at small pressures
+/// is far from the bound at the solution, so that a step of the same active set leaves hundreds of
+/// times the residual; the next one solves.
+TEUCHOS_UNIT_TEST(NewtonOptions, aBoundThatBendsIsNoCycle) {
+  Problem problem;
+  problem.normals = 2;
+  contact::Matrix flexibility(4, 4);
+  for (contact::Index i = 0; i < 4; ++i)
+    flexibility(i, i) = 1;
+  flexibility(0, 1) = flexibility(1, 0) = -0.99;
+  problem.flexibility = std::move(flexibility);
+  for (const contact::Index normal : {0, 1})
+    problem.tangentials.emplace_back(
+        normal, contact::PointLaw(std::make_shared<const RootOfPressure>(), {}, 1));
+  problem.offset = {0.02, 0.02, 100, 100};
+  problem.rigid = contact::Matrix(4, 0);
+  const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
+  const double start = 1e-3;
+  const contact::NewtonRun run = contact::NoxNewton().run(
+      equation, {start, start, std::sqrt(start), std::sqrt(start)}, 10);
+  TEST_ASSERT(run.end == contact::End::Converged);
+  const Vector exact = {2, 2, std::sqrt(2.0), std::sqrt(2.0)};
+  TEST_COMPARE(largest(combined(run.last, -1, exact)), <, 1e-10);
+}
+
 TEUCHOS_UNIT_TEST(NewtonOptions, whatNoxLeavesUnusedIsAnErrorWithItsPath) {
   SolverOptions options;
   options.nox = lineSearch("Metod", "Backtrack");

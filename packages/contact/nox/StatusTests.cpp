@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -85,10 +86,11 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;
     }
-    last_ = e.set;
+    // the same set twice in a row is no cycle: a law that is not piecewise linear bends
+    const bool isNew = e.set != std::exchange(last_, e.set);
     const auto before = seen_.find(e.set);
-    const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
-                        --patience_ <= 0;
+    const bool cycles = isNew && before != seen_.end() &&
+                        e.scaled >= hasFallen * before->second && --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
       fail(End::Cycling);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))

@@ -15,9 +15,9 @@ namespace epafi::contact {
 ///
 /// Converged: the scaled residual is below the tolerance; or it is at most 1e-8 and a
 /// full step with the same active set, which solves a linear problem, leaves 0.9 of it,
-/// so that it is the rounding error of D. Failed: an active set recurs without a smaller
-/// residual (a cycle of active sets), twelve steps make no progress, the residual grew by
-/// a factor of a million, or it is not a number.
+/// so that it is the rounding error of D. Failed: an active set recurs behind others
+/// without a smaller residual (a cycle of active sets), twelve steps make no progress, the
+/// residual grew by a factor of a million, or it is not a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// \param patience number of recurring active sets that ends the run
