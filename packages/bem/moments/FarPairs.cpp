@@ -49,75 +49,76 @@ struct alignas(64) Integrals {
   }
 };
 
-/// Between segments, all of one degree; Degree 0: of any.
+/// The inner integrals of segments at one outer point; Degree 0 for any.
 template <int Degree>
-class alignas(64) SegmentKernel {
- public:
-  EPAFI_INLINE explicit SegmentKernel(const Work& work) : work_(work) {}
-
-  template <Division How>
-  EPAFI_INLINE void run() {
-    const int rows = Degree > 0 ? Degree : work_.rows;
-    const int columns = Degree > 0 ? Degree : work_.columns;
-    const FarLanes& far = work_.far;
-    const Curve::Frame& e = work_.e.segment();
-    const double halfE = work_.e.half;
-    const Pack tx = load(far.tx);
-    const Pack ty = load(far.ty);
-    const Pack a = load(far.half);
-    const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
-    const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
-    for (int q = 0; q < work_.outer.size(); ++q) {
-      const double s = halfE * work_.outer.points[q];
-      const Pack wx = load(far.wx) + s * e.tangent.x;
-      const Pack wy = load(far.wy) + s * e.tangent.y;
-      const Pack off = wx * ty - wy * tx;
-      integrate<How>(columns, wx * tx + wy * ty, off * off, a);
-      for (int j = 0; j <= columns; ++j) {
-        const Pack offI = off * i_[j];
-        Integrals{l_[j], off * j_[j], off * offI, a * offI,
-                  -halfE * (tangentOnNormal * j_[j] + normalOnNormal * offI)}
-            .addTo(work_.m, rows, columns, j, work_.outerTable[q].data());
-      }
-    }
-  }
-
- private:
-  template <Division How>
-  EPAFI_INLINE void integrate(int p, const Pack& eta0, const Pack& off2, const Pack& a) {
-    for (int k = 0; k <= p + 1; ++k)
-      i_[k] = Pack{};
-    for (int q = 0; q < work_.inner.size(); ++q) {
-      const double* weights = work_.innerTable[q].data();
-      const Pack eta = eta0 - a * work_.inner.points[q];
-      Pack inverse;
-      reciprocal<How>(eta * eta + off2, inverse);
-      for (int k = 0; k <= p + 1; ++k)
-        i_[k] += inverse * weights[k];
-    }
-    for (int k = 0; k <= p; ++k) {
-      Pack t = i_[k + 1] * ((k + 1.0) / (2 * k + 1));
-      if (k > 0)
-        t += i_[k - 1] * (static_cast<double>(k) / (2 * k + 1));
-      j_[k] = eta0 * i_[k] - a * t;
-    }
-    // ∫ log r dt = (log r(1) + log r(-1)) + a ∫ t η/r² dt, and by parts for the others
-    const Pack right = eta0 - a;
-    const Pack left = eta0 + a;
-    const Pack product = (right * right + off2) * (left * left + off2);
-    Pack ends;
-    logarithm(product, ends);
-    l_[0] = 0.5 * ends + a * j_[1];
-    for (int k = 1; k < p; ++k)
-      l_[k] = a * (j_[k + 1] - j_[k - 1]) * (1.0 / (2 * k + 1));
-  }
-
+struct SegmentSums {
   static constexpr int size = (Degree > 0 ? Degree : largestMoment) + 2;
-  const Work& work_;
-  Pack i_[size] = {};  ///< ∫ P_k / r²
-  Pack j_[size] = {};  ///< ∫ P_k η / r²,  η = w·τ_F
-  Pack l_[size] = {};  ///< ∫ P_k log r
+  Pack i[size];  // ∫ P_k / r²
+  Pack j[size];  // ∫ P_k η / r²,  η = w·τ_F
+  Pack l[size];  // ∫ P_k log r
 };
+
+template <int Degree, Division How>
+EPAFI_INLINE void segmentSums(const Work& work, const Pack& eta0, const Pack& off2,
+                              const Pack& a, SegmentSums<Degree>& in) {
+  const int p = Degree > 0 ? Degree : work.columns;
+  for (int k = 0; k <= p + 1; ++k)
+    in.i[k] = Pack{};
+  for (int q = 0; q < work.inner.size(); ++q) {
+    const double* weights = work.innerTable[q].data();
+    const Pack eta = eta0 - a * work.inner.points[q];
+    Pack inverse;
+    reciprocal<How>(eta * eta + off2, inverse);
+    for (int k = 0; k <= p + 1; ++k)
+      in.i[k] += inverse * weights[k];
+  }
+  for (int k = 0; k <= p; ++k) {
+    Pack t = in.i[k + 1] * ((k + 1.0) / (2 * k + 1));
+    if (k > 0)
+      t += in.i[k - 1] * (static_cast<double>(k) / (2 * k + 1));
+    in.j[k] = eta0 * in.i[k] - a * t;
+  }
+  // ∫ log r dt = (log r(1) + log r(-1)) + a ∫ t η/r² dt, and by parts for the others
+  const Pack right = eta0 - a;
+  const Pack left = eta0 + a;
+  const Pack product = (right * right + off2) * (left * left + off2);
+  Pack ends;
+  logarithm(product, ends);
+  in.l[0] = 0.5 * ends + a * in.j[1];
+  for (int k = 1; k < p; ++k)
+    in.l[k] = a * (in.j[k + 1] - in.j[k - 1]) * (1.0 / (2 * k + 1));
+  in.l[p] = Pack{};
+}
+
+/// Between segments, all of one degree; Degree 0: of any.
+template <int Degree, Division How>
+EPAFI_INLINE void segmentKernel(const Work& work) {
+  const int rows = Degree > 0 ? Degree : work.rows;
+  const int columns = Degree > 0 ? Degree : work.columns;
+  const FarLanes& far = work.far;
+  const Curve::Frame e = work.e.segment();
+  const double halfE = work.e.half;
+  const Pack tx = load(far.tx);
+  const Pack ty = load(far.ty);
+  const Pack a = load(far.half);
+  const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
+  const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
+  SegmentSums<Degree> in;
+  for (int q = 0; q < work.outer.size(); ++q) {
+    const double s = halfE * work.outer.points[q];
+    const Pack wx = load(far.wx) + s * e.tangent.x;
+    const Pack wy = load(far.wy) + s * e.tangent.y;
+    const Pack off = wx * ty - wy * tx;
+    segmentSums<Degree, How>(work, wx * tx + wy * ty, off * off, a, in);
+    const double* weight = work.outerTable[q].data();
+    for (int j = 0; j <= columns; ++j) {
+      const Pack offI = off * in.i[j];
+      const Integrals own{in.l[j], off * in.j[j], off * offI, a * offI,
+                          -halfE * (tangentOnNormal * in.j[j] + normalOnNormal * offI)};
+      own.addTo(work.m, rows, columns, j, weight);
+    }
+  }
+}
 
 /// With arcs among them.
 class alignas(64) ArcKernel {
@@ -192,15 +193,15 @@ struct FarKernel {
     if (hasArcs)
       ArcKernel(work).run<How>();
     else if (both == 1)
-      SegmentKernel<1>(work).template run<How>();
+      segmentKernel<1, How>(work);
     else if (both == 2)
-      SegmentKernel<2>(work).template run<How>();
+      segmentKernel<2, How>(work);
     else if (both == 3)
-      SegmentKernel<3>(work).template run<How>();
+      segmentKernel<3, How>(work);
     else if (both == 4)
-      SegmentKernel<4>(work).template run<How>();
+      segmentKernel<4, How>(work);
     else
-      SegmentKernel<0>(work).template run<How>();
+      segmentKernel<0, How>(work);
   }
 };
 

@@ -66,6 +66,7 @@ struct Addition {
   const TestPoints& points;
   int rows;
   int columns;
+  bool onLine;  ///< only log is asked for
   LaneSums* sums;
 
   template <Division>
@@ -84,6 +85,8 @@ struct Addition {
       for (int i = 0; i <= rows; ++i) {
         LaneSums& to = sums[i * (columns + 1) + j];
         add(to.log.lane, weighted[i] * of.log);
+        if (onLine)
+          continue;
         add(to.phase.re.lane, weighted[i] * of.phase.re);
         add(to.phase.im.lane, weighted[i] * of.phase.im);
         add(to.direct.lane, weighted[i] * of.flow);
@@ -121,6 +124,7 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   const int columns = y.densities;
   ElementPotential potential(y.curve, columns + 1, ElementPotential::Need::Moments);
   std::vector<LaneSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
+  const bool onLine = mesh.areOnLine(e, f);  // w·n = 0
   std::size_t q = 0;
   for (const TargetLanes& seen : seenFrom(mesh, pair.y, pair.x, rule.points)) {
     TestPoints points;
@@ -130,11 +134,10 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
       points.normal.set(k, x.half * asComplex(x.curve.normal(rule.points[q].t)));
     }
     potential.evaluate(seen, set);
-    dispatch(set, Addition{potential, points, rows, columns, sums.data()});
+    dispatch(set, Addition{potential, points, rows, columns, onLine, sums.data()});
   }
   const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
   const Complex back = std::conj(tangent * tangent);
-  const bool onLine = mesh.areOnLine(e, f);  // w·n = 0
   m.setPair(rows, columns, pair.transposed, lane, [&](int i, int j) {
     const LaneSums& of = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
     const double log = total(of.log) / y.half;

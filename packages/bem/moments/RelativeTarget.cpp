@@ -64,6 +64,7 @@ class SegmentSeen {
 std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
                                   const std::vector<EndPoint>& points) {
   std::vector<TargetLanes> all;
+  all.reserve((points.size() + lanes - 1) / lanes);
   const auto point = [&](std::size_t i) -> const EndPoint& {
     return points[std::min(i, points.size() - 1)];
   };
