@@ -51,8 +51,10 @@ class KeptFactor::Base {
       return a.row == b.row && a.column == b.column && a.value == b.value;
     };
     const auto alike = [](const Matrix& a, const Matrix& b) {
-      return a.columns() == b.columns() &&
-             std::equal(a.data(), a.data() + a.stride() * a.columns(), b.data());
+      bool same = a.rows() == b.rows() && a.columns() == b.columns();
+      for (Index j = 0; same && j < a.columns(); ++j)
+        same = std::equal(a.column(j), a.column(j) + a.rows(), b.column(j));
+      return same;
     };
     return &flexibility.entries() == &flexibility_.entries() &&
            std::equal(system.added.begin(), system.added.end(), added_.begin(),
