@@ -54,7 +54,7 @@ int main(int argc, char* argv[]) {
         Row("Cap", Kind::Expression, "stress", "shear at high pressure").required(),
         Row("Exponent", Kind::Real, "1", epafi::bem::from(1),
             "how sharply the one becomes the other")
-            .standard("2")},
+            .defaultValue("2")},
        [](const Teuchos::ParameterList& list) {
          return std::make_shared<const Shaw>(list.get<double>("Exponent"));
        }});
