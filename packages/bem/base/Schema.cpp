@@ -66,7 +66,7 @@ std::string describe(const ParameterEntry& entry) {
 }
 
 /// The default of a row, marked as default.  \pre the row has one
-ParameterEntry standardOf(const SchemaRow& row) {
+ParameterEntry defaultOf(const SchemaRow& row) {
   switch (row.kind) {
     case Kind::Real:
       return ParameterEntry(std::stod(row.defaultValue), true);
@@ -106,7 +106,7 @@ class Conversion {
     // a default that used.xml tells apart from what the user wrote remains one
     const Teuchos::any value = result.getAny(false);
     if (entry_.isDefault() && !row_.defaultValue.empty() &&
-        value == standardOf(row_).getAny(false))
+        value == defaultOf(row_).getAny(false))
       result.setAnyValue(value, true);
     return result;
   }
@@ -362,7 +362,7 @@ class Level {
       Level(table_, constant_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
     else if (!row.defaultValue.empty())
-      result.setEntry(row.name(), standardOf(row));
+      result.setEntry(row.name(), defaultOf(row));
   }
 
   const SchemaRows& table_;
