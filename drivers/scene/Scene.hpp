@@ -70,7 +70,7 @@ struct SideOfBody {
   std::string boundary;
 };
 
-/// Contact between two bodies: `side` carries λ, `met` is the opposite side.
+/// Contact between two bodies: `side` carries λ.
 struct ContactPair {
   std::string name;
   SideOfBody side;
