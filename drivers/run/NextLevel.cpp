@@ -4,6 +4,7 @@
 #include "adaptivity/mark/Doerfler.hpp"
 #include "adaptivity/mark/Strategy.hpp"
 #include "adaptivity/refine/Refine.hpp"
+#include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/FacingMarks.hpp"

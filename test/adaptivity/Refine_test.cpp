@@ -1,6 +1,7 @@
 #include "adaptivity/refine/Refine.hpp"
 
 #include "SquareMesh.hpp"
+#include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/CauchyData.hpp"

@@ -1,9 +1,5 @@
 #include "adaptivity/refine/Refine.hpp"
 
-#include "bem/base/Error.hpp"
-#include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Collocation.hpp"
-
 #include <algorithm>
 #include <cassert>
 
@@ -11,7 +7,6 @@ namespace epafi::adaptivity {
 
 namespace {
 
-using contact::MultiplierSpace;
 using Pieces = std::vector<bem::Piece>;
 
 void cutAt(const bem::Piece& piece, const std::vector<double>& places,
@@ -67,119 +62,6 @@ bool anyMarked(const Marks& marks) {
 
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks) {
   return {mesh.sharedOutline(), cut(mesh, marks)};
-}
-
-namespace {
-
-using contact::Index;
-using contact::Vector;
-using ContactElement = MultiplierSpace::ContactElement;
-
-/// Coefficients element by element; where two elements share one, it is their mean.
-class Collection {
- public:
-  explicit Collection(Index size) : sums_(size), counts_(size) {}
-
-  template <class Number>
-  void add(const Vector& coefficients, contact::EndCoefficients ends,
-           const Number& number) {
-    const int degree = static_cast<int>(coefficients.size()) - 1;
-    for (int i = 0; i <= degree; ++i) {
-      if (!ContactElement::isOwn(ends, degree, i))
-        continue;
-      const std::size_t k = number(i);
-      sums_[k] += coefficients[i];
-      ++counts_[k];
-    }
-  }
-
-  Vector means() const {
-    Vector means = sums_;
-    for (std::size_t k = 0; k < means.size(); ++k)
-      means[k] /= counts_[k];
-    return means;
-  }
-
- private:
-  Vector sums_;
-  std::vector<int> counts_;
-};
-
-/// A multiplier at places of an edge, asked for in increasing order.
-class Walk {
- public:
-  Walk(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier)
-      : mesh_(mesh), space_(space), multiplier_(multiplier) {}
-
-  MultiplierSpace::Value at(int edge, bem::Position position) {
-    while (!holds(edge, position))
-      ++next_;
-    const ContactElement& element = space_.elements()[next_];
-    const bem::Element& geometry = mesh_[element.element];
-    const double half = geometry.half;
-    const double before = distanceAlong(geometry.piece.start, position) / half;
-    const double behind = distanceAlong(position, geometry.piece.end) / half;
-    if (before < -tolerance)
-      throwMismatch();
-    return space_.at(multiplier_, element, before < behind ? before - 1 : 1 - behind);
-  }
-
- private:
-  // of half an element; rounding of places may be a part of tiny ones
-  static constexpr double tolerance = 1e-3;
-
-  bool holds(int edge, bem::Position position) const {
-    if (next_ == space_.elements().size())
-      throwMismatch();
-    const bem::Piece& piece = mesh_[space_.elements()[next_].element].piece;
-    return piece.edge == edge && distanceAlong(position, piece.end) >= 0;
-  }
-
-  [[noreturn]] static void throwMismatch() {
-    throw bem::NumericalError("the multiplier's two meshes differ in where contact is");
-  }
-
-  const bem::Mesh& mesh_;
-  const MultiplierSpace& space_;
-  const Vector& multiplier_;
-  std::size_t next_ = 0;
-};
-
-}  // namespace
-
-Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
-                       const Vector& multiplier, const bem::Mesh& toMesh,
-                       const MultiplierSpace& to) {
-  Collection result(to.size());
-  Walk walk(fromMesh, from, multiplier);
-  for (const ContactElement& element : to.elements()) {
-    const bem::Piece& piece = toMesh[element.element].piece;
-    const contact::Collocation collocation(to.basis(),
-                                           bem::gaussLegendre(element.degree + 1).points);
-    Vector normal;
-    Vector tangential;
-    for (const double t : collocation.places()) {
-      const auto value = walk.at(piece.edge, positionAt(piece, t));
-      normal.push_back(value.normal);
-      tangential.push_back(value.tangential);
-    }
-    result.add(collocation.coefficients(normal), element.normalEnds,
-               [&](int i) { return element.normalOf(i); });
-    if (element.tangential >= 0)
-      result.add(collocation.coefficients(tangential), element.tangentialEnds,
-                 [&](int i) { return element.tangentialOf(i); });
-  }
-  return result.means();
-}
-
-contact::State carry(const bem::Mesh& from, const MultiplierSpace& multiplier,
-                     const contact::State& state, const bem::Mesh& to,
-                     const contact::Conditions& conditions) {
-  if (state.multiplier.empty())
-    return state;
-  return {carryMultiplier(from, multiplier, state.multiplier, to,
-                          MultiplierSpace(to, multiplier.basis(), conditions)),
-          state.rigid};
 }
 
 }  // namespace epafi::adaptivity
