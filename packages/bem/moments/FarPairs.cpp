@@ -95,6 +95,7 @@ template <int Degree, Division How>
 EPAFI_INLINE void segmentKernel(const Work& work) {
   const int rows = Degree > 0 ? Degree : work.rows;
   const int columns = Degree > 0 ? Degree : work.columns;
+  work.m.clear(rows, columns);
   const FarLanes& far = work.far;
   const Curve::Frame e = work.e.segment();
   const double halfE = work.e.half;
@@ -111,6 +112,7 @@ EPAFI_INLINE void segmentKernel(const Work& work) {
     const Pack off = wx * ty - wy * tx;
     segmentSums<Degree, How>(work, wx * tx + wy * ty, off * off, a, in);
     const double* weight = work.outerTable[q].data();
+#pragma GCC unroll 3
     for (int j = 0; j <= columns; ++j) {
       const Pack offI = off * in.i[j];
       const Integrals own{in.l[j], off * in.j[j], off * offI, a * offI,
@@ -127,6 +129,7 @@ class alignas(64) ArcKernel {
 
   template <Division How>
   EPAFI_INLINE void run() {
+    work_.m.clear(work_.rows, work_.columns);
     for (int q = 0; q < work_.inner.size(); ++q)
       points_[q] = CurvePoints(work_.far, Pack{} + work_.inner.points[q]);
     for (int q = 0; q < work_.outer.size(); ++q) {
@@ -185,7 +188,6 @@ struct FarKernel {
 
   template <Division How>
   EPAFI_INLINE void run() const {
-    work.m.clear(work.rows, work.columns);
     const bool hasArcs = work.e.curve.angle() != 0 ||
                          std::any_of(std::begin(work.far.alpha), std::end(work.far.alpha),
                                      [](double alpha) { return alpha != 0; });

@@ -3,6 +3,7 @@
 #include "bem/moments/ElementPotential.hpp"
 #include "bem/simd/Dispatch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::bem {
@@ -45,25 +46,21 @@ GradedRule nearRule(const Mesh& mesh, const InOrder& pair) {
                       x.piece.edge == y.piece.edge ? 5 : 7);
 }
 
-/// Eight points of x: weighted P_0 there, and the normal times its half length.
-struct TestPoints {
-  AlignedLane place{};
-  AlignedLane weight{};
-  ComplexLanes normal{};
-};
-
 /// Integrals with some P_i P_j, over the points in each lane.
 struct LaneSums {
-  AlignedLane log{};
-  ComplexLanes phase{};
-  AlignedLane direct{};
-  AlignedLane reverse{};
+  AlignedLane log;
+  ComplexLanes phase;
+  AlignedLane direct;
+  AlignedLane reverse;
 };
 
-/// Adds eight points.
-struct Addition {
-  const ElementPotential& potential;
-  const TestPoints& points;
+/// Integrates the potential of y over x.
+struct Integration {
+  const Element& x;
+  const GradedRule& rule;
+  const SeenPoints& points;
+  ElementPotential& potential;
+  InstructionSet set;
   int rows;
   int columns;
   bool onLine;  ///< only log is asked for
@@ -71,28 +68,51 @@ struct Addition {
 
   template <Division>
   EPAFI_INLINE void run() const {
+    for (int k = 0; k < (rows + 1) * (columns + 1); ++k)
+      sums[k] = LaneSums{};
     Pack weighted[largestMoment + 1];
-    const Pack t = load(points.place.lane);
-    weighted[0] = load(points.weight.lane);
-    weighted[1] = t * weighted[0];
-    for (int k = 1; k < rows; ++k)
-      weighted[k + 1] = ((2 * k + 1.0) / (k + 1)) * (t * weighted[k]) -
-                        (k / (k + 1.0)) * weighted[k - 1];
-    const ComplexPack normal = points.normal.load();
-    for (int j = 0; j <= columns; ++j) {
-      const ElementPotential::Values of = potential.of(j);
-      const Pack reverse = -(normal.re * of.overConj.re + normal.im * of.overConj.im);
-      for (int i = 0; i <= rows; ++i) {
-        LaneSums& to = sums[i * (columns + 1) + j];
-        add(to.log.lane, weighted[i] * of.log);
-        if (onLine)
-          continue;
-        add(to.phase.re.lane, weighted[i] * of.phase.re);
-        add(to.phase.im.lane, weighted[i] * of.phase.im);
-        add(to.direct.lane, weighted[i] * of.flow);
-        add(to.reverse.lane, weighted[i] * reverse);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      potential.evaluate(points, k, set);
+      AlignedLane places{};
+      AlignedLane weights{};
+      ComplexLanes normals{};
+      for (std::size_t q = k * lanes; q < std::min((k + 1) * lanes, rule.points.size());
+           ++q) {
+        places.lane[q % lanes] = rule.points[q].t;
+        weights.lane[q % lanes] = rule.weights[q];
+        normals.set(static_cast<int>(q % lanes),
+                    x.half * asComplex(x.curve.normal(rule.points[q].t)));
       }
+      const Pack t = load(places.lane);
+      weighted[0] = load(weights.lane);
+      weighted[1] = t * weighted[0];
+      for (int i = 1; i < rows; ++i)
+        weighted[i + 1] = ((2 * i + 1.0) / (i + 1)) * (t * weighted[i]) -
+                          (i / (i + 1.0)) * weighted[i - 1];
+      const ComplexPack normal = normals.load();
+      for (int j = 0; j <= columns; ++j)
+        add(potential.of(j), normal, weighted, j);
     }
+  }
+
+  EPAFI_INLINE void add(const ElementPotential::Values& of, const ComplexPack& normal,
+                        const Pack* weighted, int j) const {
+    LaneSums* const to = sums + j * (rows + 1);
+    for (int i = 0; i < rows && j < columns; ++i)
+      bem::add(to[i].log.lane, weighted[i] * of.log);
+    if (onLine)
+      return;
+    for (int i = 0; i < rows; ++i)
+      bem::add(to[i].direct.lane, weighted[i] * of.flow);
+    if (j == columns)
+      return;
+    for (int i = 0; i < rows; ++i) {
+      bem::add(to[i].phase.re.lane, weighted[i] * of.phase.re);
+      bem::add(to[i].phase.im.lane, weighted[i] * of.phase.im);
+    }
+    const Pack reverse = -(normal.re * of.overConj.re + normal.im * of.overConj.im);
+    for (int i = 0; i <= rows; ++i)
+      bem::add(to[i].reverse.lane, weighted[i] * reverse);
   }
 };
 
@@ -109,10 +129,14 @@ void nearMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
   if (e != f || mesh.lineOf(e) < 0)
     return nearMoments(mesh, e, f, nearRule(mesh, pair), m, lane, set);
   const Element& x = mesh[e];
-  m.setPair(x.densities, x.densities, false, lane, [&](int i, int j) {
-    const double whole = i == 0 && j == 0 ? 4 : 0;
-    return PairSums{selfMoment(i, j) + whole * std::log(x.half), whole, 0, 0};
-  });
+  for (int i = 0; i <= x.densities; ++i)
+    for (int j = 0; j <= x.densities; ++j) {
+      const int at = i * TileMoments::stride + j;
+      m.log[at][lane] = selfMoment(i, j);
+      m.along[at][lane] = m.across[at][lane] = 0;
+      m.direct[at][lane] = m.reverse[at][lane] = 0;
+    }
+  m.log[0][lane] += 4 * std::log(x.half);
 }
 
 void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMoments& m,
@@ -122,30 +146,24 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   const Element& y = mesh[pair.y];
   const int rows = x.densities;
   const int columns = y.densities;
-  ElementPotential potential(y.curve, columns + 1, ElementPotential::Need::Moments);
-  std::vector<LaneSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
   const bool onLine = mesh.areOnLine(e, f);  // w·n = 0
-  std::size_t q = 0;
-  for (const TargetLanes& seen : seenFrom(mesh, pair.y, pair.x, rule.points)) {
-    TestPoints points;
-    for (int k = 0; k < lanes && q < rule.points.size(); ++k, ++q) {
-      points.place.lane[k] = rule.points[q].t;
-      points.weight.lane[k] = rule.weights[q];
-      points.normal.set(k, x.half * asComplex(x.curve.normal(rule.points[q].t)));
-    }
-    potential.evaluate(seen, set);
-    dispatch(set, Addition{potential, points, rows, columns, onLine, sums.data()});
-  }
+  using Need = ElementPotential::Need;
+  ElementPotential potential(y.curve, columns + (onLine ? 0 : 1),
+                             onLine ? Need::Log : Need::Moments);
+  LaneSums sums[(largestMoment + 1) * (largestMoment + 1)];
+  const SeenPoints points(mesh, pair.y, pair.x, rule.points);
+  dispatch(set,
+           Integration{x, rule, points, potential, set, rows, columns, onLine, sums});
   const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
-  const Complex back = std::conj(tangent * tangent);
+  const double scale = 1 / y.half;
+  const Complex back = scale * std::conj(tangent * tangent);
   m.setPair(rows, columns, pair.transposed, lane, [&](int i, int j) {
-    const LaneSums& of = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
-    const double log = total(of.log) / y.half;
+    const LaneSums& of = sums[j * (rows + 1) + i];
+    const double log = scale * total(of.log);
     if (onLine)
       return PairSums{log, i == 0 && j == 0 ? 4.0 : 0.0, 0, 0};
     const Complex phase(total(of.phase.re), total(of.phase.im));
-    return PairSums{log, back * phase / y.half, total(of.direct),
-                    total(of.reverse) / y.half};
+    return PairSums{log, back * phase, total(of.direct), scale * total(of.reverse)};
   });
 }
 
