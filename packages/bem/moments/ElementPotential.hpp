@@ -13,8 +13,8 @@ namespace epafi::bem {
 /// (ArcRule).                                               [doc/theory/operators.md]
 class ElementPotential {
  public:
-  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: phase
-  /// and log of all but the last polynomial.
+  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: log of
+  /// the last polynomial is left out.
   enum class Need { Sums, Moments, Log, All };
 
   /// \param terms number of Legendre polynomials of the densities, at most 26

@@ -46,30 +46,22 @@ GradedRule nearRule(const Mesh& mesh, const InOrder& pair) {
                       x.piece.edge == y.piece.edge ? 5 : 7);
 }
 
-/// Integrals with some P_i P_j, over the points in each lane.
-struct LaneSums {
-  AlignedLane log;
-  ComplexLanes phase;
-  AlignedLane direct;
-  AlignedLane reverse;
-};
-
-/// Integrates the potential of y over x.
+/// Integrates the potential of y over x; a lane of the sums has what its points give.
 struct Integration {
   const Element& x;
+  const Element& y;
   const GradedRule& rule;
   const SeenPoints& points;
   ElementPotential& potential;
   InstructionSet set;
-  int rows;
-  int columns;
   bool onLine;  ///< only log is asked for
-  LaneSums* sums;
+  TileMoments& sums;
 
   template <Division>
   EPAFI_INLINE void run() const {
-    for (int k = 0; k < (rows + 1) * (columns + 1); ++k)
-      sums[k] = LaneSums{};
+    const int rows = x.densities;
+    const int columns = y.densities;
+    sums.clear(rows, columns);
     Pack weighted[largestMoment + 1];
     for (std::size_t k = 0; k < points.size(); ++k) {
       potential.evaluate(points, k, set);
@@ -81,7 +73,7 @@ struct Integration {
         places.lane[q % lanes] = rule.points[q].t;
         weights.lane[q % lanes] = rule.weights[q];
         normals.set(static_cast<int>(q % lanes),
-                    x.half * asComplex(x.curve.normal(rule.points[q].t)));
+                    x.half / y.half * asComplex(x.curve.normal(rule.points[q].t)));
       }
       const Pack t = load(places.lane);
       weighted[0] = load(weights.lane);
@@ -89,35 +81,36 @@ struct Integration {
       for (int i = 1; i < rows; ++i)
         weighted[i + 1] = ((2 * i + 1.0) / (i + 1)) * (t * weighted[i]) -
                           (i / (i + 1.0)) * weighted[i - 1];
-      const ComplexPack normal = normals.load();
-      for (int j = 0; j <= columns; ++j)
-        add(potential.of(j), normal, weighted, j);
+      if (onLine)
+        addLogs(weighted);
+      else
+        addAll(normals.load(), weighted);
     }
   }
 
-  EPAFI_INLINE void add(const ElementPotential::Values& of, const ComplexPack& normal,
-                        const Pack* weighted, int j) const {
-    LaneSums* const to = sums + j * (rows + 1);
-    for (int i = 0; i < rows && j < columns; ++i)
-      bem::add(to[i].log.lane, weighted[i] * of.log);
-    if (onLine)
-      return;
-    for (int i = 0; i < rows; ++i)
-      bem::add(to[i].direct.lane, weighted[i] * of.flow);
-    if (j == columns)
-      return;
-    for (int i = 0; i < rows; ++i) {
-      bem::add(to[i].phase.re.lane, weighted[i] * of.phase.re);
-      bem::add(to[i].phase.im.lane, weighted[i] * of.phase.im);
+ private:
+  EPAFI_INLINE void addLogs(const Pack* weighted) const {
+    for (int j = 0; j < y.densities; ++j) {
+      const Pack log = (1 / y.half) * potential.of(j).log;
+      for (int i = 0; i < x.densities; ++i)
+        add(sums.log[i * TileMoments::stride + j], weighted[i] * log);
     }
-    const Pack reverse = -(normal.re * of.overConj.re + normal.im * of.overConj.im);
-    for (int i = 0; i <= rows; ++i)
-      bem::add(to[i].reverse.lane, weighted[i] * reverse);
+  }
+
+  EPAFI_INLINE void addAll(const ComplexPack& normal, const Pack* weighted) const {
+    const Complex tangent = asComplex(y.curve.frame().tangent);
+    const Complex back = 0.5 / y.half * std::conj(tangent * tangent);
+    for (int j = 0; j <= y.densities; ++j) {
+      const ElementPotential::Values of = potential.of(j);
+      const ComplexPack phase = back * of.phase;
+      sums.addInner({(1 / y.half) * of.log, -phase.im, (j == 0 ? 1.0 : 0.0) - phase.re,
+                     of.flow, -(normal.re * of.overConj.re + normal.im * of.overConj.im)},
+                    x.densities, y.densities, j, weighted);
+    }
   }
 };
 
-double total(const AlignedLane& sums) {
-  const double* x = sums.lane;
+double total(const double* x) {
   return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
 }
 
@@ -150,21 +143,28 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   using Need = ElementPotential::Need;
   ElementPotential potential(y.curve, columns + (onLine ? 0 : 1),
                              onLine ? Need::Log : Need::Moments);
-  LaneSums sums[(largestMoment + 1) * (largestMoment + 1)];
+  TileMoments sums;
   const SeenPoints points(mesh, pair.y, pair.x, rule.points);
-  dispatch(set,
-           Integration{x, rule, points, potential, set, rows, columns, onLine, sums});
-  const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
-  const double scale = 1 / y.half;
-  const Complex back = scale * std::conj(tangent * tangent);
-  m.setPair(rows, columns, pair.transposed, lane, [&](int i, int j) {
-    const LaneSums& of = sums[j * (rows + 1) + i];
-    const double log = scale * total(of.log);
-    if (onLine)
-      return PairSums{log, i == 0 && j == 0 ? 4.0 : 0.0, 0, 0};
-    const Complex phase(total(of.phase.re), total(of.phase.im));
-    return PairSums{log, back * phase, total(of.direct), scale * total(of.reverse)};
-  });
+  dispatch(set, Integration{x, y, rule, points, potential, set, onLine, sums});
+  // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for the tangents of y and of F
+  const Complex turn = asComplex(y.curve.frame().tangent) *
+                       std::conj(asComplex(mesh[f].curve.frame().tangent));
+  const Complex turned = pair.transposed && !onLine ? turn * turn : 1;
+  auto* const direct = pair.transposed ? m.reverse : m.direct;
+  auto* const reverse = pair.transposed ? m.direct : m.reverse;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j <= columns; ++j) {
+      const int from = i * TileMoments::stride + j;
+      const int at = pair.transposed ? j * TileMoments::stride + i : from;
+      m.log[at][lane] = total(sums.log[from]);
+      const double constant = i == 0 && j == 0 ? 2 : 0;
+      const Complex phase =
+          turned * Complex(constant - total(sums.across[from]), -total(sums.along[from]));
+      m.across[at][lane] = constant - phase.real();
+      m.along[at][lane] = -phase.imag();
+      direct[at][lane] = total(sums.direct[from]);
+      reverse[at][lane] = total(sums.reverse[from]);
+    }
 }
 
 }  // namespace epafi::bem
