@@ -4,6 +4,7 @@
 //
 //   build/bin/bench_kernels [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 #include "bem/fields/BoundaryFields.hpp"
+#include "bem/fields/Interior.hpp"
 #include "bem/moments/FarPairs.hpp"
 #include "bem/moments/NearPairs.hpp"
 #include "bem/operators/Assembly.hpp"
@@ -91,18 +92,37 @@ void farPair(benchmark::State& state) {
 }
 BENCHMARK(farPair)->Args({1, 4})->Args({1, 8})->Args({2, 6})->Args({4, 8})->Args({8, 12});
 
-/// range: degree, distance of the two elements' numbers (0 self, 1 neighbours, 2 next).
-void nearPair(benchmark::State& state) {
-  const Mesh mesh = uniform(64, static_cast<int>(state.range(0)));
-  const int distance = static_cast<int>(state.range(1));
+void nearMomentsOf(benchmark::State& state, const Mesh& mesh, int e, int f) {
   const auto moments = std::make_unique<TileMoments>();
   for (auto _ : state) {
-    nearMoments(mesh, 4 + distance, 4, *moments, 0);
+    nearMoments(mesh, e, f, *moments, 0);
     benchmark::DoNotOptimize(moments->log[0][0]);
   }
   perItem(state, "seconds_per_pair", 1);
 }
+
+/// range: degree, distance of the two elements' numbers (0 self, 1 neighbours, 2 next).
+void nearPair(benchmark::State& state) {
+  const Mesh mesh = uniform(64, static_cast<int>(state.range(0)));
+  nearMomentsOf(state, mesh, 4 + static_cast<int>(state.range(1)), 4);
+}
 BENCHMARK(nearPair)->ArgsProduct({{1, 2, 4, 8}, {0, 1}})->Args({1, 16});
+
+/// Elements e and f of a bar with a round end: 0 to 7 below, 8 to 11 round it, 12 to 19 above, 20
+/// at the left end.  range: degree.
+void nearPairOfBar(benchmark::State& state, int e, int f) {
+  Loop bar{{{-1, 0}, {1, 0}, {1, 0.1}, {-1, 0.1}}, {"below", "round", "above", "left"}};
+  bar.bulges = {0, 1, 0, 0};
+  const Mesh mesh = makeMesh(std::make_shared<const Outline>(bar), {8, 4, 8, 1},
+                             static_cast<int>(state.range(0)));
+  nearMomentsOf(state, mesh, e, f);
+}
+BENCHMARK_CAPTURE(nearPairOfBar, corner, 0, 20)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(nearPairOfBar, facing, 3, 16)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(nearPairOfBar, arcItself, 9, 9)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(nearPairOfBar, arcs, 9, 10)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(nearPairOfBar, segmentAndArc, 7, 8)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(nearPairOfBar, segmentBesideArc, 7, 9)->Arg(1)->Arg(2)->Arg(4)->Arg(8);
 
 void assembleOn(benchmark::State& state, const Mesh& mesh,
                 const std::vector<int>& tractionElements) {
@@ -179,6 +199,20 @@ void projectedTractions(benchmark::State& state) {
   }
 }
 BENCHMARK(projectedTractions)->Args({1024, 1})->Unit(benchmark::kMillisecond);
+
+/// Displacement and stress at points inside; range: elements, degree.
+void interior(benchmark::State& state) {
+  const Space space(
+      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  const Interior inside(space, lame, Vector(at(space.displacements()), 1),
+                        Vector(at(space.densities()), 1));
+  const std::vector<Vec2> points(64, {0.1, 0.2});
+  for (auto _ : state)
+    benchmark::DoNotOptimize(inside.at(points).data());
+  perItem(state, "seconds_per_point_and_element",
+          static_cast<double>(points.size()) * space.mesh().size());
+}
+BENCHMARK(interior)->Args({64, 1})->Args({64, 2})->Args({64, 4})->Args({64, 8});
 
 void boundaryFieldsOf(benchmark::State& state, std::size_t count) {
   const Space space(

@@ -1,7 +1,7 @@
 #include "drivers/run/FacingMarks.hpp"
 
+#include "bem/geometry/NormalRay.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
-#include "contact/opposite/NormalRay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,8 @@ std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
   double smallest = scene.reach(pair);
   for (std::size_t k = 0; k < opposite.size(); ++k) {
     const auto there =
-        contact::crossing(side.point(t) + scene.shift(pair), side.normal(t), opposite[k]);
-    if (!there || !contact::isOn(*there) || std::abs(there->distance) > smallest)
+        bem::crossing(side.point(t) + scene.shift(pair), side.normal(t), opposite[k]);
+    if (!there || !bem::isOn(*there) || std::abs(there->distance) > smallest)
       continue;
     smallest = std::abs(there->distance);
     found = Place{k, there->t};

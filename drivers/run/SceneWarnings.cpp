@@ -22,7 +22,7 @@ constexpr double degree = 3.1415926535897932 / 180;
 /// From the end of a segment to the start of the next one, to the left; 0 beside arcs.
 double turnBehind(const bem::Outline& outline, const bem::Edge& edge) {
   const bem::Edge& next = outline.edge(edge.next);
-  if (!edge.curve.isStraight() || !next.curve.isStraight() ||
+  if (edge.curve.angle() != 0 || next.curve.angle() != 0 ||
       next.boundary != edge.boundary)
     return 0;
   const bem::Vec2 a = edge.curve.tangent(0);

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
-#include "contact/opposite/NormalRay.hpp"
+#include "bem/geometry/NormalRay.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/OverlapCheck.hpp"
 
@@ -132,8 +132,8 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
     if (edge.boundary != pair.side.boundary)
       continue;
     const double half = edge.curve.half();
-    for (const contact::Facing& stretch :
-         contact::facing(edge.curve.moved(shift), opposite.curves, scene.reach(pair))) {
+    for (const bem::Facing& stretch :
+         bem::facing(edge.curve.moved(shift), opposite.curves, scene.reach(pair))) {
       addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
               parts);
       if (pair.opposite.rigid)
@@ -141,8 +141,8 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
-        const auto there = contact::crossing(edge.curve.point(t) + shift,
-                                             edge.curve.normal(t), opposite.curves[k]);
+        const auto there = bem::crossing(edge.curve.point(t) + shift,
+                                         edge.curve.normal(t), opposite.curves[k]);
         if (there)
           addNode(other, opposite.edges[k],
                   opposite.curves[k].half() * (1 + std::clamp(there->t, -1.0, 1.0)),

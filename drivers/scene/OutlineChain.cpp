@@ -88,8 +88,7 @@ bool isCorner(const Loop& loop, std::size_t i) {
   if (loop.bulges[before] != 0 || loop.bulges[i] != 0) {
     const bem::Curve in = curveOf(loop, before);
     const bem::Curve out = curveOf(loop, i);
-    return in.isStraight() || out.isStraight() ||
-           !(dot(in.tangent(1), out.tangent(-1)) > 0 &&
+    return !(dot(in.tangent(1), out.tangent(-1)) > 0 &&
              std::abs(cross(in.tangent(1), out.tangent(-1))) <= oneCircle &&
              std::abs(in.curvature() - out.curvature()) <=
                  oneCircle * std::abs(in.curvature()));

@@ -1,6 +1,7 @@
 #include "drivers/scene/OverlapCheck.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +24,12 @@ struct Stroke {
 
 std::vector<Stroke> strokes(const bem::Outline& outline,
                             const std::set<std::string>& touching) {
-  constexpr int perArc = 32;
   std::vector<Stroke> result;
   for (const bem::Edge& edge : outline.edges()) {
-    const int count = edge.curve.isStraight() ? 1 : perArc;
-    for (int k = 0; k < count; ++k) {
-      const auto place = [&](int i) {
-        return outline.physical(edge.curve.point(-1 + 2.0 * i / count));
-      };
-      result.push_back(
-          {place(k), place(k + 1), touching.count(edge.boundary) != 0, &edge.boundary});
-    }
+    const std::vector<Vec2> ends = chords(edge.curve);
+    for (std::size_t k = 1; k < ends.size(); ++k)
+      result.push_back({outline.physical(ends[k - 1]), outline.physical(ends[k]),
+                        touching.count(edge.boundary) != 0, &edge.boundary});
   }
   return result;
 }
@@ -162,10 +158,7 @@ double thicknessOf(const bem::Outline& outline) {
   double length = 0;
   for (const bem::Edge& edge : outline.edges()) {
     const bem::Curve& curve = edge.curve;
-    const double angle = curve.angle();
-    area += bem::cross(curve.from(), curve.to());
-    if (!curve.isStraight())  // r² (angle - sin angle)
-      area += (angle - std::sin(angle)) / (curve.curvature() * curve.curvature());
+    area += bem::cross(curve.from(), curve.to()) + twiceAreaBesideChord(curve);
     length += curve.length();
   }
   return area / length * outline.scaling().length;

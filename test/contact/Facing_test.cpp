@@ -10,11 +10,11 @@ namespace epafi {
 
 namespace {
 
+using bem::crossing;
 using bem::Curve;
+using bem::facing;
+using bem::footOn;
 using bem::Vec2;
-using contact::crossing;
-using contact::facing;
-using contact::footOn;
 
 const double pi = std::acos(-1.0);
 

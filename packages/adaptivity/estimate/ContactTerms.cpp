@@ -105,8 +105,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const int p = element.degree;
   // what is a polynomial on a segment nearly is one on an arc, whose directions turn
   constexpr int forTurning = 8;
-  const int degree =
-      geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
+  const int degree = std::min(p + std::min(forTurning, geometry.curve.pointsOfTurning()),
+                              bem::largestDegree);
   // that of a particular solution is of another degree than the element
   const bool acts = solved.conditions.inside || solved.insideBefore();
   const int degreeOfMotion =

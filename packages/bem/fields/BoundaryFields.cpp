@@ -60,8 +60,9 @@ class NearElements {
         for (int k = 0; k < kernels.size(); ++k)
           shares.push_back(kernels.share(fields[state].*series, k));
     PointSources::Sums* to = sums_.data();
-    for (const TargetLanes& x : seenFrom(mesh_, source, element_, points_)) {
-      kernels.evaluate(x);
+    const SeenPoints seen(mesh_, source, element_, points_);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      kernels.evaluate(seen, k);
       dispatch(largestInstructionSet(), Combination{kernels, shares, to});
       to += states_;
     }

@@ -19,17 +19,13 @@ bool properlyCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          opposite(cross(d - c, a - c), cross(d - c, b - c));
 }
 
-Vec2 centreOf(const Curve& arc) {
-  return arc.frame().middle - (1 / arc.curvature()) * arc.frame().normal;
-}
-
 double radiusOf(const Curve& arc) { return std::abs(1 / arc.curvature()); }
 
 /// Where the circles or lines of both cross.
 std::vector<Vec2> crossingsOfWholes(const Curve& a, const Curve& b) {
   if (a.isStraight())
     return b.isStraight() ? std::vector<Vec2>() : crossingsOfWholes(b, a);
-  const Vec2 centre = centreOf(a);
+  const Vec2 centre = a.centre();
   const double radius = radiusOf(a);
   Vec2 foot;
   Vec2 along;
@@ -37,7 +33,7 @@ std::vector<Vec2> crossingsOfWholes(const Curve& a, const Curve& b) {
     along = b.frame().tangent;
     foot = b.frame().middle + dot(centre - b.frame().middle, along) * along;
   } else {
-    const Vec2 apart = centreOf(b) - centre;
+    const Vec2 apart = b.centre() - centre;
     const double distance = norm(apart);
     if (!(distance > 1e-14 * radius))
       return {};
@@ -99,7 +95,7 @@ std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
     const double length = norm(direction);
     if (!(length > 0))
       return;
-    const Vec2 centre = centreOf(a);
+    const Vec2 centre = a.centre();
     for (const double side : {1.0, -1.0}) {
       const Vec2 foot = centre + (side * radiusOf(a) / length) * direction;
       const double t = a.seen(foot).z().real();
@@ -108,7 +104,7 @@ std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
     }
   };
   if (!a.isStraight())
-    addFoot(b.isStraight() ? b.frame().normal : centreOf(b) - centreOf(a));
+    addFoot(b.isStraight() ? b.frame().normal : b.centre() - a.centre());
   return points;
 }
 
@@ -203,13 +199,19 @@ bool inside(Vec2 p, const std::vector<Curve>& loop) {
   return odd;
 }
 
+std::vector<Vec2> chords(const Curve& curve) {
+  const int count = curve.isStraight() ? 1 : 32;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= count; ++k)
+    points.push_back(curve.point(2.0 * k / count - 1));
+  return points;
+}
+
 std::vector<Vec2> extent(const Curve& curve) {
-  std::vector<Vec2> points = {curve.from()};
+  std::vector<Vec2> points = chords(curve);
+  points.pop_back();
   if (curve.isStraight())
     return points;
-  constexpr int samples = 32;
-  for (int k = 1; k < samples; ++k)
-    points.push_back(curve.point(2.0 * k / samples - 1));
   for (int k = -6; k <= 6; ++k) {
     const Vec2 tangent = curve.frame().tangent;
     const double t =

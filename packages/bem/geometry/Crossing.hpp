@@ -18,8 +18,12 @@ bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blin
 /// Is p inside a closed loop of curves?  Counts the crossings with a ray to the right.
 bool inside(Vec2 p, const std::vector<Curve>& loop);
 
-/// Points for the diameter and the bounding box of a loop: the start of the curve; of an arc also
-/// points along it, with the extreme ones in x and y.
+/// Ends of chords along a curve, the ends of the curve among them: one chord of a segment, 32 of an
+/// arc.
+std::vector<Vec2> chords(const Curve& curve);
+
+/// Points for the diameter and the bounding box of a loop: the starts of chords; of an arc also the
+/// extreme points in x and y.
 std::vector<Vec2> extent(const Curve& curve);
 
 /// Twice the area between a curve and its chord, > 0 if it bulges to the right.

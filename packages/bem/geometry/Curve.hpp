@@ -70,6 +70,10 @@ class Curve {
   double angle() const { return 2 * alpha_; }
   double curvature() const { return alpha_ == 0 ? 0 : alpha_ / half_; }
   bool isStraight() const { return alpha_ == 0; }
+  /// Of an arc.
+  Vec2 centre() const { return frame_.middle - (1 / curvature()) * frame_.normal; }
+  /// Gauss points, in addition to those for polynomials, for normals and products of two normals.
+  int pointsOfTurning() const { return isStraight() ? 0 : 14; }
 
   const Frame& frame() const { return frame_; }
   /// The constant frame of a segment, for code without support of arcs.

@@ -115,7 +115,7 @@ double twiceArea(const Loop& loop) {
   double area = twiceAreaOfChords(loop);
   if (hasArcs(loop))
     for (const Curve& curve : curvesOf(loop))
-      area += curve.isStraight() ? 0 : twiceAreaBesideChord(curve);
+      area += twiceAreaBesideChord(curve);
   return area;
 }
 

@@ -62,6 +62,8 @@ class Outline {
 
   const std::vector<Edge>& edges() const { return edges_; }
   const Edge& edge(int e) const { return edges_[e]; }
+  /// e if it is straight, else -1.
+  int lineOf(int e) const { return edge(e).curve.isStraight() ? e : -1; }
   int loops() const { return loops_; }
 
   /// Diameter of the outer polygon, in the user's unit of length.

@@ -72,9 +72,7 @@ class Mesh {
   std::vector<int> elementsOf(const std::string& boundary) const;
 
   /// Number of the straight edge of e; -1 if e is an arc.
-  int lineOf(int e) const {
-    return (*this)[e].curve.isStraight() ? (*this)[e].piece.edge : -1;
-  }
+  int lineOf(int e) const { return outline_->lineOf((*this)[e].piece.edge); }
   bool hasArcs() const;
   /// Are both elements on one straight edge?
   bool areOnLine(int e, int f) const { return lineOf(e) >= 0 && lineOf(e) == lineOf(f); }

@@ -28,30 +28,39 @@ template <int Parts>
 EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
   const Complex tangent = asComplex(curve.frame().tangent);
   const Complex square = tangent * tangent;
+  const double half = curve.half();
+  const double logOfHalf = std::log(half);
+  const int logs = need == Need::Sums ? 0 : need == Need::Moments ? terms - 1 : terms;
+  const bool cubics = need == Need::Sums || need == Need::All;
   LegendreLanes<Parts> legendre;
-  legendre.evaluate(x, Parts == 1 && need == Need::Sums ? terms - 1 : terms);
+  legendre.evaluate(x, (Parts == 2 && cubics) || logs == terms ? terms : terms - 1);
+  for (int j = 0; j < logs; ++j)
+    store(to[j].log.lane, half * legendre.l[j] + (j == 0 ? 2 * half * logOfHalf : 0));
+  if (need == Need::Log)
+    return;
+  if (need == Need::Moments)
+    store(to[terms - 1].log.lane, Pack{});
+  const Pack b = (2 * half) * x.b;
   for (int j = 0; j < terms; ++j) {
     const ComplexPack c = legendre.at(j);
     to[j].overConj.store(tangent * c);
-    if (need != Need::Moments)
+    if (cubics)
       to[j].cubic.store((tangent * square) * legendre.cubic(x, j));
-    if (need == Need::Sums)
-      continue;
-    const double half = curve.half();
-    const double whole = j == 0 ? 2 * half : 0;
-    const Pack b = (2 * half) * x.b;
-    to[j].phase.store(square * ComplexPack{whole + b * c.im, -b * c.re});
-    store(to[j].log.lane, half * legendre.l[j] + whole * std::log(half));
+    if (need != Need::Sums)
+      to[j].phase.store(square *
+                        ComplexPack{(j == 0 ? 2 * half : 0) + b * c.im, -b * c.re});
   }
 }
 
-struct AtTargets {
+struct AtPoints {
   const OfSegment& segment;
-  const TargetLanes& x;
+  const SeenPoints& points;
+  std::size_t k;
 
   template <Division>
   EPAFI_INLINE void run() const {
-    if (x.isOnEdge)
+    const TargetLanes x = points.at(k);
+    if (points.areOnEdge())
       segment.evaluate<1>(x);
     else
       segment.evaluate<2>(x);
@@ -77,11 +86,12 @@ ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
     rule_.emplace(curve, terms - 1);
 }
 
-void ElementPotential::evaluate(const TargetLanes& x, InstructionSet set) {
+void ElementPotential::evaluate(const SeenPoints& points, std::size_t k,
+                                InstructionSet set) {
   if (rule_)
-    rule_->evaluate(x, lanes_.data(), set);
+    rule_->evaluate(points.at(k), lanes_.data(), set);
   else
-    dispatch(set, AtTargets{OfSegment{curve_, terms_, need_, lanes_.data()}, x});
+    dispatch(set, AtPoints{OfSegment{curve_, terms_, need_, lanes_.data()}, points, k});
 }
 
 void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,

@@ -13,14 +13,16 @@ namespace epafi::bem {
 /// (ArcRule).                                               [doc/theory/operators.md]
 class ElementPotential {
  public:
-  /// Which integrals: overConj and cubic; overConj, phase and log; all.
-  enum class Need { Sums, Moments, All };
+  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: log of
+  /// the last polynomial is left out.
+  enum class Need { Sums, Moments, Log, All };
 
   /// \param terms number of Legendre polynomials of the densities, at most 26
   /// Refers to the curve.
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
-  void evaluate(const TargetLanes& x, InstructionSet set = largestInstructionSet());
+  void evaluate(const SeenPoints& points, std::size_t k,
+                InstructionSet set = largestInstructionSet());
   /// At points with these coordinates, not on the element.
   void evaluate(const AlignedLane& x, const AlignedLane& y,
                 InstructionSet set = largestInstructionSet());
@@ -54,6 +56,10 @@ class ElementPotential {
     for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
       const KernelLanes& own = (*this)[k];
       const double share = rule_ ? rule_->legendre(k, j) : 1;
+      if (need_ != Need::Sums)
+        sum.log += share * load(own.log.lane);
+      if (need_ == Need::Log)
+        continue;
       const ComplexPack overConj = share * own.overConj.load();
       sum.overConj = sum.overConj + overConj;
       if (need_ != Need::Moments)
@@ -62,7 +68,6 @@ class ElementPotential {
         continue;
       const Complex n = normal(k);
       sum.phase = sum.phase + share * own.phase.load();
-      sum.log += share * load(own.log.lane);
       sum.flow += n.real() * overConj.re + n.imag() * overConj.im;
     }
     return sum;

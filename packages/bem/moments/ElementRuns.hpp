@@ -2,7 +2,7 @@
 
 #include "bem/mesh/Mesh.hpp"
 #include "bem/moments/Nearness.hpp"
-#include "bem/simd/Pack.hpp"
+#include "bem/simd/ComplexPack.hpp"
 
 #include <vector>
 
@@ -40,39 +40,25 @@ struct alignas(64) FarLanes {
     alpha[lane] = 0.5 * f.curve.angle();
     far[lane] = true;
   }
+  /// A point of each element relative to its middle, and the unit tangent there.
+  struct alignas(64) Points {
+    ComplexPack place;
+    ComplexPack tangent;
+  };
+  EPAFI_INLINE Points at(const Pack& t) const {
+    const Pack angle = (0.5 * t) * load(alpha);
+    Pack sinc;
+    Pack cosine;
+    sineCosine(angle, sinc, cosine);
+    const ComplexPack turn{cosine, angle * sinc};
+    const ComplexPack chord = turn * ComplexPack{load(tx), load(ty)};
+    return {(load(half) * t * sinc) * chord, turn * chord};
+  }
   /// Fills an unused lane with a distant element, so that nothing overflows.
   void drop(int lane) {
     wx[lane] = wy[lane] = 10;
     tx[lane] = half[lane] = 1;
     ty[lane] = alpha[lane] = 0;
-  }
-};
-
-/// A point t of each of eight elements relative to their middles, and the unit tangent there.
-struct alignas(64) CurvePoints {
-  Pack x;
-  Pack y;
-  Pack tangentX;
-  Pack tangentY;
-
-  CurvePoints() = default;
-  EPAFI_INLINE CurvePoints(const FarLanes& elements, const Pack& t) {
-    const Pack half = load(elements.half);
-    const Pack tx = load(elements.tx);
-    const Pack ty = load(elements.ty);
-    Pack sinc;
-    Pack cosine;
-    const Pack angle = (0.5 * t) * load(elements.alpha);
-    sineCosine(angle, sinc, cosine);
-    const Pack sine = angle * sinc;
-    const Pack along = (half * t) * sinc * cosine;
-    const Pack across = (half * t) * sinc * sine;
-    x = along * tx - across * ty;
-    y = along * ty + across * tx;
-    const Pack sine2 = 2.0 * sine * cosine;
-    const Pack cosine2 = 1.0 - 2.0 * sine * sine;
-    tangentX = cosine2 * tx - sine2 * ty;
-    tangentY = cosine2 * ty + sine2 * tx;
   }
 };
 

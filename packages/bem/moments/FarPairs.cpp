@@ -22,33 +22,6 @@ struct Work {
   const WeightedLegendre& innerTable = weightedLegendre(inner.size());
 };
 
-/// ∫ P_j over F of the five integrands at an outer point.
-struct alignas(64) Integrals {
-  Pack log;
-  Pack along;
-  Pack across;
-  Pack direct;
-  Pack reverse;
-
-  /// Adds them for all P_i, `weight` the weighted P_i at the outer point.
-  EPAFI_INLINE void addTo(TileMoments& m, int rows, int columns, int j,
-                          const double* weight) const {
-    constexpr int stride = TileMoments::stride;
-    for (int i = 0; i < rows; ++i)
-      add(m.direct[i * stride + j], direct * weight[i]);
-    if (j == columns)
-      return;
-    for (int i = 0; i < rows; ++i) {
-      const int at = i * stride + j;
-      add(m.log[at], log * weight[i]);
-      add(m.along[at], along * weight[i]);
-      add(m.across[at], across * weight[i]);
-    }
-    for (int i = 0; i <= rows; ++i)
-      add(m.reverse[i * stride + j], reverse * weight[i]);
-  }
-};
-
 /// The inner integrals of segments at one outer point; Degree 0 for any.
 template <int Degree>
 struct SegmentSums {
@@ -95,6 +68,7 @@ template <int Degree, Division How>
 EPAFI_INLINE void segmentKernel(const Work& work) {
   const int rows = Degree > 0 ? Degree : work.rows;
   const int columns = Degree > 0 ? Degree : work.columns;
+  work.m.clear(rows, columns);
   const FarLanes& far = work.far;
   const Curve::Frame e = work.e.segment();
   const double halfE = work.e.half;
@@ -111,11 +85,12 @@ EPAFI_INLINE void segmentKernel(const Work& work) {
     const Pack off = wx * ty - wy * tx;
     segmentSums<Degree, How>(work, wx * tx + wy * ty, off * off, a, in);
     const double* weight = work.outerTable[q].data();
+#pragma GCC unroll 3
     for (int j = 0; j <= columns; ++j) {
       const Pack offI = off * in.i[j];
-      const Integrals own{in.l[j], off * in.j[j], off * offI, a * offI,
-                          -halfE * (tangentOnNormal * in.j[j] + normalOnNormal * offI)};
-      own.addTo(work.m, rows, columns, j, weight);
+      work.m.addInner({in.l[j], off * in.j[j], off * offI, a * offI,
+                       -halfE * (tangentOnNormal * in.j[j] + normalOnNormal * offI)},
+                      rows, columns, j, weight);
     }
   }
 }
@@ -127,14 +102,16 @@ class alignas(64) ArcKernel {
 
   template <Division How>
   EPAFI_INLINE void run() {
+    work_.m.clear(work_.rows, work_.columns);
     for (int q = 0; q < work_.inner.size(); ++q)
-      points_[q] = CurvePoints(work_.far, Pack{} + work_.inner.points[q]);
+      points_[q] = work_.far.at(Pack{} + work_.inner.points[q]);
     for (int q = 0; q < work_.outer.size(); ++q) {
       const double s = work_.outer.points[q];
       const Curve& e = work_.e.curve;
       integrate<How>(e.fromMiddle(s), work_.e.half * e.normal(s));
       for (int j = 0; j <= work_.columns; ++j)
-        sums_[j].addTo(work_.m, work_.rows, work_.columns, j, work_.outerTable[q].data());
+        work_.m.addInner(sums_[j], work_.rows, work_.columns, j,
+                         work_.outerTable[q].data());
     }
   }
 
@@ -142,17 +119,17 @@ class alignas(64) ArcKernel {
   template <Division How>
   EPAFI_INLINE void integrate(const Vec2& offset, const Vec2& normal) {
     for (int j = 0; j <= work_.columns; ++j)
-      sums_[j] = Integrals{};
+      sums_[j] = TileMoments::Inner{};
     const Pack tx = load(work_.far.tx);
     const Pack ty = load(work_.far.ty);
     const Pack half = load(work_.far.half);
     const Pack middleX = load(work_.far.wx) + offset.x;
     const Pack middleY = load(work_.far.wy) + offset.y;
     for (int q = 0; q < work_.inner.size(); ++q) {
-      const CurvePoints& y = points_[q];
+      const FarLanes::Points& y = points_[q];
       const double* weights = work_.innerTable[q].data();
-      const Pack wx = middleX - y.x;
-      const Pack wy = middleY - y.y;
+      const Pack wx = middleX - y.place.re;
+      const Pack wy = middleY - y.place.im;
       const Pack square = wx * wx + wy * wy;
       Pack inverse;
       Pack logarithmOfSquare;
@@ -163,7 +140,7 @@ class alignas(64) ArcKernel {
       const Pack log = 0.5 * logarithmOfSquare;
       const Pack along = off * eta;
       const Pack across = off * (wx * ty - wy * tx);
-      const Pack direct = half * (wx * y.tangentY - wy * y.tangentX) * inverse;
+      const Pack direct = half * (wx * y.tangent.im - wy * y.tangent.re) * inverse;
       const Pack reverse = -(wx * normal.x + wy * normal.y) * inverse;
       for (int j = 0; j <= work_.columns; ++j) {
         sums_[j].log += log * weights[j];
@@ -176,8 +153,8 @@ class alignas(64) ArcKernel {
   }
 
   const Work& work_;
-  CurvePoints points_[largestGaussOrder];
-  Integrals sums_[largestMoment + 1];
+  FarLanes::Points points_[largestGaussOrder];
+  TileMoments::Inner sums_[largestMoment + 1];
 };
 
 struct FarKernel {
@@ -185,7 +162,6 @@ struct FarKernel {
 
   template <Division How>
   EPAFI_INLINE void run() const {
-    work.m.clear(work.rows, work.columns);
     const bool hasArcs = work.e.curve.angle() != 0 ||
                          std::any_of(std::begin(work.far.alpha), std::end(work.far.alpha),
                                      [](double alpha) { return alpha != 0; });

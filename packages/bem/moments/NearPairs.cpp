@@ -3,6 +3,7 @@
 #include "bem/moments/ElementPotential.hpp"
 #include "bem/simd/Dispatch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::bem {
@@ -45,59 +46,71 @@ GradedRule nearRule(const Mesh& mesh, const InOrder& pair) {
                       x.piece.edge == y.piece.edge ? 5 : 7);
 }
 
-/// Eight points of x: weighted P_0 there, and the normal times its half length.
-struct TestPoints {
-  AlignedLane place{};
-  AlignedLane weight{};
-  ComplexLanes normal{};
-};
-
-/// Integrals with some P_i P_j, over the points in each lane.
-struct LaneSums {
-  AlignedLane log{};
-  ComplexLanes phase{};
-  AlignedLane direct{};
-  AlignedLane reverse{};
-};
-
-/// Adds eight points.
-struct Addition {
-  const ElementPotential& potential;
-  const TestPoints& points;
-  int rows;
-  int columns;
+/// Integrates the potential of y over x; a lane of the sums has what its points give.
+struct Integration {
+  const Element& x;
+  const Element& y;
+  const GradedRule& rule;
+  const SeenPoints& points;
+  ElementPotential& potential;
+  InstructionSet set;
   bool onLine;  ///< only log is asked for
-  LaneSums* sums;
+  TileMoments& sums;
 
   template <Division>
   EPAFI_INLINE void run() const {
+    const int rows = x.densities;
+    const int columns = y.densities;
+    sums.clear(rows, columns);
     Pack weighted[largestMoment + 1];
-    const Pack t = load(points.place.lane);
-    weighted[0] = load(points.weight.lane);
-    weighted[1] = t * weighted[0];
-    for (int k = 1; k < rows; ++k)
-      weighted[k + 1] = ((2 * k + 1.0) / (k + 1)) * (t * weighted[k]) -
-                        (k / (k + 1.0)) * weighted[k - 1];
-    const ComplexPack normal = points.normal.load();
-    for (int j = 0; j <= columns; ++j) {
-      const ElementPotential::Values of = potential.of(j);
-      const Pack reverse = -(normal.re * of.overConj.re + normal.im * of.overConj.im);
-      for (int i = 0; i <= rows; ++i) {
-        LaneSums& to = sums[i * (columns + 1) + j];
-        add(to.log.lane, weighted[i] * of.log);
-        if (onLine)
-          continue;
-        add(to.phase.re.lane, weighted[i] * of.phase.re);
-        add(to.phase.im.lane, weighted[i] * of.phase.im);
-        add(to.direct.lane, weighted[i] * of.flow);
-        add(to.reverse.lane, weighted[i] * reverse);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      potential.evaluate(points, k, set);
+      AlignedLane places{};
+      AlignedLane weights{};
+      ComplexLanes normals{};
+      for (std::size_t q = k * lanes; q < std::min((k + 1) * lanes, rule.points.size());
+           ++q) {
+        places.lane[q % lanes] = rule.points[q].t;
+        weights.lane[q % lanes] = rule.weights[q];
+        normals.set(static_cast<int>(q % lanes),
+                    x.half / y.half * asComplex(x.curve.normal(rule.points[q].t)));
       }
+      const Pack t = load(places.lane);
+      weighted[0] = load(weights.lane);
+      weighted[1] = t * weighted[0];
+      for (int i = 1; i < rows; ++i)
+        weighted[i + 1] = ((2 * i + 1.0) / (i + 1)) * (t * weighted[i]) -
+                          (i / (i + 1.0)) * weighted[i - 1];
+      if (onLine)
+        addLogs(weighted);
+      else
+        addAll(normals.load(), weighted);
+    }
+  }
+
+ private:
+  EPAFI_INLINE void addLogs(const Pack* weighted) const {
+    for (int j = 0; j < y.densities; ++j) {
+      const Pack log = (1 / y.half) * potential.of(j).log;
+      for (int i = 0; i < x.densities; ++i)
+        add(sums.log[i * TileMoments::stride + j], weighted[i] * log);
+    }
+  }
+
+  EPAFI_INLINE void addAll(const ComplexPack& normal, const Pack* weighted) const {
+    const Complex tangent = asComplex(y.curve.frame().tangent);
+    const Complex back = 0.5 / y.half * std::conj(tangent * tangent);
+    for (int j = 0; j <= y.densities; ++j) {
+      const ElementPotential::Values of = potential.of(j);
+      const ComplexPack phase = back * of.phase;
+      sums.addInner({(1 / y.half) * of.log, -phase.im, (j == 0 ? 1.0 : 0.0) - phase.re,
+                     of.flow, -(normal.re * of.overConj.re + normal.im * of.overConj.im)},
+                    x.densities, y.densities, j, weighted);
     }
   }
 };
 
-double total(const AlignedLane& sums) {
-  const double* x = sums.lane;
+double total(const double* x) {
   return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
 }
 
@@ -109,10 +122,14 @@ void nearMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
   if (e != f || mesh.lineOf(e) < 0)
     return nearMoments(mesh, e, f, nearRule(mesh, pair), m, lane, set);
   const Element& x = mesh[e];
-  m.setPair(x.densities, x.densities, false, lane, [&](int i, int j) {
-    const double whole = i == 0 && j == 0 ? 4 : 0;
-    return PairSums{selfMoment(i, j) + whole * std::log(x.half), whole, 0, 0};
-  });
+  for (int i = 0; i <= x.densities; ++i)
+    for (int j = 0; j <= x.densities; ++j) {
+      const int at = i * TileMoments::stride + j;
+      m.log[at][lane] = selfMoment(i, j);
+      m.along[at][lane] = m.across[at][lane] = 0;
+      m.direct[at][lane] = m.reverse[at][lane] = 0;
+    }
+  m.log[0][lane] += 4 * std::log(x.half);
 }
 
 void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMoments& m,
@@ -122,31 +139,32 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   const Element& y = mesh[pair.y];
   const int rows = x.densities;
   const int columns = y.densities;
-  ElementPotential potential(y.curve, columns + 1, ElementPotential::Need::Moments);
-  std::vector<LaneSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
   const bool onLine = mesh.areOnLine(e, f);  // w·n = 0
-  std::size_t q = 0;
-  for (const TargetLanes& seen : seenFrom(mesh, pair.y, pair.x, rule.points)) {
-    TestPoints points;
-    for (int k = 0; k < lanes && q < rule.points.size(); ++k, ++q) {
-      points.place.lane[k] = rule.points[q].t;
-      points.weight.lane[k] = rule.weights[q];
-      points.normal.set(k, x.half * asComplex(x.curve.normal(rule.points[q].t)));
+  using Need = ElementPotential::Need;
+  ElementPotential potential(y.curve, columns + (onLine ? 0 : 1),
+                             onLine ? Need::Log : Need::Moments);
+  TileMoments sums;
+  const SeenPoints points(mesh, pair.y, pair.x, rule.points);
+  dispatch(set, Integration{x, y, rule, points, potential, set, onLine, sums});
+  // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for the tangents of y and of F
+  const Complex turn = asComplex(y.curve.frame().tangent) *
+                       std::conj(asComplex(mesh[f].curve.frame().tangent));
+  const Complex turned = pair.transposed && !onLine ? turn * turn : 1;
+  auto* const direct = pair.transposed ? m.reverse : m.direct;
+  auto* const reverse = pair.transposed ? m.direct : m.reverse;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j <= columns; ++j) {
+      const int from = i * TileMoments::stride + j;
+      const int at = pair.transposed ? j * TileMoments::stride + i : from;
+      m.log[at][lane] = total(sums.log[from]);
+      const double constant = i == 0 && j == 0 ? 2 : 0;
+      const Complex phase =
+          turned * Complex(constant - total(sums.across[from]), -total(sums.along[from]));
+      m.across[at][lane] = constant - phase.real();
+      m.along[at][lane] = -phase.imag();
+      direct[at][lane] = total(sums.direct[from]);
+      reverse[at][lane] = total(sums.reverse[from]);
     }
-    potential.evaluate(seen, set);
-    dispatch(set, Addition{potential, points, rows, columns, onLine, sums.data()});
-  }
-  const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
-  const Complex back = std::conj(tangent * tangent);
-  m.setPair(rows, columns, pair.transposed, lane, [&](int i, int j) {
-    const LaneSums& of = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
-    const double log = total(of.log) / y.half;
-    if (onLine)
-      return PairSums{log, i == 0 && j == 0 ? 4.0 : 0.0, 0, 0};
-    const Complex phase(total(of.phase.re), total(of.phase.im));
-    return PairSums{log, back * phase / y.half, total(of.direct),
-                    total(of.reverse) / y.half};
-  });
 }
 
 }  // namespace epafi::bem

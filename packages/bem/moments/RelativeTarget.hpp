@@ -70,7 +70,66 @@ struct alignas(64) TargetLanes {
 };
 
 /// Points of `element` relative to element `source`, eight at a time; the last one is repeated.
-std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
-                                  const std::vector<EndPoint>& points);
+/// Refers to the mesh and the points.
+class SeenPoints {
+ public:
+  SeenPoints(const Mesh& mesh, int source, int element,
+             const std::vector<EndPoint>& points);
+
+  /// Number of eights.
+  std::size_t size() const { return (points_.size() + lanes - 1) / lanes; }
+  /// Are all on the edge of the source: b = 0 exactly?
+  bool areOnEdge() const {
+    return mesh_[element_].piece.edge == mesh_[source_].piece.edge;
+  }
+  /// Points 8k, 8k + 1, ...
+  EPAFI_INLINE TargetLanes at(std::size_t k) const {
+    const std::size_t first = k * lanes;
+    const std::size_t last = points_.size() - 1;
+    if (areStraight_) {
+      AlignedLane starts;
+      AlignedLane ends;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const EndPoint& point = points_[first + lane < last ? first + lane : last];
+        starts.lane[lane] = point.fromStart;
+        ends.lane[lane] = point.toEnd;
+      }
+      return alongSegment(load(starts.lane), load(ends.lane));
+    }
+    RelativeTarget targets[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      targets[lane] = (*this)[first + lane < last ? first + lane : last];
+    return TargetLanes(targets);
+  }
+
+ private:
+  RelativeTarget operator[](std::size_t i) const;
+  /// On a segment z is linear.  At distances [half lengths] from its ends, counted from the
+  /// nearer one.
+  EPAFI_INLINE TargetLanes alongSegment(const Pack& fromStart, const Pack& toEnd) const {
+    const Pack zero{};
+    const auto atStart = fromStart < toEnd;
+    const Pack along = atStart ? fromStart : -toEnd;
+    const ComplexPack step{step_.real() * along, step_.imag() * along};
+    TargetLanes targets(
+        step + ComplexPack{atStart ? zero + start_.zMinus1.real()
+                                   : zero + end_.zMinus1.real(),
+                           atStart ? zero + start_.b() : zero + end_.b()},
+        step + ComplexPack{
+                   atStart ? zero + start_.zPlus1.real() : zero + end_.zPlus1.real(),
+                   atStart ? zero + start_.zPlus1.imag() : zero + end_.zPlus1.imag()});
+    targets.isOnEdge = areOnEdge();
+    return targets;
+  }
+
+  const Mesh& mesh_;
+  int source_;
+  int element_;
+  const std::vector<EndPoint>& points_;
+  bool areStraight_;      ///< both elements
+  RelativeTarget start_;  ///< the ends of a segment, and the change of z along half of it
+  RelativeTarget end_;
+  Complex step_;
+};
 
 }  // namespace epafi::bem

@@ -7,14 +7,6 @@
 
 namespace epafi::bem {
 
-/// Double integrals with two polynomials, see TileMoments::setPair.
-struct PairSums {
-  double log;
-  std::complex<double> phase;
-  double direct;
-  double reverse;
-};
-
 /// Moments for V, K and W of a trial element E and eight test elements F, one in each lane:
 /// double integrals of Legendre polynomials, w = x - y, x on E, y on F, both mapped to
 /// [-1, 1].
@@ -45,35 +37,31 @@ struct TileMoments {
           store(table[i * stride + j], zero);
   }
 
-  /// Sets `along` and `across` of a lane from `turned` = conj(τ_F²) ∫∫ P_i P_j w/conj(w).
-  void setPhase(std::complex<double> turned, int at, int lane) {
-    const double constant = at == 0 ? 4 : 0;
-    across[at][lane] = 0.5 * (constant - turned.real());
-    along[at][lane] = -0.5 * turned.imag();
-  }
-
-  /// Sets a pair that was integrated over an outer element, d = rows, and an inner one, d =
-  /// columns: sumsOf(i, j) returns PairSums, phase as in setPhase.
-  /// \param transposed the outer element is F
-  template <class SumsOf>
-  void setPair(int rows, int columns, bool transposed, int lane, const SumsOf& sumsOf) {
-    const int byRow = transposed ? 1 : stride;
-    const int byColumn = transposed ? stride : 1;
-    Lane* const ofRows = transposed ? reverse : direct;
-    Lane* const ofColumns = transposed ? direct : reverse;
+  /// Integrals of the five kernels times P_j over y at points x.
+  struct alignas(64) Inner {
+    Pack log;
+    Pack along;
+    Pack across;
+    Pack direct;
+    Pack reverse;
+  };
+  /// Adds them for all P_i; Weight: double or Pack.
+  /// \param weight P_i(x) times weights of a rule
+  template <class Weight>
+  EPAFI_INLINE void addInner(const Inner& inner, int rows, int columns, int j,
+                             const Weight* weight) {
+    for (int i = 0; i < rows; ++i)
+      add(direct[i * stride + j], inner.direct * weight[i]);
+    if (j == columns)
+      return;
+    for (int i = 0; i < rows; ++i) {
+      const int at = i * stride + j;
+      add(log[at], inner.log * weight[i]);
+      add(along[at], inner.along * weight[i]);
+      add(across[at], inner.across * weight[i]);
+    }
     for (int i = 0; i <= rows; ++i)
-      for (int j = 0; j <= columns; ++j) {
-        const int at = i * byRow + j * byColumn;
-        const auto sums = sumsOf(i, j);
-        if (i < rows)
-          ofRows[at][lane] = sums.direct;
-        if (j < columns)
-          ofColumns[at][lane] = sums.reverse;
-        if (i == rows || j == columns)
-          continue;
-        log[at][lane] = sums.log;
-        setPhase(sums.phase, at, lane);
-      }
+      add(reverse[i * stride + j], inner.reverse * weight[i]);
   }
 
   /// ∫∫ P_i P_j w/conj(w) of a lane; `tangent`: τ_F:

@@ -170,11 +170,11 @@ struct Sampling {
   template <Division>
   EPAFI_INLINE void run() const {
     for (int p = 0; p < rule.size(); ++p) {
-      const CurvePoints x(tests, Pack{} + rule.points[at(p)]);
-      store(to[4 * p].lane, load(tests.wx) + x.x);
-      store(to[4 * p + 1].lane, load(tests.wy) + x.y);
-      store(to[4 * p + 2].lane, x.tangentX);
-      store(to[4 * p + 3].lane, x.tangentY);
+      const FarLanes::Points x = tests.at(Pack{} + rule.points[at(p)]);
+      store(to[4 * p].lane, load(tests.wx) + x.place.re);
+      store(to[4 * p + 1].lane, load(tests.wy) + x.place.im);
+      store(to[4 * p + 2].lane, x.tangent.re);
+      store(to[4 * p + 3].lane, x.tangent.im);
     }
   }
 };

@@ -4,6 +4,7 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace epafi::bem {
@@ -21,7 +22,8 @@ Rotation::Rotation(const Space& space) {
   std::array<double, largestDegree + 1> phi{};
   for (int e = 0; e < mesh.size(); ++e) {
     const Element& element = mesh[e];
-    const Rule& rule = gaussLegendre(element.degree + pointsOfTurning);
+    const Rule& rule =
+        gaussLegendre(element.degree + std::max(1, element.curve.pointsOfTurning()));
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const Vec2 r = at(mesh.scaledPoint(e, rule.points[q]));
       DisplacementBasis::values(element.degree, rule.points[q], phi.data());

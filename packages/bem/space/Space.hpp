@@ -94,8 +94,4 @@ class Space {
   std::shared_ptr<const Rotation> rotation_;
 };
 
-/// Gauss points, in addition to those for polynomials, for normals of arcs and products of
-/// two normals.
-constexpr int pointsOfTurning = 14;
-
 }  // namespace epafi::bem

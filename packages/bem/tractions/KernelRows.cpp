@@ -179,12 +179,12 @@ class ElementRows {
           std::find_if(from, end, [f](const Component& of) { return of.element != f; });
       ElementPotential source(mesh_[f].curve, mesh_[f].degree);
       values.resize(static_cast<std::size_t>(to - from));
-      Index first = 0;
-      for (const TargetLanes& x : seenFrom(mesh_, f, element_, rule.points)) {
-        source.evaluate(x);
-        dispatch(
-            largestInstructionSet(),
-            Sampling{lame_, source, from, to, tests[at(first / lanes)], values.data()});
+      const SeenPoints seen(mesh_, f, element_, rule.points);
+      for (std::size_t k = 0; k < seen.size(); ++k) {
+        source.evaluate(seen, k);
+        dispatch(largestInstructionSet(),
+                 Sampling{lame_, source, from, to, tests[k], values.data()});
+        const Index first = asInt(k) * lanes;
         for (const Component* of = from; of != to; ++of) {
           double* column = samples.column(of - components_.data()) + first;
           const ComplexLanes& value = values[static_cast<std::size_t>(of - from)];
@@ -192,7 +192,6 @@ class ElementRows {
           std::copy_n(value.re.lane, count, column);
           std::copy_n(value.im.lane, count, column + points);
         }
-        first += lanes;
       }
       from = to;
     }

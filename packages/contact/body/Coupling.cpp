@@ -4,6 +4,7 @@
 #include "bem/basis/Legendre.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -132,14 +133,13 @@ class ElementCoupling {
 
   /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
   /// the product of what they take.
-  bool isWhole() const { return !byTractions_ || element_.curve.isStraight(); }
+  bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
 
   void integrate() {
     const int p = element_.degree;
-    forEachPointOf(
-        contact_, space_.mesh(), basis_,
-        bem::gaussLegendre(p + (element_.curve.isStraight() ? 1 : bem::pointsOfTurning)),
-        [&](const SidePoint& point) { add(point); });
+    forEachPointOf(contact_, space_.mesh(), basis_,
+                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
+                   [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
   }

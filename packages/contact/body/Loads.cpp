@@ -186,8 +186,8 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
   for (int e = 0; e < mesh.size(); ++e) {
     if (!conditions.isBoundary(mesh.boundary(e)))
       continue;
-    const bem::Rule& rule = bem::gaussLegendre(
-        mesh[e].degree + (mesh[e].curve.isStraight() ? 2 : bem::pointsOfTurning));
+    const bem::Rule& rule =
+        bem::gaussLegendre(mesh[e].degree + std::max(2, mesh[e].curve.pointsOfTurning()));
     for (Index k = 0; k < 3; ++k)
       rest[k] += addTraction(
           space, e, rule,

@@ -40,14 +40,9 @@ Series runningIntegral(const Series& f, double half, Complex start) {
 
 /// f τ, of which the last term is left for its integral.
 Series timesTangent(const Series& f, const bem::Curve& curve) {
-  if (!curve.isStraight())
-    return bem::project(
-        [&](double t) { return valueOf(f, t) * asComplex(curve.tangent(t)); },
-        largestDegree - 1);
-  Series result = f;
-  for (Complex& c : result)
-    c *= asComplex(curve.frame().tangent);
-  return result;
+  return bem::project(
+      [&](double t) { return valueOf(f, t) * asComplex(curve.tangent(t)); },
+      largestDegree - 1);
 }
 
 /// Of a function of the place y on an element.

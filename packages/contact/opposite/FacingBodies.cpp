@@ -10,10 +10,10 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-const Facing* stretchAt(const std::vector<Facing>& stretches, double t) {
-  const Facing* nearest = nullptr;
+const bem::Facing* stretchAt(const std::vector<bem::Facing>& stretches, double t) {
+  const bem::Facing* nearest = nullptr;
   double distance = 0;
-  for (const Facing& stretch : stretches) {
+  for (const bem::Facing& stretch : stretches) {
     const double off = std::max({0.0, stretch.begin - t, t - stretch.end});
     if (nearest == nullptr || off < distance) {
       nearest = &stretch;
@@ -62,7 +62,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
   if (here.side == nullptr)
     return distant_.at(element, t);
   Point point;
-  const Facing* stretch = stretchAt(here.stretches, t);
+  const bem::Facing* stretch = stretchAt(here.stretches, t);
   if (stretch == nullptr)
     return point;
   const OppositeSide& side = *here.side;
@@ -88,7 +88,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
 
 Vector FacingBodies::breaks(const ContactElement& element) const {
   Vector result;
-  for (const Facing& stretch : sight(element).stretches)
+  for (const bem::Facing& stretch : sight(element).stretches)
     if (stretch.end < 1)
       result.push_back(stretch.end);
   return result;
@@ -97,7 +97,7 @@ Vector FacingBodies::breaks(const ContactElement& element) const {
 int FacingBodies::degree(const ContactElement& element) const {
   const Sight& here = sight(element);
   int degree = 0;
-  for (const Facing& stretch : here.stretches)
+  for (const bem::Facing& stretch : here.stretches)
     if (here.side->body >= 0)
       degree = std::max(degree, here.side->degrees[stretch.curve]);
   return degree;
@@ -115,7 +115,7 @@ std::vector<int> FacingBodies::bodies() const {
 std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
                                                     double t) const {
   std::vector<Source> result;
-  forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
     const bem::Curve& other = here.side->curves[stretch.curve];
     const bem::Curve& own = mesh_[here.element->element].curve;
     const double foot = footOn(own, other.point(t) - here.side->shift);
@@ -134,7 +134,7 @@ std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
 
 Vector FacingBodies::sourceBreaks(int body, int element) const {
   Vector result;
-  forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
     const bem::Curve& own = mesh_[here.element->element].curve;
     for (const double t : {stretch.begin, stretch.end})
       if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/opposite/NormalRay.hpp"
+#include "bem/geometry/NormalRay.hpp"
 #include "contact/opposite/Opposite.hpp"
 
 #include <map>
@@ -45,7 +45,7 @@ class FacingBodies final : public Opposite {
  private:
   struct Sight {
     const OppositeSide* side = nullptr;
-    std::vector<Facing> stretches;
+    std::vector<bem::Facing> stretches;
     const MultiplierSpace::ContactElement* element = nullptr;
   };
   const Sight& sight(const MultiplierSpace::ContactElement& element) const {

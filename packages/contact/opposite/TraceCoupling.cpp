@@ -91,7 +91,7 @@ TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multi
 const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,
                             const bem::Element& other) {
   const int turning =
-      side.curve.isStraight() && other.curve.isStraight() ? 0 : bem::pointsOfTurning;
+      std::max(side.curve.pointsOfTurning(), other.curve.pointsOfTurning());
   return bem::gaussLegendre((contact.degree + other.degree) / 2 + 1 + turning);
 }
 

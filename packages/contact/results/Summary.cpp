@@ -64,7 +64,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   // the force on the body, -λₙ n - λₜ t, and its moment
   forEachPointOf(
       element, mesh, basis,
-      bem::gaussLegendre(p + (side.curve.isStraight() ? 2 : bem::pointsOfTurning)),
+      bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
       [&](const SidePoint& point) {
         const auto stress = fields.stress(element, point.t);
         const Vec2 force =

@@ -1,20 +1,11 @@
-#include "contact/opposite/NormalRay.hpp"
+#include "bem/geometry/NormalRay.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace epafi::contact {
-
-using bem::Curve;
-using bem::Vec2;
-using bem::Vector;
+namespace epafi::bem {
 
 namespace {
-
-/// Of an arc; the body lies to the left of its tangent.
-Vec2 centreOf(const Curve& arc) {
-  return arc.frame().middle + (1 / arc.curvature()) * turnLeft(arc.frame().tangent);
-}
 
 /// The parameter of the point of an arc in a direction from its centre.
 double parameterOf(const Curve& arc, Vec2 direction) {
@@ -31,7 +22,7 @@ bool mayFace(const Curve& side, const Curve& curve) {
   const Vec2 way = curve.frame().middle - side.frame().middle;
   if (side.isStraight())
     return std::abs(dot(way, side.frame().tangent)) <= rounding * side.half() + radius;
-  const Vec2 ray = curve.frame().middle - centreOf(side);
+  const Vec2 ray = curve.frame().middle - side.centre();
   const double distance = norm(ray);
   return distance <= radius ||
          std::atan2(std::abs(dot(side.frame().tangent, ray)),
@@ -56,7 +47,7 @@ std::optional<Crossing> crossingOfSegment(Vec2 x, Vec2 n, const Curve& curve) {
 }
 
 std::optional<Crossing> crossingOfArc(Vec2 x, Vec2 n, const Curve& curve) {
-  const Vec2 centre = centreOf(curve);
+  const Vec2 centre = curve.centre();
   const double radius = 1 / std::abs(curve.curvature());
   const Vec2 from = x - centre;
   const double half = dot(n, from);
@@ -81,21 +72,21 @@ std::optional<Crossing> crossingOfArc(Vec2 x, Vec2 n, const Curve& curve) {
 
 /// Where normals of the side touch an arc.
 void addGrazes(const Curve& side, const Curve& arc, Vector& feet) {
-  const Vec2 centre = centreOf(arc);
+  const Vec2 centre = arc.centre();
   const double radius = 1 / std::abs(arc.curvature());
   std::vector<Vec2> touched;
   if (side.isStraight()) {
     for (const double sign : {-1.0, 1.0})
       touched.push_back(centre + sign * radius * side.frame().tangent);
   } else {
-    const Vec2 way = centre - centreOf(side);
+    const Vec2 way = centre - side.centre();
     const double distance = norm(way);
     if (!(distance > radius))
       return;
     const double sine = radius / distance;
     const double cosine = std::sqrt(1 - sine * sine);
     for (const double sign : {-1.0, 1.0})
-      touched.push_back(centreOf(side) +
+      touched.push_back(side.centre() +
                         cosine * (cosine * way + sign * sine * turnLeft(way)));
   }
   for (const Vec2 y : touched)
@@ -116,7 +107,7 @@ double footOn(const Curve& side, Vec2 y) {
     const double behind = dot(fromEnd, side.frame().tangent) / side.half();
     return std::abs(before) < std::abs(behind) ? before - 1 : behind + 1;
   }
-  return parameterOf(side, y - centreOf(side));
+  return parameterOf(side, y - side.centre());
 }
 
 std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite,
@@ -166,4 +157,4 @@ std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite
   return stretches;
 }
 
-}  // namespace epafi::contact
+}  // namespace epafi::bem
