@@ -51,7 +51,7 @@ std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b)
     if (pair.side.body == b)
       opposite.emplace(pair.name, oppositeSide(pair));
   if (opposite.empty())
-    return std::make_shared<const contact::DistantObstacle>(mesh, length);
+    return std::make_shared<const contact::Opposite>(mesh, length);
   return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
                                                        opposite);
 }

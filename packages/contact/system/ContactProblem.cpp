@@ -54,9 +54,9 @@ ContactProblem::ContactProblem(const Input& input, OfSystem)
       units_(input.units),
       holding_(std::make_shared<Holding>(makeHolding(*space_, input.conditions, units_))),
       multiplier_(space_->mesh(), input.basis, input.conditions),
-      opposite_(input.opposite ? input.opposite
-                               : std::make_shared<const DistantObstacle>(space_->mesh(),
-                                                                         units_.length)),
+      opposite_(input.opposite
+                    ? input.opposite
+                    : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
       form_(makeStabilisedBody(input, multiplier_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   factor(input);
