@@ -111,7 +111,7 @@ Two problems(const Block& above, const Block& below, bool held) {
       std::make_shared<const BlockBelow>(above.space.mesh(), below.space.mesh());
   const contact::BodyInput carrier{below.space, below.stiffness, below.lame, units,
                                    bottom,      basis,           none};
-  return {contact::ContactProblem(plane).numbers().copy(),
+  return {contact::ContactSystem({plane}).numbers().copy(),
           contact::ContactSystem({upon, carrier}).numbers().copy()};
 }
 

@@ -50,8 +50,8 @@ struct ContactModel::Member {
   Equation equation;
 };
 
-ContactModel::ContactModel(const ContactProblem& problem, const Options& options)
-    : ContactModel(problem.numbers(), problem.gap(), options) {}
+ContactModel::ContactModel(const ContactSystem& system, const Options& options)
+    : ContactModel(system.numbers(), system.gap(), options) {}
 
 ContactModel::ContactModel(ProblemFamily family, const Options& options)
     : family_(std::move(family)),
