@@ -12,7 +12,7 @@ foreach(file bin/epafi libexec/epafi/triangulate share/man/man1/epafi.1
     share/epafi/schema/scene.json share/epafi/schema/study.json share/epafi/parameters share/epafi/scenes/tresca.xml
     share/epafi/studies/work-precision.xml share/doc/epafi/README.md share/doc/epafi/LICENSE share/doc/epafi/doc/theory
     share/doc/epafi/doc/howto/embed/main.cpp share/doc/epafi/doc/images
-    include/epafi/contact/system/ContactProblem.hpp)
+    include/epafi/contact/system/ContactSystem.hpp)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(SEND_ERROR "${file} is not installed")
   endif()

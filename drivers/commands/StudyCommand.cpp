@@ -1,6 +1,6 @@
 #include "bem/base/Error.hpp"
+#include "contact/body/CoupledBody.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/system/Definiteness.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/ContactTable.hpp"
 #include "drivers/output/OutputFolder.hpp"

@@ -1,7 +1,7 @@
 #include "drivers/run/BodySpaces.hpp"
 
 #include "contact/conditions/Conduction.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/stabilization/StabilisedStiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,16 @@ std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b)
     if (pair.side.body == b)
       opposite.emplace(pair.name, oppositeSide(pair));
   if (opposite.empty())
-    return std::make_shared<const contact::DistantObstacle>(mesh, length);
+    return std::make_shared<const contact::Opposite>(mesh, length);
   return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
                                                        opposite);
+}
+
+std::vector<contact::ContactSide> BodySpaces::sides() const {
+  std::vector<contact::ContactSide> sides;
+  for (std::size_t b = 0; b < size(); ++b)
+    sides.push_back({spaces_[b], multipliers_[b], *opposites_[b]});
+  return sides;
 }
 
 std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/opposite/ContactSide.hpp"
 #include "contact/opposite/FacingBodies.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
@@ -30,6 +31,7 @@ class BodySpaces {
   std::shared_ptr<const contact::Opposite> opposite(std::size_t b) const {
     return opposites_[b];
   }
+  std::vector<contact::ContactSide> sides() const;
 
   /// Conditions of the bodies at time t, body loads with conducted heat on these meshes.
   std::vector<contact::Conditions> conditionsAt(double t) const;

@@ -153,7 +153,7 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
   const double start = scene.history ? 0 : 1;
   const std::vector<contact::Conditions> first = spaces.conditionsAt(start);
   const auto system = begun.timer.run(Phase::Stabilization, [&] {
-    std::vector<contact::ContactProblem::Input> inputs;
+    std::vector<contact::BodyInput> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)
       inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(), first[b],
                         basis, scene.stabilization, spaces.opposite(b),

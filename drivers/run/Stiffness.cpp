@@ -13,12 +13,9 @@ std::vector<bem::SteklovPoincare> compressedStiffness(const Scene& scene,
   std::vector<bem::Lame> lames;
   for (std::size_t b = 0; b < spaces.size(); ++b)
     lames.push_back(scene.lame(b));
-  std::vector<contact::CompressedInput> bodies;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    bodies.push_back(
-        {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
-  return contact::makeCompressedStiffness(bodies, scene.stabilization, scene.units(),
-                                          processes, scene.linear.compression);
+  return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
+                                          scene.units(), processes,
+                                          scene.linear.compression);
 }
 
 bem::Operators denseOperators(const Scene& scene, const BodySpaces& spaces,

@@ -7,9 +7,8 @@
 #include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/opposite/Obstacle.hpp"
-#include "contact/opposite/RigidBodies.hpp"
+#include "contact/opposite/RigidDrives.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
-#include "contact/problem/Numbering.hpp"
 
 #include <algorithm>
 #include <array>
@@ -177,27 +176,30 @@ class BalanceOf {
  public:
   BalanceOf(const Scene& scene, const BodySpaces& spaces,
             const std::vector<contact::Conditions>& conditions, double t)
-      : scene_(scene), spaces_(spaces), numbering_(numberingOf(spaces)) {
+      : scene_(scene),
+        spaces_(spaces),
+        numbering_(contact::numberingOf(spaces.sides())),
+        opposite_(contact::oppositeCouplings(spaces.sides(), numbering_)) {
     const bem::Units units = scene.units();
     result_.free.resize(spaces.size());
     contact::Problem& numbers = result_.numbers;
     numbers.normals = numbering_.normals();
-    double size = 0;
+    const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering_);
+    double size = drives.loadSize();
     for (std::size_t b = 0; b < spaces.size(); ++b) {
-      multipliers_.push_back(spaces.multiplier(b).under(conditions[b]));
+      const contact::MultiplierSpace multiplier =
+          spaces.multiplier(b).under(conditions[b]);
       const contact::Obstacle obstacle = contact::makeObstacle(
-          spaces.space(b).mesh(), multipliers_[b], *spaces.opposite(b), units);
+          spaces.space(b).mesh(), multiplier, *spaces.opposite(b), units);
       for (const contact::Tangential& tangential : obstacle.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
-      size += obstacle.largestPenetration;
-    }
-    for (std::size_t b = 0; b < spaces.size(); ++b) {
       const contact::Holding holding =
           contact::makeHolding(spaces.space(b), conditions[b], units);
-      size += holding.loads.size();
+      size += obstacle.largestPenetration + holding.loads.size();
       addElastic(b, holding);
     }
-    size += addRigid(scene.drivesAt(t));
+    drives.addFreeMotions(columns_);
+    drives.addForces(numbers);
     numbers.stress = size > 0 ? size : 1;
     numbers.rigid =
         bem::Matrix(numbering_.size(), static_cast<bem::Index>(columns_.size()));
@@ -209,74 +211,28 @@ class BalanceOf {
   Balance take() { return std::move(result_); }
 
  private:
-  static contact::Numbering numberingOf(const BodySpaces& spaces) {
-    std::vector<contact::Numbering::Count> counts;
-    for (std::size_t b = 0; b < spaces.size(); ++b)
-      counts.push_back({spaces.multiplier(b).normals(), spaces.multiplier(b).size()});
-    return contact::Numbering(counts);
-  }
-
-  void addTo(Vector& column, std::size_t carrier, const Vector& values,
-             double factor) const {
-    for (bem::Index i = 0; i < numbering_.sizeOf(carrier); ++i)
-      column[numbering_(carrier, i)] += factor * values[i];
-  }
-
   void addElastic(std::size_t b, const contact::Holding& holding) {
-    const bem::Space& space = spaces_.space(b);
     contact::Stabilization none;  // rigid motions have no tractions
     none.form = contact::Stabilization::Form::None;
-    const contact::Coupling own = contact::makeCoupling(space, multipliers_[b], none,
-                                                        scene_.lame(b), scene_.units());
-    std::vector<std::pair<std::size_t, contact::TraceCoupling>> mortars;
-    for (std::size_t a = 0; a < spaces_.size(); ++a)
-      for (const int body : spaces_.opposite(a)->bodies())
-        if (body == static_cast<int>(b))
-          mortars.emplace_back(
-              a, contact::mortarCoupling(spaces_.space(a).mesh(), multipliers_[a],
-                                         *spaces_.opposite(a), space, body));
+    const contact::Coupling own = contact::makeCoupling(
+        spaces_.space(b), spaces_.multiplier(b), none, scene_.lame(b), scene_.units());
     for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
       const Vector u = bem::columnOf(holding.allowed, k);
-      Vector column(numbering_.size());
-      addTo(column, b, own.trace.apply(u), 1);
-      for (const auto& [carrier, coupling] : mortars)
-        addTo(column, carrier, coupling.apply(u), 1);
+      const Vector moved = own.trace.apply(u);
+      Vector column =
+          opposite_[b].rests.empty() ? Vector(numbering_.size()) : opposite_[b].apply(u);
+      for (bem::Index i = 0; i < numbering_.sizeOf(b); ++i)
+        column[numbering_(b, i)] += moved[i];
       columns_.push_back(std::move(column));
       result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
-      result_.numbers.rigidStiffness.push_back(0);
       result_.free[b].push_back(u);
     }
-  }
-
-  /// The size of what drives them.
-  double addRigid(const std::vector<contact::Drive>& drives) {
-    double size = 0;
-    for (std::size_t k = 0; k < drives.size(); ++k) {
-      std::vector<contact::RigidTraces> traces;
-      for (std::size_t a = 0; a < spaces_.size(); ++a)
-        traces.push_back(contact::rigidTraces(spaces_.space(a).mesh(), multipliers_[a],
-                                              *spaces_.opposite(a), static_cast<int>(k)));
-      for (std::size_t c = 0; c < 3; ++c) {
-        const contact::Drive::Component& drive = drives[k].components[c];
-        size += std::abs(drive.value + drive.inside);
-        if (!drive.free)
-          continue;
-        Vector column(numbering_.size());
-        for (std::size_t a = 0; a < spaces_.size(); ++a)
-          addTo(column, a, bem::columnOf(traces[a].traces, static_cast<bem::Index>(c)),
-                c == 2 ? -traces[a].lever : -1);
-        columns_.push_back(std::move(column));
-        result_.numbers.rigidLoad.push_back(drive.value + drive.inside);
-        result_.numbers.rigidStiffness.push_back(drive.stiffness);
-      }
-    }
-    return size;
   }
 
   const Scene& scene_;
   const BodySpaces& spaces_;
   contact::Numbering numbering_;
-  std::vector<contact::MultiplierSpace> multipliers_;
+  std::vector<contact::TraceCoupling> opposite_;
   std::vector<Vector> columns_;
   Balance result_;
 };

@@ -5,7 +5,7 @@
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
-#include "contact/opposite/RigidBodies.hpp"
+#include "contact/opposite/RigidDrives.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"

@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/problem/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <algorithm>
@@ -99,10 +98,7 @@ Distance distanceOf(const Snapshot& level, const Snapshot& reference,
 Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
                         const std::vector<double>& dissipated) {
   const BodySpaces spaces(scene, meshesOf(scene, level));
-  std::vector<contact::Numbering::Count> counts;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    counts.push_back({spaces.multiplier(b).normals(), spaces.multiplier(b).size()});
-  const contact::Numbering numbering(counts);
+  const contact::Numbering numbering = contact::numberingOf(spaces.sides());
   Snapshots result{{}, energy};
   for (const StepFields& step : level.solved()) {
     Snapshot& snapshot = result.steps.emplace_back();

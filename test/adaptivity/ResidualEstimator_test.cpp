@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, vanishesOnLinearSolutionsWithFrictionAndRol
       }
 }
 
-TEUCHOS_UNIT_TEST(ContactProblem, refusesToStabiliseAMultiplierThatSharesNodes) {
+TEUCHOS_UNIT_TEST(ContactBody, refusesToStabiliseAMultiplierThatSharesNodes) {
   TEST_THROW(SolvedScene({squareMesh(2, 1), material, Sliding().conditions(),
                           "Biorthogonal", contact::Stabilization{}}),
              bem::InputError);

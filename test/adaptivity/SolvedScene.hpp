@@ -2,6 +2,7 @@
 
 #include "contact/Solve.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 namespace epafi::test {
 
@@ -26,17 +27,17 @@ class SolvedScene {
             contact::MultiplierSpace(
                 space_.mesh(), contact::multiplierBasis(input.multiplier), conditions_),
             input.stabilization, lame_, units_)),
-        problem_({space_, stiffness_, lame_, units_, conditions_,
-                  contact::multiplierBasis(input.multiplier), input.stabilization}),
-        solution_(test::solve(problem_.numbers())),
-        displacement_(problem_.displacement(solution_.state)),
-        density_(problem_.density(solution_.state, displacement_)) {}
+        system_({{space_, stiffness_, lame_, units_, conditions_,
+                  contact::multiplierBasis(input.multiplier), input.stabilization}}),
+        solution_(test::solve(system_.numbers())),
+        displacement_(system_.body(0).displacement(solution_.state)),
+        density_(system_.body(0).density(solution_.state, displacement_)) {}
 
   SolvedScene(const SolvedScene&) = delete;
   SolvedScene& operator=(const SolvedScene&) = delete;
 
   contact::Solved solved() const {
-    return {space_, stiffness_,      problem_,     conditions_,
+    return {space_, stiffness_,      system_.body(0), conditions_,
             units_, solution_.state, displacement_};
   }
   const bem::Lame& lame() const { return lame_; }
@@ -49,7 +50,7 @@ class SolvedScene {
   bem::Units units_;
   bem::Space space_;
   bem::SteklovPoincare stiffness_;
-  contact::ContactProblem problem_;
+  contact::ContactSystem system_;
   contact::Solution solution_;
   bem::Vector displacement_;
   bem::Vector density_;

@@ -4,7 +4,6 @@
 #include "contact/body/CoupledBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
-#include "contact/system/Definiteness.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -54,19 +53,30 @@ contact::Conditions cantilever(double load) {
   return conditions;
 }
 
-contact::ContactProblem problemOf(const Body& body,
-                                  const contact::Conditions& conditions) {
-  return contact::ContactProblem(
+contact::ContactBody problemOf(const Body& body, const contact::Conditions& conditions) {
+  return contact::ContactBody(
       {body.space, body.stiffness, body.lame,
        bem::Units{body.space.mesh().outline().diameter(), 1}, conditions,
        contact::multiplierBasis("Gauss-Legendre-Lagrange"), test::projected()});
 }
 
+std::unique_ptr<const contact::StabilisedBody> coupledBody(
+    const Body& body, const contact::Conditions& conditions,
+    const contact::MultiplierSpace& multiplier, bem::Units units,
+    const contact::Stabilization& stabilization) {
+  return contact::makeCoupledBody(
+      {body.space, body.stiffness, body.lame, units, conditions, multiplier.basis(),
+       stabilization},
+      multiplier,
+      std::make_shared<const contact::Holding>(
+          contact::makeHolding(body.space, conditions, units)));
+}
+
 double worstImbalance(const Body& body, double load) {
   const contact::Conditions conditions = cantilever(load);
-  const contact::ContactProblem problem = problemOf(body, conditions);
+  const contact::ContactBody problem = problemOf(body, conditions);
   contact::State state;
-  state.multiplier.assign(problem.numbers().size(), 0.0);
+  state.multiplier.assign(problem.multiplier().size(), 0.0);
   const Vector u = problem.displacement(state);
   const double length = body.space.mesh().outline().diameter();
   const contact::Summary summary = contact::summarize(
@@ -88,14 +98,8 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const auto coupled = contact::makeCoupledBody({body.space,
-                                                 body.stiffness,
-                                                 body.lame,
-                                                 {100, 1},
-                                                 conditions,
-                                                 multiplier.basis(),
-                                                 test::projected()},
-                                                multiplier);
+  const auto coupled =
+      coupledBody(body, conditions, multiplier, {100, 1}, test::projected());
   const bem::Matrix motions = body.space.rigidMotions();
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
@@ -121,14 +125,7 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
   contact::Stabilization none;
   none.form = contact::Stabilization::Form::None;
-  const auto coupled = contact::makeCoupledBody({body.space,
-                                                 body.stiffness,
-                                                 body.lame,
-                                                 {2, 1},
-                                                 conditions,
-                                                 multiplier.basis(),
-                                                 none},
-                                                multiplier);
+  const auto coupled = coupledBody(body, conditions, multiplier, {2, 1}, none);
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
@@ -189,9 +186,9 @@ TEUCHOS_UNIT_TEST(Definiteness, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefuse
   conditions.contact["bottom"] = {zero, nullptr, {}};
   contact::Stabilization stabilization = test::projected();
   const auto used = [&] {
-    return contact::ContactProblem({space, stiffness, lame, bem::Units{1, 1}, conditions,
-                                    contact::multiplierBasis("Gauss-Legendre-Lagrange"),
-                                    stabilization})
+    return contact::ContactBody({space, stiffness, lame, bem::Units{1, 1}, conditions,
+                                 contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+                                 stabilization})
         .gamma0();
   };
   const double first = stabilization.firstGamma0();

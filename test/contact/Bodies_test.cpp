@@ -39,10 +39,10 @@ struct Block {
 class BlockBelow final : public contact::Opposite {
  public:
   BlockBelow(const bem::Mesh& side, const bem::Mesh& below)
-      : side_(side), below_(below), elements_(below.elementsOf("top")) {}
+      : Opposite(side, units.length), below_(below), elements_(below.elementsOf("top")) {}
 
   Point at(const ContactElement& element, double t) const override {
-    const double x = side_.physicalPoint(element.element, t).x;
+    const double x = mesh_.physicalPoint(element.element, t).x;
     for (const int e : elements_) {
       const double a = below_.physicalPoint(e, -1).x;
       const double b = below_.physicalPoint(e, 1).x;
@@ -54,8 +54,8 @@ class BlockBelow final : public contact::Opposite {
   }
 
   Vector breaks(const ContactElement& element) const override {
-    const double a = side_.physicalPoint(element.element, -1).x;
-    const double b = side_.physicalPoint(element.element, 1).x;
+    const double a = mesh_.physicalPoint(element.element, -1).x;
+    const double b = mesh_.physicalPoint(element.element, 1).x;
     Vector result;
     for (const int e : elements_) {
       const double s = (2 * below_.physicalPoint(e, 1).x - a - b) / (b - a);
@@ -69,7 +69,6 @@ class BlockBelow final : public contact::Opposite {
   std::vector<int> bodies() const override { return {1}; }
 
  private:
-  const bem::Mesh& side_;
   const bem::Mesh& below_;
   std::vector<int> elements_;
 };
@@ -112,7 +111,7 @@ Two problems(const Block& above, const Block& below, bool held) {
       std::make_shared<const BlockBelow>(above.space.mesh(), below.space.mesh());
   const contact::BodyInput carrier{below.space, below.stiffness, below.lame, units,
                                    bottom,      basis,           none};
-  return {contact::ContactProblem(plane).numbers().copy(),
+  return {contact::ContactSystem({plane}).numbers().copy(),
           contact::ContactSystem({upon, carrier}).numbers().copy()};
 }
 

@@ -97,16 +97,18 @@ contact::Conditions conditionsOf(const Case& c, double load = 1) {
 
 /// All that comes of a stiffness.
 struct Results {
-  contact::ContactProblem problem;
+  contact::ContactSystem system;
   contact::Solution solution;
   Vector displacement;
   Vector density;
 
-  explicit Results(const contact::ContactProblem::Input& input)
-      : problem(input),
-        solution(test::solve(problem.numbers())),
-        displacement(problem.displacement(solution.state)),
-        density(problem.density(solution.state, displacement)) {}
+  explicit Results(const contact::BodyInput& input)
+      : system({input}),
+        solution(test::solve(system.numbers())),
+        displacement(body().displacement(solution.state)),
+        density(body().density(solution.state, displacement)) {}
+
+  const contact::ContactBody& body() const { return system.body(0); }
 };
 
 bem::Matrix entriesOf(const contact::Flexibility& flexibility) {
@@ -133,13 +135,14 @@ struct Pair {
   bem::Space space;
   const contact::MultiplierBasis& basis;
   contact::MultiplierSpace multiplier;
+  contact::Opposite opposite;
   bem::SteklovPoincare dense;
   std::vector<bem::SteklovPoincare> compressed;
 
   explicit Pair(const Case& c) : Pair(c, outlineOf(c)) {}
 
-  contact::ContactProblem::Input input(const bem::SteklovPoincare& stiffness,
-                                       Index formedUpTo = 0) const {
+  contact::BodyInput input(const bem::SteklovPoincare& stiffness,
+                           Index formedUpTo = 0) const {
     return {space, stiffness,     lame, units,     conditions,
             basis, stabilization, {},   formedUpTo};
   }
@@ -158,9 +161,10 @@ struct Pair {
                                  conditions, stabilization)),
         basis(contact::multiplierBasis(c.basis)),
         multiplier(space.mesh(), basis, conditions),
+        opposite(space.mesh(), units.length),
         dense(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
-        compressed(contact::makeCompressedStiffness({{space, multiplier, lame}},
-                                                    stabilization, units,
+        compressed(contact::makeCompressedStiffness({{space, multiplier, opposite}},
+                                                    {lame}, stabilization, units,
                                                     test::processes(), smallLeaves())) {}
 
   static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
@@ -188,11 +192,11 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     const Results exact(pair.input(pair.dense));
     const Results own(pair.input(pair.compressed.front()));
 
-    const contact::Problem& a = exact.problem.numbers();
-    const contact::Problem& b = own.problem.numbers();
+    const contact::Problem& a = exact.system.numbers();
+    const contact::Problem& b = own.system.numbers();
     TEST_ASSERT(!b.flexibility.isFormed());
     const bem::Matrix columns = entriesOf(b.flexibility);
-    const contact::ContactProblem formed(pair.input(pair.compressed.front(), a.size()));
+    const contact::ContactSystem formed({pair.input(pair.compressed.front(), a.size())});
     const contact::Flexibility& entries = formed.numbers().flexibility;
     double size = 0;
     double error = 0;
@@ -228,21 +232,21 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
         1e-9);
     TEST_COMPARE(difference(own.density, exact.density, largest(exact.density)), <, 1e-7);
     const double energy =
-        exact.problem.strainEnergy(exact.solution.state, exact.displacement);
+        exact.body().strainEnergy(exact.solution.state, exact.displacement);
     TEST_COMPARE(
-        std::abs(own.problem.strainEnergy(own.solution.state, own.displacement) - energy),
+        std::abs(own.body().strainEnergy(own.solution.state, own.displacement) - energy),
         <, 1e-9 * energy);
     const double stored =
-        exact.problem.storedEnergy(exact.solution.state, exact.displacement);
+        exact.body().storedEnergy(exact.solution.state, exact.displacement);
     TEST_COMPARE(
-        std::abs(own.problem.storedEnergy(own.solution.state, own.displacement) - stored),
+        std::abs(own.body().storedEnergy(own.solution.state, own.displacement) - stored),
         <, 1e-9 * energy);
-    const Vector work = exact.problem.clampWork(exact.solution.state, exact.displacement);
-    TEST_COMPARE(difference(own.problem.clampWork(own.solution.state, own.displacement),
+    const Vector work = exact.body().clampWork(exact.solution.state, exact.displacement);
+    TEST_COMPARE(difference(own.body().clampWork(own.solution.state, own.displacement),
                             work, 1e-2),
                  <, 1e-9);
-    TEST_COMPARE(difference(own.problem.fixedReactions(own.solution.state),
-                            exact.problem.fixedReactions(exact.solution.state), 1e-2),
+    TEST_COMPARE(difference(own.body().fixedReactions(own.solution.state),
+                            exact.body().fixedReactions(exact.solution.state), 1e-2),
                  <, 1e-9);
   }
 }
@@ -266,7 +270,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, isSolvedWhereNewtonsStepsFail) {
   for (const Case& c : cases()) {
     const Pair pair(c);
     const Results exact(pair.input(pair.dense));
-    const contact::ContactProblem own(pair.input(pair.compressed.front()));
+    const contact::ContactSystem own({pair.input(pair.compressed.front())});
     const contact::ContactSolver solver(newton);
     const auto coulomb = makeCoulomb(solver, {});
     const contact::Solution solution = coulomb->solve(own.numbers(), {});
@@ -310,7 +314,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFactorStaysWhateverIsFactoredAfterIt) {
   for (const Case& c : cases()) {
     out << c.name << "\n";
     const Pair pair(c);
-    const contact::ContactProblem own(pair.input(pair.compressed.front()));
+    const contact::ContactSystem own({pair.input(pair.compressed.front())});
     const contact::Problem& problem = own.numbers();
     const contact::Flexibility& d = problem.flexibility;
     const auto first = d.factor(systemOf(problem, 2));
@@ -337,7 +341,7 @@ struct Step {
 
   /// Energies, forces and densities: all that bodies keep something for.
   std::vector<Vector> results() const {
-    const contact::ContactProblem& body = system.body(0);
+    const contact::ContactBody& body = system.body(0);
     const Vector& u = at.displacements.front();
     return {{system.strainEnergy(at)},     {system.storedEnergy(at)},
             at.state.multiplier,           u,

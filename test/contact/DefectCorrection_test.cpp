@@ -69,7 +69,8 @@ struct Body {
     bem::Compression options;
     options.leafUnknowns = 60;
     auto all = contact::makeCompressedStiffness(
-        {{space, multiplier, lame}}, stabilization, units, test::processes(), options);
+        {{space, multiplier, contact::Opposite(space.mesh(), units.length)}}, {lame},
+        stabilization, units, test::processes(), options);
     return std::move(all.front());
   }
 

@@ -1,10 +1,11 @@
-// Stabilisation by the density: what ContactProblem condenses is the saddle point of
+// Stabilisation by the density: what ContactSystem condenses is the saddle point of
 //   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
 // solved here as a whole, with forms integrated anew.
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -93,14 +94,15 @@ Condensed condensed(const Case& c) {
   const bem::SteklovPoincare stiffness(
       bem::assembleOperators(space, lame),
       contact::densityCompliance(space, multiplier, stabilization, lame, units));
-  const contact::ContactProblem problem(
-      {space, stiffness, lame, units, conditions, basis, stabilization});
-  const contact::Problem& numbers = problem.numbers();
+  const contact::ContactSystem system(
+      {{space, stiffness, lame, units, conditions, basis, stabilization}});
+  const contact::Problem& numbers = system.numbers();
+  const contact::ContactBody& body = system.body(0);
   const contact::State state = stateOf(numbers.size());
   Condensed result;
-  result.displacement = problem.displacement(state);
-  result.density = problem.density(state, result.displacement);
-  result.energy = problem.strainEnergy(state, result.displacement);
+  result.displacement = body.displacement(state);
+  result.density = body.density(state, result.displacement);
+  result.energy = body.strainEnergy(state, result.displacement);
   result.amplification = numbers.amplification;
   result.residual = numbers.offset;
   for (Index j = 0; j < numbers.size(); ++j)

@@ -4,6 +4,7 @@
 #include "bem/space/DisplacementField.hpp"
 #include "contact/Solve.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -38,7 +39,7 @@ struct Disc {
   const contact::MultiplierBasis& basis;
   contact::Stabilization stabilization;
   bem::SteklovPoincare stiffness;
-  contact::ContactProblem problem;
+  contact::ContactSystem system;
   contact::Solution solution;
   Vector displacement;
 
@@ -52,17 +53,17 @@ struct Disc {
         stabilization(with(form)),
         stiffness(operators(), contact::densityCompliance(space, multiplier(),
                                                           stabilization, lame, units())),
-        problem({space, stiffness, lame, units(), conditions, basis, stabilization}),
-        solution(test::solve(problem.numbers(), {}, {})),
-        displacement(problem.displacement(solution.state)) {}
+        system({{space, stiffness, lame, units(), conditions, basis, stabilization}}),
+        solution(test::solve(system.numbers(), {}, {})),
+        displacement(system.body(0).displacement(solution.state)) {}
 
   bem::Units units() const { return space.mesh().outline().units(1); }
   contact::MultiplierSpace multiplier() const {
     return {space.mesh(), basis, conditions};
   }
   contact::Summary summary() const {
-    return contact::summarize(
-        {space, stiffness, problem, conditions, units(), solution.state, displacement});
+    return contact::summarize({space, stiffness, system.body(0), conditions, units(),
+                               solution.state, displacement});
   }
 
  private:

@@ -1,7 +1,7 @@
 #include "Largest.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -46,7 +46,7 @@ struct Scene {
         stiffness(contact::makeStiffness(
             space, contact::MultiplierSpace(space.mesh(), basis, conditions), {}, lame,
             units)),
-        problem({space, stiffness, lame, units, conditions, basis, {}}) {}
+        system({{space, stiffness, lame, units, conditions, basis, {}}}) {}
 
   static std::shared_ptr<const bem::Outline> outline() {
     return std::make_shared<bem::Outline>(bem::Loop{{{-1, 0}, {1, 0}, {1, 1}, {-1, 1}},
@@ -60,7 +60,7 @@ struct Scene {
   contact::Conditions conditions;
   bem::Space space;
   bem::SteklovPoincare stiffness;
-  contact::ContactProblem problem;
+  contact::ContactSystem system;
 };
 
 /// Twice the load factor is twice all tractions and prescribed displacements over the
@@ -69,13 +69,13 @@ TEUCHOS_UNIT_TEST(LoadFactor, scalesTractionsAndPrescribedDisplacements) {
   for (const bool clamped : {false, true}) {
     const Scene one(1, clamped);
     const Scene two(2, clamped);
-    const contact::ProblemFamily family(one.problem.numbers(), one.problem.gap());
+    const contact::ProblemFamily family(one.system.numbers(), one.system.gap());
     const contact::Problem scaled = family.at({2, 1});
-    const contact::Problem& expected = two.problem.numbers();
+    const contact::Problem& expected = two.system.numbers();
     TEST_COMPARE(largestDifference(scaled.offset, expected.offset), <,
                  1e-14 * largest(expected.offset) * 10);
     TEST_COMPARE(largestDifference(scaled.rigidLoad, expected.rigidLoad), <, 1e-14);
-    TEST_COMPARE(largest(one.problem.gap()), >, 1e-4);
+    TEST_COMPARE(largest(one.system.gap()), >, 1e-4);
   }
 }
 
@@ -84,12 +84,12 @@ TEUCHOS_UNIT_TEST(LoadFactor, displacementAddsTheRestOfTheLoad) {
   for (const bool clamped : {false, true}) {
     const Scene one(1, clamped);
     const Scene two(2, clamped);
-    const contact::State state = solve(two.problem.numbers(), {}, {}).state;
-    Vector u = one.problem.displacement(state);
-    const Vector rest = one.problem.displacement({});
+    const contact::State state = solve(two.system.numbers(), {}, {}).state;
+    Vector u = one.system.body(0).displacement(state);
+    const Vector rest = one.system.body(0).displacement({});
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += rest[i];
-    const Vector expected = two.problem.displacement(state);
+    const Vector expected = two.system.body(0).displacement(state);
     TEST_COMPARE(largestDifference(u, expected), <, 1e-12 * largest(expected));
   }
 }

@@ -256,8 +256,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {
           weights[element.normalOf(i)] +=
               mesh[element.element].half * lobattoWeights(p)[i];
     const bem::Vector gap =
-        contact::makeObstacle(mesh, space, contact::DistantObstacle(mesh, length),
-                              {length, 1})
+        contact::makeObstacle(mesh, space, contact::Opposite(mesh, length), {length, 1})
             .gap;
     for (std::size_t i = 0; i < gap.size(); ++i)
       TEST_COMPARE(std::abs(gap[i] - weights[i] * 0.7 / length), <, 1e-14);

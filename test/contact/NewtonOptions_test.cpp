@@ -72,9 +72,9 @@ TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotient) {
       const Vector x = randomVector(equation.size(), random);
       const Vector d = randomVector(x.size(), random);
       const double h = 1e-7;
-      const Vector up = equation.at(combined(x, h, d)).linear.residual;
-      const Vector down = equation.at(combined(x, -h, d)).linear.residual;
-      const Vector product = equation.jacobianTimes(equation.at(x).linear, d);
+      const Vector up = equation.at(combined(x, h, d)).residual;
+      const Vector down = equation.at(combined(x, -h, d)).residual;
+      const Vector product = equation.jacobianTimes(equation.at(x), d);
       for (std::size_t i = 0; i < x.size(); ++i)
         TEST_COMPARE(std::abs(product[i] - (up[i] - down[i]) / (2 * h)), <, 1e-5);
     }
@@ -110,12 +110,12 @@ TEUCHOS_UNIT_TEST(NewtonSystem, invertsTheJacobian) {
       for (int k = 0; k < 20; ++k) {
         const auto e = equation.at(randomVector(equation.size(), random));
         const Vector b = randomVector(e.unknowns.size(), random);
-        const contact::NewtonSystem system(equation, e.linear);
+        const contact::NewtonSystem system(equation, e);
         if (!system.unheld(b).empty())
           continue;
         ++solved;
         const Vector d = system.solve(b);
-        const Vector defect = combined(equation.jacobianTimes(e.linear, d), -1, b);
+        const Vector defect = combined(equation.jacobianTimes(e, d), -1, b);
         TEST_COMPARE(largest(defect), <, 1e-11 * (1 + largest(d)));
       }
     }

@@ -4,7 +4,7 @@
 #include "contact/Solve.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/results/ContactFields.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactSystem.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -131,14 +131,15 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
   const bem::SteklovPoincare stiffness(bem::assembleOperators(
       space, lame, contact::tractionElements(multiplier, stabilization)));
   const bem::Units units{exact.outline->diameter(), 1};
-  const contact::ContactProblem problem(
-      {space, stiffness, lame, units, conditions, basis, stabilization});
-  const auto solution = solve(problem.numbers(), {}, {});
+  const contact::ContactSystem system(
+      {{space, stiffness, lame, units, conditions, basis, stabilization}});
+  const contact::ContactBody& body = system.body(0);
+  const auto solution = solve(system.numbers(), {}, {});
   if (solution.report.status != contact::Status::Converged)
     throw std::runtime_error(told(solution.report.stages));
-  const bem::Vector u = problem.displacement(solution.state);
+  const bem::Vector u = body.displacement(solution.state);
   const contact::ContactFields fields(
-      {space, stiffness, problem, conditions, units, solution.state, u});
+      {space, stiffness, body, conditions, units, solution.state, u});
   const auto rule = bem::gaussLegendre(degree + 6);
   Errors errors;
   for (const auto& element : fields.elements()) {

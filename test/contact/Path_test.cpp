@@ -289,7 +289,7 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
     const contact::Problem problem = family.at({1, 1, s});
     return contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
         .at(x)
-        .linear.residual;
+        .residual;
   };
   const auto largest = [](const Vector& v) {
     double size = 0;

@@ -142,7 +142,7 @@ TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
   std::vector<contact::ActiveSet> sets;
   for (int step = 0; step < 9; ++step) {
     Vector x = e.unknowns;
-    const Vector d = contact::NewtonSystem(equation, e.linear).solve(e.linear.residual);
+    const Vector d = contact::NewtonSystem(equation, e).solve(e.residual);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] -= d[i];
     e = equation.at(x);

@@ -79,22 +79,22 @@ TEUCHOS_UNIT_TEST(Surface, jacobianIsTheDifferenceQuotientAndIsInverted) {
         Vector y = x;
         for (std::size_t i = 0; i < y.size(); ++i)
           y[i] += t * d[i];
-        return equation.at(y).linear.residual;
+        return equation.at(y).residual;
       };
       const double h = 1e-7;
       const Vector after = residual(h);
       const Vector before = residual(-h);
       const contact::Evaluation e = equation.at(x);
-      const Vector image = equation.jacobianTimes(e.linear, d);
+      const Vector image = equation.jacobianTimes(e, d);
       double off = 0;
       for (std::size_t i = 0; i < d.size(); ++i)
         off = std::max(off, std::abs((after[i] - before[i]) / (2 * h) - image[i]));
       TEST_COMPARE(off, <, 1e-5);
-      const Vector back = contact::NewtonSystem(equation, e.linear).solve(image);
+      const Vector back = contact::NewtonSystem(equation, e).solve(image);
       Vector dual(x.size());
       for (double& value : dual)
         value = std::uniform_real_distribution<double>(-1, 1)(random);
-      const Vector transposed = equation.transposeTimes(e.linear, dual);
+      const Vector transposed = equation.transposeTimes(e, dual);
       double sum = 0;
       for (std::size_t i = 0; i < d.size(); ++i) {
         TEST_FLOATING_EQUALITY(back[i], d[i], 1e-7);
@@ -117,8 +117,8 @@ TEUCHOS_UNIT_TEST(Surface, aKeptFactorKnowsWhatIsAddedToD) {
       const contact::Evaluation e =
           equation.at(pack(problem, test::solve(problem).state));
       const Vector b(e.unknowns.size(), 1.0);
-      const Vector kept = contact::NewtonSystem(equation, e.linear, &memory).solve(b);
-      const Vector own = contact::NewtonSystem(equation, e.linear).solve(b);
+      const Vector kept = contact::NewtonSystem(equation, e, &memory).solve(b);
+      const Vector own = contact::NewtonSystem(equation, e).solve(b);
       for (std::size_t i = 0; i < b.size(); ++i)
         TEST_FLOATING_EQUALITY(kept[i], own[i], 1e-8);
     }

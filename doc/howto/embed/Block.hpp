@@ -3,7 +3,7 @@
 #include "bem/base/Material.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 namespace embed {
 

@@ -37,7 +37,7 @@ contact::State solved(const contact::Problem& problem) {
 }
 
 // Each coefficient stands for its Gauss point's share of the element.
-Point measure(const Block& block, const contact::ContactProblem& problem,
+Point measure(const Block& block, const contact::ContactSystem& system,
               const ContactModel& model, double factor, const contact::State& state) {
   const contact::Problem numbers = model.family().at({1, factor});
   const contact::ContactState contact =
@@ -47,7 +47,7 @@ Point measure(const Block& block, const contact::ContactProblem& problem,
            contact.tangential[t] == contact::FrictionState::SlipBackward;
   };
   Point point{factor, 0, 0, 0};
-  for (const auto& element : problem.multiplier().elements()) {
+  for (const auto& element : system.body(0).multiplier().elements()) {
     const auto& weights = bem::gaussLegendre(element.degree + 1).weights;
     const double half = block.units.length * block.space.mesh()[element.element].half;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -116,13 +116,13 @@ std::vector<Point> followFriction(const Block& block,
   const bem::SteklovPoincare stiffness = contact::makeStiffness(
       space, contact::MultiplierSpace(space.mesh(), basis, conditions), stabilization,
       block.lame, block.units);
-  const contact::ContactProblem problem(
-      {space, stiffness, block.lame, block.units, conditions, basis, stabilization});
+  const contact::ContactSystem system(
+      {{space, stiffness, block.lame, block.units, conditions, basis, stabilization}});
 
   ContactModel::Options options;
   options.space = Thyra::createVectorSpace<double>(
-      processes.rowMap(ContactModel::unknowns(problem.numbers())));
-  const auto model = rcp(new ContactModel(problem, options));
+      processes.rowMap(ContactModel::unknowns(system.numbers())));
+  const auto model = rcp(new ContactModel(system, options));
 
   const auto norm =
       rcp(new NOX::StatusTest::NormF(1e-11, NOX::StatusTest::NormF::Unscaled));
@@ -150,7 +150,7 @@ std::vector<Point> followFriction(const Block& block,
 
   std::vector<Point> points;
   for (const auto& [factor, state] : recorder->path)
-    points.push_back(measure(block, problem, *model, factor, state));
+    points.push_back(measure(block, system, *model, factor, state));
   return points;
 }
 

@@ -18,7 +18,7 @@ struct EstimatorOptions {
   void keys(bem::Keys& keys);
 };
 
-/// A body's solution and its density ψ, see ContactProblem::density.
+/// A body's solution and its density ψ, see ContactBody::density.
 struct Estimated {
   const contact::Solved& solved;
   const Vector& density;

@@ -94,7 +94,8 @@ struct AllUnknowns {
 CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                                          const Compression& options,
                                          const LocalCoupling& local,
-                                         const Processes& processes) {
+                                         const Processes& processes)
+    : local_(local) {
   const BlasThreads serial(1);
   std::vector<const Space*> spaces;
   AllUnknowns all(bodies.size());
@@ -131,11 +132,10 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   parts_ = all.shares.size() == 1
                ? std::move(all.shares.front().parts)
                : joined(std::move(all.shares), between, tree(), *subtrees_, size());
-  addRotations(bodies, local);
+  addRotations(bodies);
 }
 
-void CompressedOperators::addRotations(const std::vector<Body>& bodies,
-                                       const LocalCoupling& local) {
+void CompressedOperators::addRotations(const std::vector<Body>& bodies) {
   std::vector<std::size_t> curved;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].space.rotation() != nullptr)
@@ -158,9 +158,9 @@ void CompressedOperators::addRotations(const std::vector<Body>& bodies,
     double* const w = u.column(count + k);
     std::copy(image.data() + own.first, image.data() + own.last, w + own.first);
     kappa(k, k) = std::inner_product(r.begin(), r.end(), w + own.first, 0.0);
-    if (!local.rotations.empty())
-      std::transform(local.rotations[b].begin(), local.rotations[b].end(), w + further(),
-                     std::negate<>());
+    if (!local_.rotations.empty())
+      std::transform(local_.rotations[b].begin(), local_.rotations[b].end(),
+                     w + further(), std::negate<>());
   }
   rotations_ = LowRank(std::move(u), kappa);
 }

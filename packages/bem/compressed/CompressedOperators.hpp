@@ -58,6 +58,8 @@ class CompressedOperators {
   std::size_t bodies() const { return ranges_.size(); }
   /// Number of the first additional unknown of LocalCoupling.
   Index further() const { return ranges_.back().last; }
+  /// The coupling that it was made with.
+  const LocalCoupling& local() const { return local_; }
   /// Number of unknowns.
   Index size() const { return static_cast<Index>(leaves_.size()); }
 
@@ -91,8 +93,9 @@ class CompressedOperators {
   std::size_t bytes() const;
 
  private:
-  void addRotations(const std::vector<Body>& bodies, const LocalCoupling& local);
+  void addRotations(const std::vector<Body>& bodies);
 
+  LocalCoupling local_;
   std::vector<Range> ranges_;
   std::vector<int> leaves_;  ///< by unknown
   std::vector<ClusterTree> trees_;

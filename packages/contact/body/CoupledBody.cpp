@@ -5,10 +5,12 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/tractions/TractionRows.hpp"
 #include "contact/body/BalancedStiffness.hpp"
-#include "contact/body/Holding.hpp"
+
+#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::contact {
 
@@ -55,12 +57,52 @@ Vector columnsTimes(const Matrix& a, const Vector& x) {
   return result;
 }
 
-class Factored final : public HeldStiffness {
- public:
-  /// Of the displacements at `free` alone.
-  Factored(Matrix lower, std::vector<Index> free)
-      : factor_(factorOf(std::move(lower))), free_(std::move(free)) {}
+double largestEigenvalue(Matrix symmetric) {
+  const int n = bem::asInt(symmetric.rows());
+  Vector values(n);
+  Vector work(std::max(1, 34 * n));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('N', 'L', n, symmetric.data(),
+                                      bem::asInt(symmetric.stride()), values.data(),
+                                      work.data(), static_cast<int>(work.size()), &info);
+  return info == 0 && n > 0 ? values.back() : 0;
+}
 
+using Tractions = std::shared_ptr<const bem::TractionRows>;
+
+/// Columns of X, S^ = X Xᵀ = R γ Rᵀ.
+Matrix halfBetween(const bem::TractionRows& tractions, const Vector& gamma, Index first,
+                   Index last) {
+  Matrix half(tractions.rows.rows(), last - first);
+  for (std::size_t k = 0; k < gamma.size() && first < last; ++k) {
+    const double root = std::sqrt(gamma[k]);
+    const Index end = std::min(last, tractions.start[k + 1]);
+    for (Index c = std::max(first, tractions.start[k]); c < end; ++c)
+      for (Index j = 0; j < half.rows(); ++j)
+        half(j, c - first) = root * tractions.rows(j, c);
+  }
+  return half;
+}
+
+/// The forms of [P], which insert the traction S u, the one by the density, and no
+/// stabilisation.
+class CoupledBody final : public StabilisedBody {
+ public:
+  /// \param tractions S φ; null: no S^  \throws bem::NumericalError if A is not definite
+  CoupledBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
+              Coupling coupling, Tractions tractions)
+      : StabilisedBody(input.space, std::move(holding), std::move(coupling)),
+        stiffness_(input.stiffness),
+        response_(stiffness_.response()),
+        tractions_(std::move(tractions)),
+        columns_(response_ != nullptr    ? &response_->displacements
+                 : tractions_ != nullptr ? &tractions_->rows
+                                         : nullptr),
+        balanced_(stiffness_, makeRigidModes(space_), tractions_, coupling_.gamma),
+        free_(unclamped(holding_->loads)),
+        factor_(factored()) {}
+
+  bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override {
     Vector u;
     for (const Index i : free_)
@@ -73,42 +115,6 @@ class Factored final : public HeldStiffness {
   }
   Matrix forward(Matrix rows) const override {
     return factor_.forward(rowsAt(free_, std::move(rows)));
-  }
-
- private:
-  static bem::CholeskyFactor factorOf(Matrix lower) try {
-    return bem::CholeskyFactor(std::move(lower), "the stiffness matrix");
-  } catch (const bem::NumericalError& error) {
-    throw bem::NumericalError(
-        error.what(),
-        "; rounding has taken its digits, as it does in bodies slender by more than "
-        "1 : 1000: look at the outline");
-  }
-
-  bem::CholeskyFactor factor_;
-  std::vector<Index> free_;
-};
-
-/// The forms of [P], which insert the traction S u, the one by the density, and no
-/// stabilisation.
-class Coupled final : public StabilisedBody {
- public:
-  Coupled(const bem::Space& space, const bem::SteklovPoincare& stiffness,
-          Coupling coupling, std::shared_ptr<const bem::TractionRows> tractions)
-      : StabilisedBody(space, std::move(coupling)),
-        stiffness_(stiffness),
-        response_(stiffness.response()),
-        tractions_(std::move(tractions)),
-        columns_(response_ != nullptr    ? &response_->displacements
-                 : tractions_ != nullptr ? &tractions_->rows
-                                         : nullptr),
-        balanced_(stiffness_, makeRigidModes(space), tractions_, coupling_.gamma) {}
-
-  std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
-    std::vector<Index> free = unclamped(holding.loads);
-    Matrix a = addOuter(subtract(unpackedAt(free, stiffness_.stiffness()), free),
-                        rowsAt(free, holding.functionals.copy()), 1);
-    return std::make_shared<const Factored>(std::move(a), std::move(free));
   }
 
   Vector residual(const Vector& force, const Vector& u) const override {
@@ -175,15 +181,6 @@ class Coupled final : public StabilisedBody {
     return 0.5 * (twice + dot(w, responsesTo(w)));
   }
 
-  // S^ = X Xᵀ
-  Matrix subtracted() const override { return halfBetween(0, columnsOfHalf()); }
-  std::unique_ptr<const StabilisedBody> weakened(double factor) const override {
-    Coupling weaker = coupling_;
-    weaker.weaken(factor);
-    return std::make_unique<const Coupled>(space_, stiffness_, std::move(weaker),
-                                           tractions_);
-  }
-
  private:
   Vector tractionsOf(const Vector& u) const override {
     return columnsTimes(*columns_, u);
@@ -199,62 +196,116 @@ class Coupled final : public StabilisedBody {
                      0)};
   }
 
-  Index columnsOfHalf() const { return tractions_ ? tractions_->start.back() : 0; }
-  Matrix halfBetween(Index first, Index last) const {
-    Matrix half(space_.displacements(), last - first);
-    for (std::size_t k = 0; k < coupling_.gamma.size() && first < last; ++k) {
-      const double root = std::sqrt(coupling_.gamma[k]);
-      const Index end = std::min(last, tractions_->start[k + 1]);
-      for (Index c = std::max(first, tractions_->start[k]); c < end; ++c)
-        for (Index j = 0; j < half.rows(); ++j)
-          half(j, c - first) = root * tractions_->rows(j, c);
-    }
-    return half;
+  bem::CholeskyFactor factored() const try {
+    return bem::CholeskyFactor(
+        addOuter(subtract(unpackedAt(free_, stiffness_.stiffness())),
+                 rowsAt(free_, holding_->functionals.copy()), 1),
+        "the stiffness matrix");
+  } catch (const bem::NumericalError& error) {
+    throw bem::NumericalError(error.what(),
+                              "; rounding has taken its digits, as it does in "
+                              "bodies slender by more than "
+                              "1 : 1000: look at the outline");
   }
 
   // S - S^, a panel of X at a time, which saves memory
-  Matrix subtract(Matrix a, const std::vector<Index>& free) const {
+  Matrix subtract(Matrix a) const {
     constexpr Index width = 256;
-    for (Index first = 0; first < columnsOfHalf(); first += width)
-      a = addOuter(
-          std::move(a),
-          rowsAt(free, halfBetween(first, std::min(first + width, columnsOfHalf()))), -1);
+    const Index columns = tractions_ != nullptr ? tractions_->start.back() : 0;
+    for (Index first = 0; first < columns; first += width)
+      a = addOuter(std::move(a),
+                   rowsAt(free_, halfBetween(*tractions_, coupling_.gamma, first,
+                                             std::min(first + width, columns))),
+                   -1);
     return a;
   }
 
   const bem::SteklovPoincare& stiffness_;
   std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
-  std::shared_ptr<const bem::TractionRows> tractions_;       ///< S φ; null: no S^
-  const Matrix* columns_;                                    ///< R
+  Tractions tractions_;
+  const Matrix* columns_;  ///< R
   BalancedStiffness balanced_;
+  std::vector<Index>
+      free_;  ///< displacements that are not clamped, and the factor of them
+  bem::CholeskyFactor factor_;
 };
 
 /// Of the forms that insert S u; else null.
-std::shared_ptr<const bem::TractionRows> tractionsOf(const BodyInput& input,
-                                                     const MultiplierSpace& multiplier) {
+Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier) {
   const auto form = input.stabilization.tractions();
   return form ? bem::tractionRows(input.space, input.lame, input.stiffness,
                                   multiplier.meshElements(), *form)
               : nullptr;
 }
 
+Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
+                    const Tractions& tractions) {
+  return makeCoupling(input.space, multiplier, input.stabilization, input.lame,
+                      input.units,
+                      tractions != nullptr ? tractions->start : std::vector<Index>());
+}
+
+double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>& holding,
+                   const Coupling& coupling, const Tractions& tractions) {
+  const Index columns = tractions->start.back();
+  if (columns == 0)
+    return std::numeric_limits<double>::infinity();
+  Coupling none = coupling;
+  none.weaken(0);
+  const CoupledBody plain(input, holding, std::move(none), tractions);  // S
+  const Matrix reduced =
+      plain.forward(halfBetween(*tractions, coupling.gamma, 0, columns));
+  return coupling.gamma0 / largestEigenvalue(addGram(Matrix(columns, columns), reduced));
+}
+
 }  // namespace
 
-std::unique_ptr<const StabilisedBody> makeCoupledBody(const BodyInput& input,
-                                                      const MultiplierSpace& multiplier) {
-  const auto tractions = tractionsOf(input, multiplier);
-  Coupling coupling =
-      makeCoupling(input.space, multiplier, input.stabilization, input.lame, input.units,
-                   tractions != nullptr ? tractions->start : std::vector<Index>());
+IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
+    : bem::NumericalError(
+          "the stabilised stiffness S - S^ is not positive "
+          "definite: Discretization->Stabilization->",
+          "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+          " it is definite, and a quarter of that is safe"),
+      gamma0(used),
+      limitGamma0(limit) {}
+
+std::unique_ptr<const StabilisedBody> makeCoupledBody(
+    const BodyInput& input, const MultiplierSpace& multiplier,
+    const std::shared_ptr<const Holding>& holding) {
+  const Tractions tractions = tractionsOf(input, multiplier);
+  Coupling coupling = couplingOf(input, multiplier, tractions);
   const auto response = input.stiffness.response();
   if (coupling.byDensity()
           ? response == nullptr || response->densities != coupling.compliance.densities
           : response != nullptr)
     throw bem::InputError(
-        "the stiffness was made for another stabilisation than the contact problem: take "
+        "the stiffness was made for another stabilisation "
+        "than the contact problem: take "
         "it from contact::makeStiffness");
-  return std::make_unique<const Coupled>(input.space, input.stiffness,
-                                         std::move(coupling), tractions);
+  try {
+    return std::make_unique<const CoupledBody>(input, holding, coupling, tractions);
+  } catch (const bem::NumericalError&) {
+    if (tractions == nullptr || tractions->start.back() == 0)
+      throw;
+  }
+  const double first = coupling.gamma0;
+  const double definiteBelow = limitGamma0(input, holding, coupling, tractions);
+  if (input.stabilization.gamma0)
+    throw IndefiniteStiffness(first, definiteBelow);
+  coupling.weaken(std::min(first, definiteBelow) / 4);
+  return std::make_unique<const CoupledBody>(input, holding, std::move(coupling),
+                                             tractions);
+}
+
+double limitGamma0(const BodyInput& input) {
+  if (!input.stabilization.tractions())
+    return std::numeric_limits<double>::infinity();
+  const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
+  const Tractions tractions = tractionsOf(input, multiplier);
+  return limitGamma0(input,
+                     std::make_shared<const Holding>(
+                         makeHolding(input.space, input.conditions, input.units)),
+                     couplingOf(input, multiplier, tractions), tractions);
 }
 
 }  // namespace epafi::contact

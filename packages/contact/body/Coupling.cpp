@@ -194,6 +194,8 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   coupling.trace = {{}, space.rotation(), none};
   coupling.completion = coupling.trace;
   coupling.stabilization = stabilization;
+  if (stabilization.isOn() && !multiplier.elements().empty())
+    coupling.gamma0 = stabilization.firstGamma0();
   coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
@@ -224,7 +226,9 @@ TractionMoments tractionMoments(const bem::Space& space,
   return moments;
 }
 
-void Coupling::weaken(double factor) {
+void Coupling::weaken(double newGamma0) {
+  const double factor = newGamma0 / gamma0;
+  gamma0 = newGamma0;
   for (auto* entries : {&weights, &mass})
     for (bem::Entry& entry : *entries)
       entry.value *= factor;

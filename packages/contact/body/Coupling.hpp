@@ -22,7 +22,8 @@ struct Coupling {
   std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
   std::vector<bem::Entry> mass;     ///< M: multiplier x multiplier
   Stabilization stabilization;
-  Vector gamma;                     ///< γ per contact element, dimensionless
+  double gamma0 = 0;  ///< see Stabilization::gamma0; zero without stabilisation
+  Vector gamma;       ///< γ per contact element, dimensionless
   bem::LocalCompliance compliance;  ///< of the densities in X's order
   std::vector<Index> start;         ///< of an element's columns in R
 
@@ -30,8 +31,8 @@ struct Coupling {
   bool byDensity() const { return !compliance.densities.empty(); }
   bool hasCompliance() const { return byDensity() || !compliance.pinned.empty(); }
 
-  /// γ becomes factor times as large, and all that is proportional to it.
-  void weaken(double factor);
+  /// Changes γ₀, and with it γ and all that is proportional to it.
+  void weaken(double newGamma0);
 
   /// M λ
   Vector massTimes(const Vector& lambda) const;
@@ -48,7 +49,7 @@ struct Coupling {
   /// pinned ones by their means.
   Vector complianceOf(const bem::Space& space, const Vector& onContacts,
                       const ParticularSolution& inside) const;
-  /// See ContactProblem; zero without densities.  `ofInside`: the compliance of
+  /// See ContactBody; zero without densities.  `ofInside`: the compliance of
   /// ResidualTerms.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
                                     const Vector& ofInside) const;

@@ -18,39 +18,31 @@ struct ResidualTerms {
   Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
 };
 
-/// Factored stiffness of a body with its Dirichlet conditions.
-class HeldStiffness {
- public:
-  virtual ~HeldStiffness() = default;
-
-  /// (A + Σ c cᵀ)⁻¹ f, zero on clamped unknowns; c: functionals of the allowed rigid motions, so
-  /// that the sum is positive definite if A is positive definite on all other displacements.
-  virtual Vector solve(const Vector& force) const = 0;
-  /// L⁻¹ Cᵀ if A is formed; clamped rows are ignored.
-  virtual Matrix forward(Matrix /*rows*/) const { return {}; }
-  /// Else solve() is refined by its own product.
-  virtual bool isFormed() const { return true; }
-};
-
-/// Discrete equations of an elastic body and its multiplier for a form of the stabilisation:
+/// Discrete equations of an elastic body and its multiplier for a form of the stabilisation, with A
+/// factored under the Dirichlet conditions of the body:
 ///
 ///   A u + Bᵀ λ = f,   B u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
 ///
 ///   B = C - Gᵀ Rᵀ,   M - Gᵀ X G in M's place with Form Density,   see Coupling
 ///
-/// What differs is how S is held, and with it R and X: for dense S makeCoupledBody supports all
-/// forms, for compressed S makeCompressedBody those that do not evaluate S u.
+/// What differs is how S is held, and with it R, X and the factor: for dense S makeCoupledBody
+/// supports all forms, for compressed S CompressedBody those that do not evaluate S u.
 class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;
 
-  /// Factors the stiffness.  The result refers to the holding.
-  virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
-  /// f - A u, balanced up to rounding, see BalancedStiffness.
-  virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// Bᵀ and M, if A is formed.
+  /// (A + Σ c cᵀ)⁻¹ f, zero on clamped unknowns; c: functionals of the allowed rigid motions, so
+  /// that the sum is positive definite if A is positive definite on all other displacements.
+  virtual Vector solve(const Vector& force) const = 0;
+  /// Is A formed?  Else solve() is refined by its own product.
+  virtual bool isFormed() const = 0;
+  /// If A is formed: Bᵀ, M, and L⁻¹ Cᵀ with the factor L, where clamped rows are ignored.
   virtual Matrix coupling() const { return {}; }
   virtual Matrix multiplierMass() const { return {}; }
+  virtual Matrix forward(Matrix /*rows*/) const { return {}; }
+
+  /// f - A u, balanced up to rounding, see BalancedStiffness.
+  virtual Vector residual(const Vector& force, const Vector& u) const = 0;
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ including terms.density.
@@ -67,16 +59,10 @@ class StabilisedBody {
   ResidualTerms residualTerms(const MultiplierSpace& multiplier) const;
   const Coupling& local() const { return coupling_; }
 
-  /// X of A = S - X Xᵀ; without columns if A is definite for all γ.
-  virtual Matrix subtracted() const { return {}; }
-  /// The body with factor times γ; null if X has no columns.
-  virtual std::unique_ptr<const StabilisedBody> weakened(double /*factor*/) const {
-    return nullptr;
-  }
-
  protected:
-  StabilisedBody(const bem::Space& space, Coupling coupling)
-      : space_(space), coupling_(std::move(coupling)) {}
+  StabilisedBody(const bem::Space& space, std::shared_ptr<const Holding> holding,
+                 Coupling coupling)
+      : space_(space), holding_(std::move(holding)), coupling_(std::move(coupling)) {}
 
   /// Rᵀ u, R w and, with densities, X w.
   virtual Vector tractionsOf(const Vector& u) const = 0;
@@ -86,6 +72,7 @@ class StabilisedBody {
   virtual std::pair<Vector, Vector> answerTo(const Vector& compliance) const = 0;
 
   const bem::Space& space_;
+  std::shared_ptr<const Holding> holding_;
   Coupling coupling_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem/compressed/CompressedFactor.hpp"
 #include "contact/body/BodyInput.hpp"
+#include "contact/body/Holding.hpp"
 #include "contact/body/StabilisedBody.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 
@@ -8,8 +10,102 @@
 
 namespace epafi::contact {
 
-/// One body on compressed operators.  \pre input.stiffness is of makeCompressedStiffness
-std::unique_ptr<const StabilisedBody> makeCompressedBody(
-    const BodyInput& input, const MultiplierSpace& multiplier);
+/// Leaves with multipliers, the only unknowns that become held or free between steps.
+std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
+
+/// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
+/// system regular; displaced() removes their effect.
+class CompressedBody final : public StabilisedBody {
+ public:
+  /// \pre input.stiffness is of makeCompressedStiffness
+  CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
+                 std::shared_ptr<const Holding> holding);
+
+  /// A⁺ f + R Rᵀ f
+  Vector solve(const Vector& force) const override;
+  bool isFormed() const override { return false; }
+  Vector residual(const Vector& force, const Vector& u) const override;
+  Vector density(const Vector& u, const Vector& multiplier) const override;
+  double strainEnergy(const Vector& u, const Vector& multiplier,
+                      const ResidualTerms& terms) const override;
+
+  const bem::Space& space() const { return space_; }
+  const bem::CompressedOperators& operators() const { return *operators_; }
+  /// The held unknowns and springs of the body, all multipliers and all others held.
+  const bem::Restriction& restriction() const { return restriction_; }
+  /// Factor of M, the matrix of the body with springs.
+  const bem::CompressedFactor& factor() const { return *factor_; }
+  /// R and c, rigid motions that clamps do not hold and their functionals, by all unknowns.
+  Matrix motions() const { return placed(holding_->allowed); }
+  Matrix functionals() const { return placed(holding_->functionals); }
+
+ private:
+  Vector tractionsOf(const Vector& u) const override;
+  Vector forcesOf(const Vector& w) const override;
+  Vector responsesTo(const Vector& w) const override;
+  std::pair<Vector, Vector> answerTo(const Vector& compliance) const override;
+
+  void addSprings();
+  /// A⁺: displacements and densities for right-hand sides of both (columns), without allowed
+  /// rigid motions; zero for all other unknowns.
+  Matrix displaced(Matrix forces) const;
+  /// Displacements (columns), or a density, among all unknowns.
+  Matrix placed(const Matrix& displacements) const;
+  Matrix placed(const Vector& density) const;
+  /// The displacements' rows of a column.
+  Vector forcesIn(const Matrix& image) const;
+
+  /// Of V + G: all displacements and multipliers held.
+  const bem::CompressedFactor& densityFactor() const;
+  /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
+  Vector densityFor(const Matrix& right, int refinements) const;
+  /// (V + G)⁻¹ g
+  Vector answer(const Vector& g) const;
+  /// ψ = (V + G)⁻¹ E w and Z (0, ψ); the last one is kept.
+  struct Under {
+    Vector weights;
+    Vector psi;
+    Matrix image;
+  };
+  const Under& under(const Vector& weights) const;
+
+  /// Z (u, 0) and Z (0, ψ)
+  Matrix imagesOf(const Vector& u, const Vector& psi) const;
+  /// A displacement, its ψ without a multiplier, and imagesOf both; the last one is kept, which
+  /// several results ask for.
+  struct Field {
+    Vector u;
+    Vector psi;
+    Matrix images;
+  };
+  const Field& fieldOf(const Vector& u) const;
+  /// K u - (V + G) ψ from the images of both, and its largest entry over that of K u.
+  struct Rest {
+    Vector entries;
+    double size = 0;
+  };
+  Rest restOf(const Matrix& images) const;
+  /// What rigid motions r leave in compressed operators, Z (r, 0) in the densities' rows, its Gram
+  /// matrix factored, the ψ that takes it away, and Z (0, ψ).  No columns: nothing.
+  struct LeftOfMotions {
+    Matrix left;
+    Matrix factor;
+    Matrix psi;
+    Matrix images;
+  };
+  const LeftOfMotions& leftOfMotions() const;
+  /// Takes off the rest what rigid motions have added to it.
+  void takeMotions(const Rest& rest, Vector& psi, Matrix& images) const;
+
+  std::shared_ptr<const bem::CompressedOperators> operators_;
+  const bem::CompressedOperators::Range& range_;
+  bem::Restriction restriction_;
+  std::unique_ptr<const bem::CompressedFactor> factor_;
+  mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
+  mutable std::unique_ptr<const LeftOfMotions> leftOfMotions_;
+  mutable Vector solved_;  ///< ψ of the last solution
+  mutable Field field_;
+  mutable Under under_;
+};
 
 }  // namespace epafi::contact

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace epafi::contact {
 
 CompressedFlexibility::CompressedFlexibility(
-    CompressedCoupling coupling,
-    std::vector<std::shared_ptr<const CompressedHolding>> bodies)
-    : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
+    std::vector<std::shared_ptr<const CompressedBody>> bodies, Index normals)
+    : bodies_(std::move(bodies)), normals_(normals) {
+  takeCoupling();
   restrictAll();
   if (bodies_.size() == 1)
     own_.push_back(along(bodies_.front()->factor()));
@@ -21,6 +22,48 @@ CompressedFlexibility::CompressedFlexibility(
     for (const auto& body : bodies_)
       own_.push_back({body->factor(), body->factor().activePaths(leaves_)});
   addMotions();
+}
+
+// Of the entries that Z has beside the boundary operators.
+void CompressedFlexibility::takeCoupling() {
+  const Index first = operators().further();
+  for (const auto& [row, column, value] : operators().local().entries)
+    if (row >= first) {
+      mass_.push_back({row - first, column - first, -value});
+      if (row != column)
+        mass_.push_back({column - first, row - first, -value});
+    } else if (column >= first) {
+      entries_.push_back({row, column - first, value});
+    }
+}
+
+void CompressedFlexibility::addTranspose(double s, const double* multiplier,
+                                         double* x) const {
+  for (const bem::Entry& entry : entries_)
+    x[entry.row] += s * entry.value * multiplier[entry.column];
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (const auto& rotation = bodies_[b]->space().rotation()) {
+      const Vector& rests = operators().local().rotations[b];
+      const Vector& q = rotation->functional();
+      const double work =
+          s * std::inner_product(rests.begin(), rests.end(), multiplier, 0.0);
+      for (std::size_t j = 0; j < q.size(); ++j)
+        x[operators().range(b).first + static_cast<Index>(j)] += work * q[j];
+    }
+}
+
+Vector CompressedFlexibility::apply(const double* x) const {
+  Vector result(at(size()));
+  for (const bem::Entry& entry : entries_)
+    result[at(entry.column)] += entry.value * x[entry.row];
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (const auto& rotation = bodies_[b]->space().rotation()) {
+      const Vector& q = rotation->functional();
+      bem::axpy(
+          std::inner_product(q.begin(), q.end(), x + operators().range(b).first, 0.0),
+          operators().local().rotations[b], result);
+    }
+  return result;
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
@@ -54,7 +97,7 @@ void CompressedFlexibility::restrictAll() {
                                 own.entries.end());
   }
   leaves_ = furtherLeaves(operators());
-  for (const bem::Entry& entry : coupling_.entries)
+  for (const bem::Entry& entry : entries_)
     leaves_.push_back(operators().leafOf(entry.row));
 }
 
@@ -78,8 +121,8 @@ void CompressedFlexibility::addMotions() {
     const Index own = moved.columns();
     const Matrix answers = own > 0 ? body->factor().solve(forces) : Matrix();
     for (Index k = 0; k < own; ++k) {
-      const Vector g = coupling_.apply(moved.column(k));
-      const Vector w = coupling_.apply(answers.column(k));
+      const Vector g = apply(moved.column(k));
+      const Vector w = apply(answers.column(k));
       std::copy(g.begin(), g.end(), u.column(first + k));
       std::copy(w.begin(), w.end(), u.column(count + first + k));
       for (Index l = 0; l < own; ++l)
@@ -94,16 +137,16 @@ void CompressedFlexibility::addMotions() {
 Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   Matrix forces(operators().size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
-    coupling_.addTranspose(1, x.column(j), forces.column(j));
+    addTranspose(1, x.column(j), forces.column(j));
   // a multiplier that is held ties no bodies to one another
   Matrix moved = own_.front().solve(forces);
   for (std::size_t b = 1; b < own_.size(); ++b)
     bem::addTo(moved, own_[b].solve(forces));
   Matrix result(size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j) {
-    const Vector applied = coupling_.apply(moved.column(j));
+    const Vector applied = apply(moved.column(j));
     std::copy(applied.begin(), applied.end(), result.column(j));
-    for (const bem::Entry& entry : coupling_.mass)
+    for (const bem::Entry& entry : mass_)
       result(entry.row, j) += entry.value * x(entry.column, j);
   }
   motions_.addTo(result, x);
@@ -115,7 +158,7 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
 // for those of the other kind beside i, so that the group's sum has their size.
 void CompressedFlexibility::measureRows() const {
   constexpr Index groups = 16;
-  const Index counts[] = {coupling_.normals, size() - coupling_.normals};
+  const Index counts[] = {normals_, size() - normals_};
   Matrix ones(size(), 2 * groups);
   for (Index j = 0; j < size(); ++j) {
     const Index kind = kindOf(j);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "contact/compressed/CompressedCoupling.hpp"
-#include "contact/compressed/CompressedHolding.hpp"
+#include "contact/compressed/CompressedBody.hpp"
 #include "contact/problem/Flexibility.hpp"
 
 #include <memory>
@@ -12,10 +11,11 @@ namespace epafi::contact {
 /// Compliance matrix D = Ĉ A⁺ Ĉᵀ + M by solutions in the cluster tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  CompressedFlexibility(CompressedCoupling coupling,
-                        std::vector<std::shared_ptr<const CompressedHolding>> bodies);
+  /// \param normals number of pressures, the first coefficients
+  CompressedFlexibility(std::vector<std::shared_ptr<const CompressedBody>> bodies,
+                        Index normals);
 
-  Index size() const override { return coupling_.multipliers; }
+  Index size() const override { return operators().size() - operators().further(); }
   Vector times(const Vector& x) const override;
   /// |D| |x| is bounded by row sums times the largest coefficient, for each kind.
   Product product(const Vector& x) const override;
@@ -23,7 +23,11 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Matrix formed() const override;
   void release() const override;
 
-  const CompressedCoupling& coupling() const { return coupling_; }
+  /// x += s Ĉᵀ λ on displacements and densities.
+  void addTranspose(double s, const double* multiplier, double* x) const;
+  /// Ĉ x
+  Vector apply(const double* x) const;
+  const std::vector<bem::Entry>& mass() const { return mass_; }  ///< M
   const bem::CompressedOperators& operators() const {
     return bodies_.front()->operators();
   }
@@ -47,15 +51,19 @@ class CompressedFlexibility final : public Flexibility::Operator {
   int nextNumber() const { return ++numbers_; }
 
  private:
-  int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
+  int kindOf(Index i) const { return i < normals_ ? 0 : 1; }
+  void takeCoupling();
   void restrictAll();
   Along along(const bem::CompressedFactor& factor) const;
   void addMotions();
   void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
-  CompressedCoupling coupling_;
-  std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
+  std::vector<std::shared_ptr<const CompressedBody>> bodies_;
+  Index normals_;
+  std::vector<bem::Entry>
+      entries_;  ///< Ĉᵀ = [B₀, -Nᵀ]ᵀ: displacements and densities x multiplier
+  std::vector<bem::Entry> mass_;
   std::vector<int> leaves_;  ///< coupled to the multiplier
   bem::Restriction restriction_;
   std::vector<Along> own_;  ///< of each body

@@ -1,8 +1,7 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
-#include "contact/problem/Numbering.hpp"
+#include "contact/body/Coupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +58,56 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
   return elements;
 }
 
-Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
-  std::vector<Numbering::Count> counts;
-  counts.reserve(bodies.size());
-  for (const CompressedInput& body : bodies)
-    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
-  return Numbering(counts);
+/// The sparse matrices of all multipliers and bodies, and where the multipliers belong.
+bem::LocalCoupling localCoupling(const std::vector<ContactSide>& bodies,
+                                 const std::vector<bem::Lame>& lames,
+                                 const Stabilization& stabilization, bem::Units units) {
+  const Numbering numbering = numberingOf(bodies);
+  const std::vector<TraceCoupling> opposite = oppositeCouplings(bodies, numbering);
+  Index further = 0;
+  for (const ContactSide& body : bodies)
+    further += body.space.displacements() + body.space.densities();
+  bem::LocalCoupling local;
+  local.elements.resize(at(numbering.size()));
+  local.bodies.resize(at(numbering.size()));
+  Index first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [space, multiplier, unused] = bodies[b];
+    const Index densities = first + space.displacements();
+    const Coupling own = makeCoupling(space, multiplier, stabilization, lames[b], units);
+    const auto numberOf = [&, b](Index i) { return further + numbering(b, i); };
+    Vector& rests = local.rotations.emplace_back(at(numbering.size()));
+    for (const bem::Entry& entry : own.trace.entries)
+      local.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
+    for (std::size_t i = 0; space.rotation() && i < own.trace.rests.size(); ++i)
+      rests[at(numbering(b, static_cast<Index>(i)))] = own.trace.rests[i];
+    for (const bem::Entry& entry : opposite[b].entries)
+      local.entries.push_back({first + entry.row, further + entry.column, entry.value});
+    if (space.rotation() && !opposite[b].rests.empty())
+      bem::axpy(1, opposite[b].rests, rests);
+    for (const bem::Entry& entry : own.weights)
+      local.entries.push_back({densities + own.compliance.densities[at(entry.row)],
+                               numberOf(entry.column), -entry.value});
+    for (const bem::Entry& entry : own.mass)
+      if (entry.row >= entry.column)
+        local.entries.push_back(
+            {numberOf(entry.row), numberOf(entry.column), -entry.value});
+    const auto comply = [&](Index density, double value) {
+      local.entries.push_back({densities + density, densities + density, -value});
+    };
+    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
+      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
+    for (const auto& [density, value] : own.compliance.pinned)
+      comply(density, value);
+    const std::vector<int> elements = elementsOf(space, multiplier, own);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Index k = numbering(b, static_cast<Index>(i));
+      local.elements[at(k)] = elements[i];
+      local.bodies[at(k)] = static_cast<int>(b);
+    }
+    first = densities + space.densities();
+  }
+  return local;
 }
 
 }  // namespace
@@ -76,78 +119,18 @@ std::string whyNotCompressed(const Stabilization& stabilization) {
   return "";
 }
 
-CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
-                                          const Stabilization& stabilization,
-                                          bem::Units units) {
-  const Numbering numbering = numberingOf(bodies);
-  CompressedCoupling result;
-  result.multipliers = numbering.size();
-  result.normals = numbering.normals();
-  std::vector<Index> starts;
-  for (const CompressedInput& body : bodies) {
-    starts.push_back(result.first);
-    result.first += body.space.displacements() + body.space.densities();
-  }
-  for (std::size_t a = 0; a < bodies.size(); ++a) {
-    const auto& [space, multiplier, lame, opposite] = bodies[a];
-    const auto numberOf = [&](Index i) { return numbering(a, i); };
-    result.addOwn(space, makeCoupling(space, multiplier, stabilization, lame, units), a,
-                  starts[a], numberOf);
-    if (opposite == nullptr)
-      continue;
-    for (const int b : opposite->bodies())
-      result.add(
-          mortarCoupling(space.mesh(), multiplier, *opposite, bodies[at(b)].space, b),
-          at(b), starts[at(b)], numberOf);
-  }
-  return result;
-}
-
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
-    const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::Processes& processes, const bem::Compression& options) {
+    const std::vector<ContactSide>& bodies, const std::vector<bem::Lame>& lames,
+    const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
+    const bem::Compression& options) {
   const std::string reason = whyNotCompressed(stabilization);
   if (!reason.empty())
     throw bem::InputError("the operators cannot be compressed: " + reason);
-  const CompressedCoupling coupling =
-      makeCompressedCoupling(bodies, stabilization, units);
-  bem::LocalCoupling local;
-  for (const bem::Entry& entry : coupling.entries)
-    local.entries.push_back({entry.row, coupling.first + entry.column, entry.value});
-  for (const bem::Entry& entry : coupling.mass)
-    if (entry.row >= entry.column)
-      local.entries.push_back(
-          {coupling.first + entry.row, coupling.first + entry.column, -entry.value});
-  const Numbering numbering = numberingOf(bodies);
-  local.rotations.assign(bodies.size(), Vector(at(coupling.multipliers)));
-  for (const CompressedCoupling::Rest& rest : coupling.rests)
-    bem::axpy(1, rest.values, local.rotations[rest.body]);
-  local.elements.resize(at(coupling.multipliers));
-  local.bodies.resize(at(coupling.multipliers));
   std::vector<bem::CompressedOperators::Body> operands;
-  Index first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& [space, multiplier, lame, opposite] = bodies[b];
-    operands.push_back({space, lame});
-    const Coupling own = makeCoupling(space, multiplier, stabilization, lame, units);
-    const std::vector<int> elements = elementsOf(space, multiplier, own);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Index k = numbering(b, static_cast<Index>(i));
-      local.elements[at(k)] = elements[i];
-      local.bodies[at(k)] = static_cast<int>(b);
-    }
-    first += space.displacements();
-    const auto comply = [&](Index density, double value) {
-      local.entries.push_back({first + density, first + density, -value});
-    };
-    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
-      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
-    for (const auto& [density, value] : own.compliance.pinned)
-      comply(density, value);
-    first += space.densities();
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    operands.push_back({bodies[b].space, lames[b]});
   const auto operators = std::make_shared<const bem::CompressedOperators>(
-      operands, options, local, processes);
+      operands, options, localCoupling(bodies, lames, stabilization, units), processes);
   std::vector<bem::SteklovPoincare> result;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     result.emplace_back(operators, b);

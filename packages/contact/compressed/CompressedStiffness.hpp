@@ -2,27 +2,13 @@
 
 #include "bem/compressed/CompressedOperators.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
-#include "contact/compressed/CompressedCoupling.hpp"
+#include "contact/opposite/ContactSide.hpp"
+#include "contact/stabilization/Stabilization.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::contact {
-
-class Opposite;
-
-/// One of the bodies whose operators are compressed together.
-struct CompressedInput {
-  const bem::Space& space;
-  const MultiplierSpace& multiplier;
-  const bem::Lame& lame;
-  const Opposite* opposite = nullptr;  ///< null: no opposite body
-};
-
-/// Coupling of all multipliers with all bodies; coefficients in the order of Numbering.
-CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
-                                          const Stabilization& stabilization,
-                                          bem::Units units);
 
 /// Compressed operators of a contact problem, whose unknowns are displacements, densities
 /// and the multiplier,
@@ -36,8 +22,9 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 ///                                                       [doc/theory/compression.md]
 /// \throws bem::InputError for another form
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
-    const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::Processes& processes, const bem::Compression& options);
+    const std::vector<ContactSide>& bodies, const std::vector<bem::Lame>& lames,
+    const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
+    const bem::Compression& options);
 
 /// Reason why a stiffness cannot be compressed; empty: it can.
 std::string whyNotCompressed(const Stabilization& stabilization);

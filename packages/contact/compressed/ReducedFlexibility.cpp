@@ -16,7 +16,7 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, Syste
       system_(std::move(system)),
       number_(whole.nextNumber()),
       restriction_(whole.restriction()) {
-  const Index first = whole.coupling().first;
+  const Index first = whole.operators().further();
   for (const Index row : system_.rows)
     restriction_.held[at(first + row)] = 0;
   for (const auto& [follower, leader, factor] : system_.followers)
@@ -65,23 +65,23 @@ Vector ReducedFlexibility::coefficients(const double* b) const {
 
 // Z y + Ĉᵀ x = 0,  Ĉ y - M x = -b  in the rows, with the known coefficients in x
 Vector ReducedFlexibility::solveSprung(Vector b) const {
-  const CompressedCoupling& coupling = whole_.coupling();
+  const Index first = whole_.operators().further();
   Matrix right(whole_.operators().size(), 1);
   for (const Index row : system_.rows)
-    right(coupling.first + row, 0) = -std::exchange(b[at(row)], 0.0);
-  coupling.addTranspose(-1, b.data(), right.column(0));
-  for (const auto* entries : {&coupling.mass, &system_.added})
+    right(first + row, 0) = -std::exchange(b[at(row)], 0.0);
+  whole_.addTranspose(-1, b.data(), right.column(0));
+  for (const auto* entries : {&whole_.mass(), &system_.added})
     for (const bem::Entry& entry : *entries)
-      right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];
+      right(first + entry.row, 0) += entry.value * b[at(entry.column)];
   const Matrix solution = factor().solve(right);
-  for (Index i = 0; i < coupling.multipliers; ++i)
-    b[at(i)] += solution(coupling.first + i, 0);
+  for (Index i = 0; i < whole_.size(); ++i)
+    b[at(i)] += solution(first + i, 0);
   return b;
 }
 
 void ReducedFlexibility::makeCorrection() {
   const bem::LowRank& terms = whole_.motions();
-  const Index first = whole_.coupling().first;
+  const Index first = whole_.operators().further();
   Matrix right(whole_.operators().size(), terms.u.columns());
   for (Index j = 0; j < right.columns(); ++j)
     for (const Index i : system_.rows)

@@ -113,14 +113,14 @@ Evaluation Equation::at(Vector unknowns, const Vector& penetration) const {
 }
 
 void Equation::complete(Evaluation& e, Vector r, Vector magnitude) const {
-  e.linear.weights = weights_;
-  e.linear.slopes = problem_.surface.linearise(e.unknowns, r, e.linear.weights);
+  e.weights = weights_;
+  e.slopes = problem_.surface.linearise(e.unknowns, r, e.weights);
   for (std::size_t i = 0; i < r.size(); ++i) {
-    e.penetration.push_back(e.linear.weights[i] * r[i]);
-    magnitude[i] *= e.linear.weights[i];
+    e.penetration.push_back(e.weights[i] * r[i]);
+    magnitude[i] *= e.weights[i];
   }
   e.bounds = problem_.slipBounds(e.unknowns);
-  e.linear.stepBounds = stepBounds(e, problem_.tangentials);
+  e.stepBounds = stepBounds(e, problem_.tangentials);
   evaluateRows(e);
   measure(e, magnitude);
 }
@@ -132,7 +132,7 @@ void Equation::complete(Evaluation& e, Vector r, Vector magnitude) const {
 Complementarity Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
-  const double bound = e.linear.stepBounds[static_cast<std::size_t>(t)].value;
+  const double bound = e.stepBounds[static_cast<std::size_t>(t)].value;
   if (bound >= 0)
     return projectedTangential(multiplier, y, bound);
   // a negative pressure of a closed coefficient: slip in the direction of λ + c r
@@ -160,14 +160,13 @@ std::vector<StepBound> Equation::stepBounds(
 
 void Equation::evaluateRows(Evaluation& e) const {
   const Index n = problem_.size();
-  e.linear.rows.reserve(static_cast<std::size_t>(n));
+  e.rows.reserve(static_cast<std::size_t>(n));
   for (Index i = 0; i < n; ++i) {
     const double multiplier = entry(e.unknowns, i);
     const double y = entry(e.penetration, i);
-    e.linear.rows.push_back(i < problem_.normals
-                                ? projectedNormal(multiplier, y)
-                                : tangentialRow(e, i - problem_.normals));
-    e.linear.residual.push_back(e.linear.rows.back().value);
+    e.rows.push_back(i < problem_.normals ? projectedNormal(multiplier, y)
+                                          : tangentialRow(e, i - problem_.normals));
+    e.residual.push_back(e.rows.back().value);
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
@@ -175,7 +174,7 @@ void Equation::evaluateRows(Evaluation& e) const {
         problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j);
     for (Index i = 0; i < n; ++i)
       sum += g[i] * entry(e.unknowns, i);
-    e.linear.residual.push_back(sum / entry(balanceScales_, j));
+    e.residual.push_back(sum / entry(balanceScales_, j));
   }
 }
 
@@ -216,13 +215,13 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
         g, g + problem_.size(), e.unknowns.begin(),
         std::abs(entry(problem_.rigidLoad, j)) + std::abs(spring), std::plus<>(),
         [](double force, double x) { return std::abs(force * x); });
-    count(entry(e.linear.residual, problem_.size() + j),
+    count(entry(e.residual, problem_.size() + j),
           rounding * sum / entry(balanceScales_, j));
   }
   e.tolerance = std::max(tolerance_, largestFloor);
 }
 
-Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) const {
+Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) const {
   const Index n = problem_.size();
   Vector dDirection =
       problem_.flexibility.times({direction.begin(), direction.begin() + n});
@@ -254,7 +253,7 @@ Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) con
 }
 
 // Row by row of J; D is symmetric.
-Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
+Vector Equation::transposeTimes(const Evaluation& e, const Vector& v) const {
   const Index n = problem_.size();
   Vector result(v.size(), 0.0);
   Vector factors;
@@ -288,10 +287,10 @@ Problem Equation::withTangent(const Evaluation& e) const {
   Problem result = problem_.copy();
   if (problem_.surface.places.empty())
     return result;
-  result.surface = {e.linear.slopes, {}};
+  result.surface = {e.slopes, {}};
   const Vector r = penetration(result, unpack(problem_, e.unknowns));
   for (std::size_t i = 0; i < r.size(); ++i)
-    result.offset[i] += e.penetration[i] / e.linear.weights[i] - r[i];
+    result.offset[i] += e.penetration[i] / e.weights[i] - r[i];
   return result;
 }
 

@@ -12,22 +12,18 @@ using ActiveSet = std::vector<signed char>;
 /// Number of coefficients whose states differ.
 int differences(const ActiveSet& a, const ActiveSet& b);
 
-/// F at a point and one element of its generalised Jacobian: the linear model of a Newton
-/// step.
-struct LinearRows {
-  std::vector<Complementarity> rows;  ///< one per coefficient
-  std::vector<StepBound> stepBounds;  ///< slip bounds in the rows, one per tangential
-  std::vector<bem::Entry> slopes{};   ///< Φ', added to D
-  Vector weights{};                   ///< c with the tangent, see Surface::linearise
-  Vector residual;                    ///< F: one per coefficient, then one per motion
-};
-
-/// The nonsmooth equation at one point x = (λ, α).
+/// The nonsmooth equation at one point x = (λ, α) and the linear model of a Newton step: F and one
+/// element of its generalised Jacobian.
 struct Evaluation {
   Vector unknowns;     ///< x
   Vector penetration;  ///< y = c r, with Φ by its tangent
   Vector bounds;       ///< s, one per tangential
-  LinearRows linear;
+
+  std::vector<Complementarity> rows;  ///< one per coefficient
+  std::vector<StepBound> stepBounds;  ///< slip bounds in the rows, one per tangential
+  std::vector<bem::Entry> slopes;     ///< Φ', added to D
+  Vector weights;                     ///< c with the tangent, see Surface::linearise
+  Vector residual;                    ///< F: one per coefficient, then one per motion
 
   // Measures of convergence.
   Vector natural;  ///< λ - P(λ + c r), one per coefficient
@@ -80,9 +76,9 @@ class Equation {
                                     const std::vector<Tangential>& tangentials) const;
 
   /// J d, J the generalised Jacobian that has these rows.
-  Vector jacobianTimes(const LinearRows& at, const Vector& direction) const;
+  Vector jacobianTimes(const Evaluation& at, const Vector& direction) const;
   /// Jᵀ v.
-  Vector transposeTimes(const LinearRows& at, const Vector& v) const;
+  Vector transposeTimes(const Evaluation& at, const Vector& v) const;
 
   /// The problem with Φ replaced by its tangent at e, so that r is linear in x.
   Problem withTangent(const Evaluation& e) const;

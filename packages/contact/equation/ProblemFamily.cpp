@@ -61,9 +61,9 @@ Problem ProblemFamily::at(const Factors& factors) const {
 Vector ProblemFamily::derivative(const Equation& equation, const Evaluation& e,
                                  const Vector& offset, const Vector& rigidLoad) const {
   Vector result;
-  result.reserve(e.linear.residual.size());
+  result.reserve(e.residual.size());
   for (std::size_t i = 0; i < offset.size(); ++i)
-    result.push_back(e.linear.rows[i].penetration * e.linear.weights[i] * offset[i]);
+    result.push_back(e.rows[i].penetration * e.weights[i] * offset[i]);
   for (std::size_t j = 0; j < rigidLoad.size(); ++j)
     result.push_back(-rigidLoad[j] / equation.balanceScales()[j]);
   return result;
@@ -81,12 +81,12 @@ Vector ProblemFamily::incrementDerivative(const Equation& equation,
 
 Vector ProblemFamily::frictionDerivative(const Equation& equation,
                                          const Evaluation& e) const {
-  Vector result(e.linear.residual.size(), 0.0);
+  Vector result(e.residual.size(), 0.0);
   const auto normals = static_cast<std::size_t>(original_.normals);
   const std::vector<StepBound> bounds = equation.stepBounds(e, original_.tangentials);
   for (std::size_t k = 0; k < bounds.size(); ++k)
-    if (e.linear.rows[normals + k].bound != 0)  // excludes infinite bounds
-      result[normals + k] = e.linear.rows[normals + k].bound * bounds[k].value;
+    if (e.rows[normals + k].bound != 0)  // excludes infinite bounds
+      result[normals + k] = e.rows[normals + k].bound * bounds[k].value;
   return result;
 }
 

@@ -20,7 +20,7 @@ struct Factors {
 /// s = 1 this one.  Outside a path Δ = 0.
 class ProblemFamily {
  public:
-  /// \param gap g, one per normal coefficient, see ContactProblem::gap
+  /// \param gap g, one per normal coefficient, see ContactSystem::gap
   /// \throws bem::InputError if there are not as many gaps as normal coefficients.
   ProblemFamily(const Problem& problem, Vector gap);
 

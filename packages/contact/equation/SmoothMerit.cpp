@@ -6,12 +6,12 @@ namespace epafi::contact {
 
 namespace {
 
-LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
+/// The balance is the same.
+Evaluation withSmoothRows(const Equation& equation, const Evaluation& e) {
   const Problem& problem = equation.problem();
-  LinearRows result;
-  result.residual = e.linear.residual;  // the balance is the same
-  result.slopes = e.linear.slopes;
-  result.weights = e.linear.weights;
+  Evaluation result = e;
+  result.rows.clear();
+  result.stepBounds.clear();
   for (Index i = 0; i < problem.size(); ++i) {
     const double multiplier = e.unknowns[at(i)];
     const double y = e.penetration[at(i)];
@@ -31,13 +31,13 @@ LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
 }  // namespace
 
 double merit(const Equation& equation, const Evaluation& e) {
-  const Vector f = smoothRows(equation, e).residual;
+  const Vector f = withSmoothRows(equation, e).residual;
   return 0.5 * std::inner_product(f.begin(), f.end(), f.begin(), 0.0);
 }
 
 Vector meritGradient(const Equation& equation, const Evaluation& e) {
-  const LinearRows rows = smoothRows(equation, e);
-  return equation.transposeTimes(rows, rows.residual);
+  const Evaluation smooth = withSmoothRows(equation, e);
+  return equation.transposeTimes(smooth, smooth.residual);
 }
 
 }  // namespace epafi::contact

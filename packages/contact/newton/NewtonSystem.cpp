@@ -51,7 +51,7 @@ Index looseOf(Matrix& gram) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Equation& equation, const LinearRows& at,
+NewtonSystem::NewtonSystem(const Equation& equation, const Evaluation& at,
                            FactorMemory* memory)
     : equation_(equation), rows_(at), problem_(equation.problem()) {
   for (Index i = 0; i < problem_.size(); ++i)

@@ -26,7 +26,7 @@ class NewtonSystem {
   /// All arguments must outlive this.
   /// \param memory factor of earlier systems, used if refinement converges; null: none
   /// \throws SingularJacobian if the Jacobian is singular
-  NewtonSystem(const Equation& equation, const LinearRows& at,
+  NewtonSystem(const Equation& equation, const Evaluation& at,
                FactorMemory* memory = nullptr);
 
   /// J⁻¹ b, refined.  \throws SingularJacobian
@@ -56,7 +56,7 @@ class NewtonSystem {
   double refine(const Vector& b, Vector& d) const;
 
   const Equation& equation_;
-  const LinearRows& rows_;
+  const Evaluation& rows_;
   const Problem& problem_;
   std::vector<Index> inactive_;  ///< the coefficients that are solved for
   Vector motionScale_;           ///< scales each rigid motion to size one

@@ -29,8 +29,8 @@ Vector springForces(const Problem& problem, const Vector& unknowns, const Vector
 
 // Rows in which closed coefficients with Coulomb friction stick.  The step then finds the
 // pressure, and with it the bound.
-LinearRows bonded(const Problem& problem, const Evaluation& e) {
-  LinearRows rows = e.linear;
+Evaluation bonded(const Problem& problem, const Evaluation& e) {
+  Evaluation rows = e;
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
     const std::size_t i = at(problem.normals) + t;
@@ -87,7 +87,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
     work0 += motion[at(j)] * problem.rigidLoad[at(j)] - spring * e.unknowns[at(n + j)];
     fall += spring * motion[at(j)];
     for (Index i = 0; i < n; ++i)
-      slope[at(i)] += e.linear.weights[at(i)] * problem.rigid(i, j) * motion[at(j)];
+      slope[at(i)] += e.weights[at(i)] * problem.rigid(i, j) * motion[at(j)];
   }
   const auto penetrationAt = [&](double t) {
     Vector y = e.penetration;
@@ -99,7 +99,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
     const Vector forces = springForces(problem, e.unknowns, penetrationAt(t));
     double sum = work0 - t * fall;
     for (Index i = 0; i < n; ++i)
-      sum -= forces[at(i)] * slope[at(i)] / e.linear.weights[at(i)];
+      sum -= forces[at(i)] * slope[at(i)] / e.weights[at(i)];
     return sum;
   };
 
@@ -107,7 +107,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   double scale = std::abs(work0);
   for (std::size_t i = 0; i < slope.size(); ++i) {
     fastest = std::max(fastest, std::abs(slope[i]));
-    scale = std::max(scale, std::abs(slope[i] / e.linear.weights[i]) * problem.stress);
+    scale = std::max(scale, std::abs(slope[i] / e.weights[i]) * problem.stress);
   }
   // contact that the motion closes constrains it for t large enough
   const bool closes =
@@ -130,7 +130,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
 Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
                    FactorMemory* memory) {
   if (equation.problem().boundDependsOnPressure()) {
-    const LinearRows sticking = bonded(equation.problem(), e);
+    const Evaluation sticking = bonded(equation.problem(), e);
     const NewtonSystem system(equation, sticking, memory);
     Vector right = sticking.residual;
     for (double& value : right)
@@ -152,7 +152,7 @@ bool overshoots(const Equation& equation, const Evaluation& e, const Vector& ste
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       change += problem.rigid(i, j) * step[at(problem.size() + j)];
     const double now = e.unknowns[at(i)] + e.penetration[at(i)];
-    const double then = now + e.linear.weights[at(i)] * change;
+    const double then = now + e.weights[at(i)] * change;
     const double bound = i < problem.normals ? 0 : e.bounds[at(i - problem.normals)];
     const bool leaves = i < problem.normals
                             ? now <= 0 && then > 0

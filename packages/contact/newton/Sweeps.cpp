@@ -12,10 +12,10 @@ constexpr int mostPairs = 10;
 
 // The active set of the rows.
 ActiveSet rowSet(const Evaluation& e) {
-  const std::size_t normals = e.linear.rows.size() - e.bounds.size();
+  const std::size_t normals = e.rows.size() - e.bounds.size();
   ActiveSet set;
-  for (std::size_t i = 0; i < e.linear.rows.size(); ++i) {
-    const Complementarity& row = e.linear.rows[i];
+  for (std::size_t i = 0; i < e.rows.size(); ++i) {
+    const Complementarity& row = e.rows[i];
     const bool open = row.penetration == 0;
     if (i < normals)
       set.push_back(open ? 0 : 1);

@@ -23,7 +23,7 @@ Vector times(double factor, Vector x) {
 
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
-    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_.linear, memory_);
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_, memory_);
   return *system_;
 }
 
@@ -40,7 +40,7 @@ void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x
   for (Teuchos::Ordinal j = 0; j < x.domain()->dim(); ++j) {
     const Vector v = gathered(*space_, *x.col(j));
     const Equation& equation = at().equation();
-    const LinearRows& rows = at().evaluation().linear;
+    const Evaluation& rows = at().evaluation();
     const Vector product =
         forward ? equation.jacobianTimes(rows, v) : equation.transposeTimes(rows, v);
     scatter(*space_, product, alpha, beta, *y->col(j));
@@ -53,7 +53,7 @@ Vector ContactJacobian::solved(const Vector& b) const {
   const Evaluation& e = at().evaluation();
   bool isResidual = true;
   for (std::size_t i = 0; i < b.size(); ++i)
-    isResidual = isResidual && b[i] == scale_ * e.linear.residual[i];
+    isResidual = isResidual && b[i] == scale_ * e.residual[i];
   Vector motion = system.unheld(right);
   if (motion.empty()) {
     Vector x = system.solve(b);

@@ -50,8 +50,8 @@ struct ContactModel::Member {
   Equation equation;
 };
 
-ContactModel::ContactModel(const ContactProblem& problem, const Options& options)
-    : ContactModel(problem.numbers(), problem.gap(), options) {}
+ContactModel::ContactModel(const ContactSystem& system, const Options& options)
+    : ContactModel(system.numbers(), system.gap(), options) {}
 
 ContactModel::ContactModel(ProblemFamily family, const Options& options)
     : family_(std::move(family)),
@@ -173,7 +173,7 @@ void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
   const contact::Evaluation& e = point->evaluation();
 
   if (const auto f = out.get_f(); !f.is_null())
-    scatter(*space_, e.linear.residual, 1 / stress_, 0, *f);
+    scatter(*space_, e.residual, 1 / stress_, 0, *f);
   if (const auto w = out.get_W_op(); !w.is_null())
     Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
   using ByParameter =

@@ -2,7 +2,7 @@
 
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 
@@ -50,9 +50,8 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   }
 
   /// \throws bem::InputError if the space is of another kind or dimension.
-  explicit ContactModel(const ContactProblem& problem)
-      : ContactModel(problem, Options()) {}
-  ContactModel(const ContactProblem& problem, const Options& options);
+  explicit ContactModel(const ContactSystem& system) : ContactModel(system, Options()) {}
+  ContactModel(const ContactSystem& system, const Options& options);
   ContactModel(const Problem& problem, const Vector& gap, const Options& options)
       : ContactModel(ProblemFamily(problem, gap), options) {}
   /// With parameters as in ProblemFamily; a step of a path has three.

@@ -27,11 +27,7 @@ const bem::Facing* stretchAt(const std::vector<bem::Facing>& stretches, double t
 
 FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                            double length, std::map<std::string, OppositeSide> sides)
-    : mesh_(mesh),
-      length_(length),
-      distant_(mesh, length),
-      sides_(std::move(sides)),
-      sights_(mesh.size()) {
+    : Opposite(mesh, length), sides_(std::move(sides)), sights_(mesh.size()) {
   for (const ContactElement& element : multiplier.elements()) {
     if (element.condition->name.empty())
       continue;
@@ -60,7 +56,7 @@ void FacingBodies::forEachFacing(int body, int element, const Visit& visit) cons
 Opposite::Point FacingBodies::at(const ContactElement& element, double t) const {
   const Sight& here = sight(element);
   if (here.side == nullptr)
-    return distant_.at(element, t);
+    return Opposite::at(element, t);
   Point point;
   const bem::Facing* stretch = stretchAt(here.stretches, t);
   if (stretch == nullptr)
@@ -71,10 +67,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
   const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
   if (!found)
     return point;
-  point.gap = element.ties() ? 0 : found->distance;
-  if (element.condition->gap)
-    point.gap +=
-        element.condition->gap(mesh_.physicalPoint(element.element, t)) / length_;
+  point.gap = (element.ties() ? 0 : found->distance) + givenGap(element, t);
   point.t = std::clamp(found->t, -1.0, 1.0);
   if (side.body >= 0) {
     point.body = side.body;

@@ -23,7 +23,7 @@ struct OppositeSide {
 };
 
 /// Opposite sides in a scene with several bodies: outlines of other bodies, found along the
-/// normals of the contact side, and obstacles at a given distance elsewhere.
+/// normals of the contact side, and fixed obstacles elsewhere.
 ///
 /// The gap is the distance along the normal plus the gap of the condition; on bonded sides
 /// only the latter.  Breaks are the projections of the opposite nodes.
@@ -55,9 +55,6 @@ class FacingBodies final : public Opposite {
   template <class Visit>
   void forEachFacing(int body, int element, const Visit& visit) const;
 
-  const bem::Mesh& mesh_;
-  double length_;
-  DistantObstacle distant_;
   std::map<std::string, OppositeSide> sides_;
   std::vector<Sight> sights_;  ///< by element of the mesh
   /// By body and element: indices into sights_ and their stretches that face it.

@@ -17,9 +17,9 @@ std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& e
   return result;
 }
 
-Opposite::Point DistantObstacle::at(const ContactElement& element, double t) const {
+double Opposite::givenGap(const ContactElement& element, double t) const {
   const bem::Function& gap = element.condition->gap;
-  return {gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0};
+  return gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0;
 }
 
 Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {

@@ -18,9 +18,12 @@ struct RigidMotion {
 
 using bem::Matrix;
 
-/// The opposite side as a function of points of the side that carries the multiplier.
+/// The opposite side as a function of points of the side that carries the multiplier; this class: a
+/// fixed obstacle at the gap of the conditions, which may have kinks anywhere.
 class Opposite {
  public:
+  /// \param length of 1, in the user's units.  Refers to the mesh.
+  Opposite(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
   virtual ~Opposite() = default;
 
   struct Point {
@@ -32,7 +35,9 @@ class Opposite {
     bem::Vec2 arm{};   ///< from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
-  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
+  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const {
+    return {givenGap(element, t)};
+  }
 
   /// Kinks and jumps of at() in an element, ascending in (-1, 1).
   virtual Vector breaks(const MultiplierSpace::ContactElement& /*element*/) const {
@@ -62,6 +67,13 @@ class Opposite {
 
   /// Indices of the opposite deformable bodies, each once.
   virtual std::vector<int> bodies() const { return {}; }
+
+ protected:
+  /// The gap of the condition, dimensionless.
+  double givenGap(const MultiplierSpace::ContactElement& element, double t) const;
+
+  const bem::Mesh& mesh_;  ///< of the side
+  double length_;
 };
 
 /// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.
@@ -71,18 +83,6 @@ struct Stretch {
 };
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);
-
-/// A rigid obstacle given by its distance, which may have kinks anywhere.
-class DistantObstacle final : public Opposite {
- public:
-  /// \param length of 1, in the user's units.  Refers to the mesh.
-  DistantObstacle(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
-  Point at(const MultiplierSpace::ContactElement& element, double t) const override;
-
- private:
-  const bem::Mesh& mesh_;
-  double length_;
-};
 
 /// Displacements and motions of all bodies of a scene, for relative displacements.
 struct Motions {

@@ -1,6 +1,7 @@
 #include "contact/opposite/TraceCoupling.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
@@ -28,7 +29,87 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
   return result;
 }
 
+bool completesEnds(const MultiplierSpace& multiplier) {
+  const auto completed = [](const std::array<EndCompletion, 2>& ends) {
+    return std::any_of(ends.begin(), ends.end(), [](const EndCompletion& end) {
+      return end.clamped || !end.added.empty();
+    });
+  };
+  return std::any_of(multiplier.elements().begin(), multiplier.elements().end(),
+                     [&](const auto& element) {
+                       return !element.condition->name.empty() &&
+                              (completed(element.normalCompletions) ||
+                               completed(element.tangentialCompletions));
+                     });
+}
+
+void checkEnds(const MultiplierSpace& multiplier) {
+  if (completesEnds(multiplier))
+    throw bem::InputError(
+        "the multiplier '", multiplier.basis().name,
+        "' cannot end at a clamp or at another contact side where it stands "
+        "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
+}
+
+/// Adds to `coupling` that of the multiplier of body a with the displacements of body b.
+void addMortar(const std::vector<ContactSide>& bodies, std::size_t a, int b,
+               const Numbering& numbering, TraceCoupling& coupling) {
+  const auto& [space, multiplier, opposite] = bodies[a];
+  const bem::Mesh& side = space.mesh();
+  const bem::Space& other = bodies[at(b)].space;
+  std::vector<bem::Entry> entries;
+  forEachSidePoint(
+      side, multiplier, opposite,
+      [&](const ContactElement& contact, const Opposite::Point& middle) {
+        return middle.element >= 0 && middle.body == b
+                   ? &mortarRule(contact, side[contact.element],
+                                 other.mesh()[middle.element])
+                   : nullptr;
+      },
+      [&](const SidePoint& point) {
+        const int opposed = point.opposite.element;
+        if (opposed < 0)  // a grazing normal, but for rounding
+          return;
+        const int degree = other.mesh()[opposed].degree;
+        std::array<double, bem::largestDegree + 1> phi{};
+        bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
+        const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
+        point.forEachCoefficient([&](Index own, double chi, Vec2 direction) {
+          const Index i = numbering(a, own);
+          coupling.rests[at(i)] -= point.weight * dot(direction, rest) * chi;
+          const double components[2] = {direction.x, direction.y};
+          for (int k = 0; k <= degree; ++k)
+            for (int c = 0; c < 2; ++c)
+              entries.push_back({other.displacement(opposed, k, c), i,
+                                 -point.weight * components[c] * chi * phi[k]});
+        });
+      });
+  entries = summed(std::move(entries));
+  coupling.entries.insert(coupling.entries.end(), entries.begin(), entries.end());
+}
+
 }  // namespace
+
+Numbering numberingOf(const std::vector<ContactSide>& bodies) {
+  std::vector<Numbering::Count> counts;
+  for (const ContactSide& body : bodies)
+    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
+  return Numbering(counts);
+}
+
+std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
+                                             const Numbering& numbering) {
+  std::vector<TraceCoupling> result(bodies.size());
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (const int b : bodies[a].opposite.bodies()) {
+      checkEnds(bodies[a].multiplier);
+      TraceCoupling& coupling = result[at(b)];
+      coupling.rotation = bodies[at(b)].space.rotation();
+      coupling.rests.resize(at(numbering.size()));
+      addMortar(bodies, a, b, numbering, coupling);
+    }
+  return result;
+}
 
 Vector TraceCoupling::apply(const Vector& u) const {
   Vector result(rests.size());
@@ -53,39 +134,6 @@ void TraceCoupling::addTo(Matrix& transposed) const {
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
         transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
-}
-
-TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                             const Opposite& opposite, const bem::Space& other,
-                             int body) {
-  TraceCoupling coupling{{}, other.rotation(), Vector(at(multiplier.size()))};
-  forEachSidePoint(
-      side, multiplier, opposite,
-      [&](const ContactElement& contact, const Opposite::Point& middle) {
-        return middle.element >= 0 && middle.body == body
-                   ? &mortarRule(contact, side[contact.element],
-                                 other.mesh()[middle.element])
-                   : nullptr;
-      },
-      [&](const SidePoint& point) {
-        const int opposed = point.opposite.element;
-        if (opposed < 0)  // a grazing normal, but for rounding
-          return;
-        const int degree = other.mesh()[opposed].degree;
-        std::array<double, bem::largestDegree + 1> phi{};
-        bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
-        const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
-        point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
-          coupling.rests[i] -= point.weight * dot(direction, rest) * chi;
-          const double components[2] = {direction.x, direction.y};
-          for (int k = 0; k <= degree; ++k)
-            for (int c = 0; c < 2; ++c)
-              coupling.entries.push_back({other.displacement(opposed, k, c), i,
-                                          -point.weight * components[c] * chi * phi[k]});
-        });
-      });
-  coupling.entries = summed(std::move(coupling.entries));
-  return coupling;
 }
 
 const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,

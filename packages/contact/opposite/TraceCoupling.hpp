@@ -2,7 +2,7 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/opposite/Opposite.hpp"
+#include "contact/opposite/ContactSide.hpp"
 
 #include <memory>
 #include <vector>
@@ -23,25 +23,18 @@ struct TraceCoupling {
   void addTranspose(const Vector& multiplier, Vector& force) const;
   /// transposed += Cᵀ
   void addTo(Matrix& transposed) const;
-  /// Adds the coupling of a multiplier whose coefficient i has the number numberOf(i) here.
-  template <class Numbers>
-  void add(const TraceCoupling& part, const Numbers& numberOf) {
-    for (const bem::Entry& entry : part.entries)
-      entries.push_back({entry.row, numberOf(entry.column), entry.value});
-    for (std::size_t i = 0; i < part.rests.size(); ++i)
-      rests[at(numberOf(static_cast<Index>(i)))] += part.rests[i];
-  }
 };
 
-/// Mortar coupling of a multiplier with the displacements of the opposite body B, of this number
-/// and with the space `other`:
+/// Mortar couplings of all multipliers with the displacements of each body B as the opposite body,
 ///
-///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at.
+///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// \pre both bodies share Units
-TraceCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                             const Opposite& opposite, const bem::Space& other,
-                             int body = 0);
+/// the coefficients in the order of `numbering`; empty: B is opposite to no other body.
+/// \pre all bodies share Units
+/// \throws bem::InputError for a multiplier that shares nodes where contact with another body
+///   meets a clamp or another contact side.
+std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
+                                             const Numbering& numbering);
 
 /// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
 /// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this

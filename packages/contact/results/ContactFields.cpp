@@ -10,10 +10,11 @@ namespace {
 
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
-Vector boundsAsCoefficients(const Problem& numbers, const Vector& multiplier) {
-  Vector result(numbers.normals, 0.0);
-  const Vector bounds = numbers.slipBounds(multiplier);
-  result.insert(result.end(), bounds.begin(), bounds.end());
+Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
+  const Vector zero(body.multiplier().normals(), 0.0);
+  Vector result = zero;
+  for (const Tangential& tangential : body.obstacle().tangentials)
+    result.push_back(tangential.bound(multiplier.empty() ? zero : multiplier));
   return result;
 }
 
@@ -23,8 +24,8 @@ ContactFields::ContactFields(const Solved& solved)
     : solved_(solved),
       units_(solved.units),
       multiplier_(solved.state.multiplier),
-      bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
-      tolerance_(stateTolerance * solved.problem.numbers().stress) {}
+      bounds_(boundsAsCoefficients(solved.problem, solved.state.multiplier)),
+      tolerance_(stateTolerance * solved.problem.stress()) {}
 
 double ContactFields::closing(const Element& element,
                               const MultiplierSpace::Value& stress) const {

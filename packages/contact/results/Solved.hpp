@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/opposite/Opposite.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactBody.hpp"
 #include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
@@ -28,12 +28,12 @@ class ForeignPressure {
 struct Solved {
   const bem::Space& space;
   const bem::SteklovPoincare& stiffness;
-  const ContactProblem& problem;
+  const ContactBody& problem;
   const Conditions& conditions;
   bem::Units units;
   const State& state;          ///< multiplier and rigid motions of this body
   const Vector& displacement;  ///< all unknowns, dimensionless
-  Vector oppositeForce{};      ///< see ContactProblem::displacement
+  Vector oppositeForce{};      ///< see ContactBody::displacement
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;

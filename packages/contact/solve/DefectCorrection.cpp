@@ -45,7 +45,7 @@ class DefectCorrection {
       size = std::max(size, largestEntry(u));
     Vector open(r.size());
     for (std::size_t i = 0; i < r.size(); ++i)
-      if (e.linear.rows[i].penetration != 0)
+      if (e.rows[i].penetration != 0)
         open[i] = r[i] / lengths_[i];
     const Vector decided = processes_.broadcast(
         {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
@@ -59,10 +59,10 @@ class DefectCorrection {
     Vector x;
     if (!isFormed || processes_.rank() == 0)
       try {
-        Vector opposite = e.linear.residual;
+        Vector opposite = e.residual;
         for (double& f : opposite)
           f = -f;
-        x = NewtonSystem(equation_, e.linear).solve(opposite);
+        x = NewtonSystem(equation_, e).solve(opposite);
         bem::axpy(1, e.unknowns, x);
       } catch (const bem::NumericalError&) {  // on all ranks if on any
         x.clear();

@@ -2,12 +2,11 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/opposite/SidePoints.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactBody.hpp"
 
 namespace epafi::contact {
 
-Vector bodyLoadTerms(const std::vector<ContactProblem>& bodies,
-                     const Numbering& numbering) {
+Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& numbering) {
   const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
     return bodies[b].multiplier().conditions().inside;
   };
@@ -16,7 +15,7 @@ Vector bodyLoadTerms(const std::vector<ContactProblem>& bodies,
     if (insideOf(b))
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
-    const ContactProblem& own = bodies[b];
+    const ContactBody& own = bodies[b];
     const Vector& stabilised = own.terms().terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];

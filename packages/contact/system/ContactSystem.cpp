@@ -4,9 +4,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/system/BodyLoadTerms.hpp"
-#include "contact/system/OppositeCouplings.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -15,40 +13,36 @@ namespace epafi::contact {
 
 using bem::axpy;
 
-namespace {
-
-Numbering numberingOf(const std::vector<ContactProblem>& bodies) {
-  std::vector<Numbering::Count> counts;
-  for (const ContactProblem& body : bodies)
-    counts.push_back({body.multiplier().normals(), body.multiplier().size()});
-  return Numbering(counts);
-}
-
-}  // namespace
-
-std::shared_ptr<std::vector<ContactProblem>> ContactSystem::problemsOf(
+std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
     const std::vector<BodyInput>& inputs) {
   assert(!inputs.empty());
-  auto bodies = std::make_shared<std::vector<ContactProblem>>();
+  auto bodies = std::make_shared<std::vector<ContactBody>>();
   for (const BodyInput& input : inputs)
-    bodies->push_back(ContactProblem(input, ContactProblem::OfSystem()));
+    bodies->emplace_back(input);
   return bodies;
+}
+
+std::vector<ContactSide> ContactSystem::sides() const {
+  std::vector<ContactSide> sides;
+  for (const ContactBody& body : *bodies_)
+    sides.push_back(body.side());
+  return sides;
 }
 
 ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
                              const std::vector<Drive>& rigid)
-    : bodies_(problemsOf(inputs)),
-      numbering_(numberingOf(*bodies_)),
+    : bodies_(bodiesOf(inputs)),
+      numbering_(numberingOf(sides())),
       opposite_(std::make_shared<const std::vector<TraceCoupling>>(
-          oppositeCouplings(*bodies_, numbering_))),
-      rigid_(rigid, *bodies_, numbering_),
+          oppositeCouplings(sides(), numbering_))),
+      rigid_(rigid, sides(), numbering_),
       wear_(bodies_, numbering_, {}) {
-  condense(inputs);
+  condense(inputs.front().formedUpTo);
   wear_.setSlips({}, numbers_.surface);
 }
 
 ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
-    : bodies_(atZero.problemsUnder(step.conditions)),
+    : bodies_(atZero.bodiesUnder(step.conditions)),
       numbering_(atZero.numbering_),
       opposite_(atZero.opposite_),
       rigid_(atZero.rigid_.under(step.rigid)),
@@ -71,12 +65,12 @@ ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
   }
 }
 
-std::shared_ptr<std::vector<ContactProblem>> ContactSystem::problemsUnder(
+std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
     const std::vector<Conditions>& conditions) const {
   assert(conditions.size() == size());
-  auto bodies = std::make_shared<std::vector<ContactProblem>>();
+  auto bodies = std::make_shared<std::vector<ContactBody>>();
   for (std::size_t b = 0; b < size(); ++b)
-    bodies->push_back(ContactProblem(body(b), conditions[b]));
+    bodies->emplace_back(body(b), conditions[b]);
   return bodies;
 }
 
@@ -90,7 +84,7 @@ Vector ContactSystem::gathered(std::size_t b, const Vector& own, const Vector& u
 }
 
 Matrix ContactSystem::transposed(std::size_t b) const {
-  Matrix own = body(b).form().coupling();
+  Matrix own = body(b).form()->coupling();
   if (size() == 1)
     return own;
   Matrix all(own.rows(), numbering_.size());
@@ -103,7 +97,7 @@ Matrix ContactSystem::transposed(std::size_t b) const {
 Matrix ContactSystem::multiplierMass() const {
   Matrix all(numbering_.size(), numbering_.size());
   for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix own = body(b).form().multiplierMass();
+    const Matrix own = body(b).form()->multiplierMass();
     for (Index j = 0; j < own.columns(); ++j)
       for (Index i = 0; i < own.rows(); ++i)
         all(numbering_(b, i), numbering_(b, j)) = own(i, j);
@@ -112,7 +106,7 @@ Matrix ContactSystem::multiplierMass() const {
 }
 
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
-void ContactSystem::condense(const std::vector<BodyInput>& inputs) {
+void ContactSystem::condense(Index formedUpTo) {
   Matrix d = isFormed() ? multiplierMass() : Matrix();
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
@@ -126,7 +120,7 @@ void ContactSystem::condense(const std::vector<BodyInput>& inputs) {
         columns.push_back(std::move(moved));
     }
     if (isFormed())
-      d = addGram(std::move(d), body(b).stiffness().forward(transposed(b)));
+      d = addGram(std::move(d), body(b).form()->forward(transposed(b)));
   }
   for (Index j = 0; j < d.columns(); ++j)
     for (Index i = j + 1; i < d.rows(); ++i)
@@ -136,26 +130,19 @@ void ContactSystem::condense(const std::vector<BodyInput>& inputs) {
   for (std::size_t k = 0; k < columns.size(); ++k)
     std::copy(columns[k].begin(), columns[k].end(),
               numbers_.rigid.column(static_cast<Index>(k)));
-  numbers_.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(inputs);
+  numbers_.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo);
   numbers_.normals = numbering_.normals();
   respond();
 }
 
-Flexibility ContactSystem::compressed(const std::vector<BodyInput>& inputs) const {
-  std::vector<CompressedInput> parts;
-  std::vector<std::shared_ptr<const CompressedHolding>> held;
-  for (std::size_t b = 0; b < size(); ++b) {
-    parts.push_back(
-        {body(b).space(), body(b).multiplier(), inputs[b].lame, &body(b).opposite()});
-    held.push_back(
-        std::dynamic_pointer_cast<const CompressedHolding>(body(b).stiffness_));
-  }
+Flexibility ContactSystem::compressed(Index formedUpTo) const {
+  std::vector<std::shared_ptr<const CompressedBody>> forms;
+  for (const ContactBody& body : *bodies_)
+    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.form()));
   const auto flexibility = std::make_shared<const CompressedFlexibility>(
-      makeCompressedCoupling(parts, inputs.front().stabilization, inputs.front().units),
-      std::move(held));
-  return flexibility->size() <= inputs.front().formedUpTo
-             ? Flexibility(flexibility->formed())
-             : Flexibility(flexibility);
+      std::move(forms), numbering_.normals());
+  return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
+                                           : Flexibility(flexibility);
 }
 
 void ContactSystem::respond() {
@@ -220,13 +207,13 @@ void ContactSystem::addGiven(Vector& r) const {
 
 void ContactSystem::setScale(double load) {
   numbers_.stress = load > 0 ? load : 1;
-  for (ContactProblem& body : *bodies_)
-    body.numbers_.stress = numbers_.stress;
+  for (ContactBody& body : *bodies_)
+    body.setStress(numbers_.stress);
 }
 
 double ContactSystem::loadSize() const {
   double load = rigid_.loadSize();
-  for (const ContactProblem& body : *bodies_)
+  for (const ContactBody& body : *bodies_)
     load += body.loadSize();
   // shear has the size of what presses, however far that slides
   for (std::size_t b = 0; b < size() && load == 0; ++b)
@@ -234,20 +221,11 @@ double ContactSystem::loadSize() const {
   return load;
 }
 
-ContactProblem ContactSystem::onlyBody() && {
-  ContactProblem body = std::move(bodies_->front());
-  body.numbers_ = std::move(numbers_);
-  return body;
-}
-
-ContactProblem::ContactProblem(const Input& input)
-    : ContactProblem(ContactSystem({input}).onlyBody()) {}
-
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).form().apply(at.displacements[b]);
-    axpy(-1, body(b).form().massTimes(at.bodies[b].multiplier), own);
+    Vector own = body(b).form()->apply(at.displacements[b]);
+    axpy(-1, body(b).form()->massTimes(at.bodies[b].multiplier), own);
     axpy(1, gathered(b, own, at.displacements[b]), r);
   }
   addGiven(r);
@@ -294,7 +272,7 @@ Vector ContactSystem::defect(const Configuration& at) const {
 
 bool ContactSystem::wearsBySlip() const {
   return wear_.wears() &&
-         std::any_of(bodies_->begin(), bodies_->end(), [](const ContactProblem& body) {
+         std::any_of(bodies_->begin(), bodies_->end(), [](const ContactBody& body) {
            return body.multiplier().size() > body.multiplier().normals();
          });
 }

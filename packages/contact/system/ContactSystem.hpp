@@ -1,9 +1,9 @@
 #pragma once
 
-#include "contact/problem/Numbering.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/opposite/RigidDrives.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
+#include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
-#include "contact/system/RigidDrives.hpp"
 #include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
@@ -12,7 +12,7 @@ namespace epafi::contact {
 struct Configuration {
   State state;                ///< of all
   std::vector<State> bodies;  ///< own multipliers and motions of those that deform
-  std::vector<Vector> oppositeForces;  ///< what presses on each, see ContactProblem
+  std::vector<Vector> oppositeForces;  ///< what presses on each, see ContactBody
   std::vector<Vector> displacements;   ///< likewise all unknowns
   std::vector<RigidMotion> rigid;      ///< of those that do not
   /// r of numbers() by the displacements in place of D, which has not the digits of what bends
@@ -35,7 +35,7 @@ class ContactSystem {
  public:
   /// \pre All inputs have the same units; their opposites' points
   ///   number the bodies as they come here.
-  /// \throws see ContactProblem, and bem::InputError for a multiplier that shares nodes where
+  /// \throws see ContactBody, and bem::InputError for a multiplier that shares nodes where
   ///   contact with another body meets a clamp or another contact side.
   explicit ContactSystem(const std::vector<BodyInput>& bodies,
                          const std::vector<Drive>& rigid = {});
@@ -53,9 +53,7 @@ class ContactSystem {
   };
   /// The same bodies on the same meshes at another time: conditions of the same kinds on the
   /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
-  /// couplings, so that a step costs one solution with the factors; where operators are compressed
-  /// this system outlives the result.
-  /// [doc/theory/paths.md]
+  /// couplings, so that a step costs one solution with the factors.         [doc/theory/paths.md]
   ContactSystem under(const Step& step) const { return {*this, step}; }
 
   /// By coefficient: about the integral of its function.
@@ -75,9 +73,10 @@ class ContactSystem {
   double loadSize() const;
 
   std::size_t size() const { return bodies_->size(); }
-  const ContactProblem& body(std::size_t b) const { return (*bodies_)[b]; }
+  const ContactBody& body(std::size_t b) const { return (*bodies_)[b]; }
 
-  /// What the nonlinear solver sees, and see ContactProblem::gap.
+  /// What the nonlinear solver sees, and g per normal coefficient, dimensionless: the part -g of
+  /// the offset that does not come from loads.
   const Problem& numbers() const { return numbers_; }
   const Vector& gap() const { return gap_; }
   /// The jump that bonded sides are given, and what slides by, one number per coefficient.
@@ -116,33 +115,32 @@ class ContactSystem {
   }
 
   /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies, and with what the stabilisation adds, see
-  /// ContactProblem.
+  /// ContactBody.
   double strainEnergy(const Configuration& at) const;
   double storedEnergy(const Configuration& at) const;
 
  private:
-  friend class ContactProblem;  // is a system of one body
-  ContactProblem onlyBody() &&;
   ContactSystem(const ContactSystem& atZero, const Step& step);
-  static std::shared_ptr<std::vector<ContactProblem>> problemsOf(
+  static std::shared_ptr<std::vector<ContactBody>> bodiesOf(
       const std::vector<BodyInput>& inputs);
-  std::shared_ptr<std::vector<ContactProblem>> problemsUnder(
+  std::shared_ptr<std::vector<ContactBody>> bodiesUnder(
       const std::vector<Conditions>& conditions) const;
+  std::vector<ContactSide> sides() const;
 
-  bool isFormed() const { return body(0).stiffness().isFormed(); }
+  bool isFormed() const { return body(0).form()->isFormed(); }
   /// On all multipliers what a displacement of a body does to its own, given, and to all that it
   /// is opposite to.
   Vector gathered(std::size_t b, const Vector& own, const Vector& u) const;
   /// C_b u
   Vector apply(std::size_t b, const Vector& u) const {
-    return gathered(b, body(b).form().apply(u), u);
+    return gathered(b, body(b).form()->apply(u), u);
   }
   /// C_bᵀ and M, on all multipliers.
   Matrix transposed(std::size_t b) const;
   Matrix multiplierMass() const;
   /// D and G.
-  void condense(const std::vector<BodyInput>& inputs);
-  Flexibility compressed(const std::vector<BodyInput>& inputs) const;
+  void condense(Index formedUpTo);
+  Flexibility compressed(Index formedUpTo) const;
   /// What loads make of d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b, and all else that is given.
   void respond();
   /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
@@ -152,7 +150,7 @@ class ContactSystem {
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
 
-  std::shared_ptr<std::vector<ContactProblem>> bodies_;
+  std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
   std::shared_ptr<const std::vector<TraceCoupling>> opposite_;
   RigidDrives rigid_;

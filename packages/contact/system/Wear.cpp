@@ -16,12 +16,12 @@ using ContactElement = MultiplierSpace::ContactElement;
 constexpr double closed = 1e-9;  // of the load, as in ContactFields
 
 template <class Visit>
-void forEachPoint(const ContactProblem& body, const Visit& visit) {
+void forEachPoint(const ContactBody& body, const Visit& visit) {
   forEachGaussPoint(body.space().mesh(), body.multiplier(), visit);
 }
 
 /// ∫ f χ_i of values at the points, one per coefficient.
-Vector testedBy(const ContactProblem& body, const Vector& values) {
+Vector testedBy(const ContactBody& body, const Vector& values) {
   Vector result(at(body.multiplier().size()), 0.0);
   forEachPoint(body, [&](const SidePoint& point) {
     for (int i = 0; i <= point.contact.degree; ++i)
@@ -34,7 +34,7 @@ Vector testedBy(const ContactProblem& body, const Vector& values) {
 /// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
 /// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
 /// that of m.
-Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& slip) {
+Vector slipsOf(const ContactBody& body, const Wear& before, const Vector& slip) {
   Vector result = body.obstacle().slid;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
@@ -58,14 +58,14 @@ Vector slipsOf(const ContactProblem& body, const Wear& before, const Vector& sli
 
 }  // namespace
 
-StepWear::StepWear(std::shared_ptr<const std::vector<ContactProblem>> bodies,
+StepWear::StepWear(std::shared_ptr<const std::vector<ContactBody>> bodies,
                    Numbering numbering, std::vector<Wear> before)
     : bodies_(std::move(bodies)),
       numbering_(std::move(numbering)),
       before_(std::move(before)),
       slips_(bodies_->size()),
       rates_(bodies_->size()) {
-  for (const ContactProblem& body : *bodies_)
+  for (const ContactBody& body : *bodies_)
     for (const ContactElement& element : body.multiplier().elements())
       wears_ = wears_ || element.condition->wear;
   if (wears_ && !before_.empty())
@@ -87,7 +87,7 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
   surface.linear.resize(surface.linear.size() - surface.wearing);
   surface.wearing = surface.linear.size();
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
-    const ContactProblem& body = (*bodies_)[b];
+    const ContactBody& body = (*bodies_)[b];
     Vector own;
     for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
       own.push_back(slip[at(numbering_(b, i))]);
@@ -113,13 +113,13 @@ void StepWear::setSlips(const Vector& slip, Surface& surface) {
 std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
   std::vector<Wear> wear = before_;
   for (std::size_t b = 0; b < bodies_->size(); ++b) {
-    const ContactProblem& body = (*bodies_)[b];
+    const ContactBody& body = (*bodies_)[b];
     Wear& now = wear[b];
     now.depth.resize(slips_[b].size());
     now.distance.resize(slips_[b].size());
     now.slid = body.obstacle().slid;
     now.rate = rates_[b];
-    const double least = closed * body.numbers().stress;
+    const double least = closed * body.stress();
     forEachPoint(body, [&](const SidePoint& point) {
       const std::size_t k = point.gaussPoint();
       const double pressure =

@@ -2,7 +2,7 @@
 
 #include "contact/problem/Numbering.hpp"
 #include "contact/problem/Surface.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactBody.hpp"
 
 namespace epafi::contact {
 
@@ -22,7 +22,7 @@ struct Wear {
 class StepWear {
  public:
   /// `before`: of each body behind the step before; empty: nothing wore.
-  StepWear(std::shared_ptr<const std::vector<ContactProblem>> bodies, Numbering numbering,
+  StepWear(std::shared_ptr<const std::vector<ContactBody>> bodies, Numbering numbering,
            std::vector<Wear> before);
 
   /// Does anything wear?
@@ -39,7 +39,7 @@ class StepWear {
   std::vector<Wear> behind(const std::vector<State>& states) const;
 
  private:
-  std::shared_ptr<const std::vector<ContactProblem>> bodies_;
+  std::shared_ptr<const std::vector<ContactBody>> bodies_;
   Numbering numbering_;
   std::vector<Wear> before_;
   bool wears_ = false;

@@ -3,49 +3,43 @@
 #include "contact/body/BodyInput.hpp"
 #include "contact/body/Holding.hpp"
 #include "contact/body/StabilisedBody.hpp"
+#include "contact/opposite/ContactSide.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
 namespace epafi::contact {
 
-class ContactSystem;
-
-/// The stabilised mixed problem [P (13)] on the mesh of one body, condensed onto the multiplier:
+/// A body of a ContactSystem at one time: the stabilised mixed problem [P (13)] on its mesh,
 ///
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ
 ///                                                          [doc/theory/contact.md]
 ///
-/// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
-/// displacement() leads back.  Of the mesh's operators it holds the factor of A and
-/// refers to S.
+/// and its displacement for a given multiplier,
 ///
-///   A u = f - Bᵀ λ on what is neither clamped nor fixed,   u = u_D + A⁺ (f - Bᵀ λ) + R α
+///   A u = f - Bᵀ λ on what is neither clamped nor fixed,   u = u_D + A⁺ (f - Bᵀ λ) + R α.
 ///
-/// A body of a ContactSystem is one of these, too: what its own multiplier does to it is here,
-/// D and the offset are the system's.
-class ContactProblem {
+/// Of the mesh's operators it holds the factor of A and refers to S.
+class ContactBody {
  public:
-  using Input = BodyInput;
-
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
   ///   motion that is both fixed and clamped, or if `stiffness` was made for another
   ///   stabilisation; IndefiniteStiffness for a γ₀ that is given
   ///   and too large.
-  explicit ContactProblem(const Input& input);
+  explicit ContactBody(const BodyInput& input);
+  /// The same at another time of a path; the factor of A is shared.
+  ContactBody(const ContactBody& same, const Conditions& conditions);
 
-  /// Of a body of a system: tangentials, numbers of coefficients and the load's size alone.
-  const Problem& numbers() const { return numbers_; }
+  ContactSide side() const { return {*space_, multiplier_, *opposite_}; }
   const bem::Space& space() const { return *space_; }
   const MultiplierSpace& multiplier() const { return multiplier_; }
   const Opposite& opposite() const { return *opposite_; }
   const Obstacle& obstacle() const { return obstacle_; }
   const Holding& holding() const { return *holding_; }
-  const StabilisedBody& form() const { return *form_; }
-  const HeldStiffness& stiffness() const { return *stiffness_; }
+  const std::shared_ptr<const StabilisedBody>& form() const { return form_; }
   const ResidualTerms& terms() const { return terms_; }
 
-  /// g per normal coefficient, dimensionless: the part -g of numbers().offset that does
-  /// not come from loads.
-  const Vector& gap() const { return obstacle_.gap; }
+  /// Problem::stress of the system, which sets it.
+  double stress() const { return stress_; }
+  void setStress(double stress) { stress_ = stress; }
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see BalancedStiffness).
@@ -84,7 +78,7 @@ class ContactProblem {
                    const Vector& oppositeForce = {}) const;
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
-  double gamma0() const { return gamma0_; }
+  double gamma0() const { return form_->local().gamma0; }
 
   /// Whether ψ stands for S u in the stabilisation: Form Density.
   bool byDensity() const { return form_->local().byDensity(); }
@@ -123,15 +117,6 @@ class ContactProblem {
   }
 
  private:
-  friend class ContactSystem;
-  struct OfSystem {};
-  ContactProblem(const Input& input, OfSystem);
-  /// The same at another time of a path; the factor of A is shared.
-  ContactProblem(const ContactProblem& same, const Conditions& conditions);
-
-  /// Factors A, with a smaller gamma0 where the default is too large.
-  /// \throws IndefiniteStiffness if it is not the default that is.
-  void factor(const Input& input);
   void setLoads();
   /// The displacement under a force that is neither clamped nor rigid.
   Vector respond(Vector force) const;
@@ -144,22 +129,16 @@ class ContactProblem {
   MultiplierSpace multiplier_;
   std::shared_ptr<const Opposite> opposite_;
   std::shared_ptr<const StabilisedBody> form_;
-  std::shared_ptr<const HeldStiffness> stiffness_{};
   Obstacle obstacle_;
-  double gamma0_ = 0;
   ResidualTerms terms_{};  ///< their force is part of the holding's load
   Vector load_{};          ///< f - A u_D
   Vector constant_{};      ///< u_D and what Fix makes of it
-  Problem numbers_{};
+  double stress_ = 1;
   struct Cached {
     Vector multiplier;
     Vector force;
   };
   mutable Cached cached_{};
 };
-
-/// \throws bem::InputError if the multiplier does not go with the form.
-std::unique_ptr<const StabilisedBody> makeStabilisedBody(
-    const BodyInput& input, const MultiplierSpace& multiplier);
 
 }  // namespace epafi::contact

@@ -1,10 +1,9 @@
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/CoupledBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedBody.hpp"
-#include "contact/system/Definiteness.hpp"
 
 #include <algorithm>
 
@@ -38,63 +37,45 @@ Vector withoutFixedMotions(const Holding& holding) {
   return result;
 }
 
-}  // namespace
-
-std::unique_ptr<const StabilisedBody> makeStabilisedBody(
-    const BodyInput& input, const MultiplierSpace& multiplier) {
+/// \throws bem::InputError if the multiplier does not go with the form.
+std::shared_ptr<const StabilisedBody> makeForm(
+    const BodyInput& input, const MultiplierSpace& multiplier,
+    const std::shared_ptr<const Holding>& holding) {
   if (input.basis.sharesNodes && input.stabilization.isOn())
     throw bem::InputError("the multiplier '", input.basis.name,
                           "' needs the stabilisation's form None");
-  return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
-                                                 : makeCoupledBody(input, multiplier);
+  if (input.stiffness.compressed() != nullptr)
+    return std::make_shared<const CompressedBody>(input, multiplier, holding);
+  return makeCoupledBody(input, multiplier, holding);
 }
 
-ContactProblem::ContactProblem(const Input& input, OfSystem)
+}  // namespace
+
+ContactBody::ContactBody(const BodyInput& input)
     : space_(&input.space),
       units_(input.units),
       holding_(std::make_shared<Holding>(makeHolding(*space_, input.conditions, units_))),
       multiplier_(space_->mesh(), input.basis, input.conditions),
-      opposite_(input.opposite ? input.opposite
-                               : std::make_shared<const DistantObstacle>(space_->mesh(),
-                                                                         units_.length)),
-      form_(makeStabilisedBody(input, multiplier_)),
+      opposite_(input.opposite
+                    ? input.opposite
+                    : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
+      form_(makeForm(input, multiplier_, holding_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
-  factor(input);
   setLoads();
 }
 
-ContactProblem::ContactProblem(const ContactProblem& same, const Conditions& conditions)
+ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
     : space_(same.space_),
       units_(same.units_),
       holding_(std::make_shared<Holding>(makeHolding(*space_, conditions, units_))),
       multiplier_(same.multiplier_.under(conditions)),
       opposite_(same.opposite_),
       form_(same.form_),
-      stiffness_(same.stiffness_),
-      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)),
-      gamma0_(same.gamma0_) {
+      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   setLoads();
 }
 
-void ContactProblem::factor(const Input& input) {
-  const double first = input.stabilization.firstGamma0();
-  gamma0_ = input.stabilization.isOn() && !multiplier_.elements().empty() ? first : 0;
-  try {
-    stiffness_ = form_->held(*holding_);
-    return;
-  } catch (const bem::NumericalError&) {
-    if (form_->subtracted().columns() == 0)
-      throw;
-  }
-  const double definiteBelow = limitGamma0(input, *form_, *holding_);
-  if (input.stabilization.gamma0)
-    throw IndefiniteStiffness(first, definiteBelow);
-  gamma0_ = std::min(first, definiteBelow) / 4;
-  form_ = form_->weakened(gamma0_ / first);
-  stiffness_ = form_->held(*holding_);
-}
-
-void ContactProblem::setLoads() {
+void ContactBody::setLoads() {
   Loads& loads = holding_->loads;
   terms_ = form_->residualTerms(multiplier_);
   if (!terms_.force.empty())
@@ -102,15 +83,13 @@ void ContactProblem::setLoads() {
   load_ = loads.largestDisplacement > 0 ? form_->residual(loads.load, loads.prescribed)
                                         : loads.load;
   constant_ = withoutFixedMotions(*holding_);
-  numbers_.normals = multiplier_.normals();
-  numbers_.tangentials = obstacle_.tangentials;
 }
 
-Vector ContactProblem::respond(Vector force) const {
+Vector ContactBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
     if (holding_->loads.clamped[j] != 0)
       force[j] = 0;
-  Vector u = stiffness_->solve(force);
+  Vector u = form_->solve(force);
   for (Index k = 0; k < holding_->allowed.columns(); ++k) {
     const Vector r = columnOf(holding_->allowed, k);
     axpy(-dot(r, force), r, u);
@@ -118,8 +97,7 @@ Vector ContactProblem::respond(Vector force) const {
   return u;
 }
 
-Vector ContactProblem::contactForce(const State& state,
-                                    const Vector& oppositeForce) const {
+Vector ContactBody::contactForce(const State& state, const Vector& oppositeForce) const {
   if (!state.multiplier.empty() && cached_.multiplier != state.multiplier)
     cached_ = {state.multiplier, form_->applyTranspose(state.multiplier)};
   Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
@@ -128,34 +106,33 @@ Vector ContactProblem::contactForce(const State& state,
   return force;
 }
 
-Vector ContactProblem::pushing() const {
+Vector ContactBody::pushing() const {
   Vector all = load_;
   all.insert(all.end(), constant_.begin(), constant_.end());
   return all;
 }
 
-Vector ContactProblem::displacementOfLoads() const {
+Vector ContactBody::displacementOfLoads() const {
   Vector u = respond(load_);
   axpy(1, constant_, u);
   return u;
 }
 
-Vector ContactProblem::rigidLoad() const {
+Vector ContactBody::rigidLoad() const {
   Vector result;
   for (Index k = holding_->fixed(); k < holding_->allowed.columns(); ++k)
     result.push_back(dot(columnOf(holding_->allowed, k), load_));
   return result;
 }
 
-Vector ContactProblem::moved(const double* motions) const {
+Vector ContactBody::moved(const double* motions) const {
   Vector u(load_.size(), 0.0);
   for (Index k = 0; k < freeMotions(); ++k)
     axpy(motions[k], columnOf(holding_->allowed, holding_->fixed() + k), u);
   return u;
 }
 
-Vector ContactProblem::displacement(const State& state,
-                                    const Vector& oppositeForce) const {
+Vector ContactBody::displacement(const State& state, const Vector& oppositeForce) const {
   const Vector pushed = contactForce(state, oppositeForce);
   Vector force = load_;
   axpy(-1, pushed, force);
@@ -163,7 +140,7 @@ Vector ContactProblem::displacement(const State& state,
   axpy(1, constant_, u);
   if (!state.rigid.empty())
     axpy(1, moved(state.rigid.data()), u);
-  if (!stiffness_->isFormed())
+  if (!form_->isFormed())
     return u;
   // What the factor leaves is ε |A| |u|.
   Vector whole = load();
@@ -172,8 +149,7 @@ Vector ContactProblem::displacement(const State& state,
                  [&](const Vector& now) { return respond(form_->residual(whole, now)); });
 }
 
-double ContactProblem::storedEnergy(const State& state,
-                                    const Vector& displacement) const {
+double ContactBody::storedEnergy(const State& state, const Vector& displacement) const {
   const Vector none(displacement.size(), 0.0);
   double twice = -dot(form_->residual(none, displacement), displacement);
   if (!state.multiplier.empty())
@@ -181,15 +157,15 @@ double ContactProblem::storedEnergy(const State& state,
   return twice / 2;
 }
 
-Vector ContactProblem::density(const State& state, const Vector& displacement) const {
+Vector ContactBody::density(const State& state, const Vector& displacement) const {
   Vector psi = form_->density(displacement, state.multiplier);
   if (!terms_.density.empty())
     axpy(1, terms_.density, psi);
   return psi;
 }
 
-Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
-                                   const Vector& oppositeForce) const {
+Vector ContactBody::clampForces(const State& state, const Vector& displacement,
+                                const Vector& oppositeForce) const {
   const std::vector<char>& clamped = holding_->loads.clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
@@ -197,7 +173,7 @@ Vector ContactProblem::clampForces(const State& state, const Vector& displacemen
   Vector rest = load();
   axpy(-1, contactForce(state, oppositeForce), rest);
   rest = form_->residual(rest, displacement);
-  if (stiffness_->isFormed())
+  if (form_->isFormed())
     rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
@@ -205,8 +181,8 @@ Vector ContactProblem::clampForces(const State& state, const Vector& displacemen
   return forces;
 }
 
-Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
-                                 const Vector& oppositeForce) const {
+Vector ContactBody::clampWork(const State& state, const Vector& displacement,
+                              const Vector& oppositeForce) const {
   const RigidModes& modes = holding_->modes;
   const Vector forces = clampForces(state, displacement, oppositeForce);
   Vector work(3, 0.0);
@@ -217,8 +193,8 @@ Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
   return work;
 }
 
-Vector ContactProblem::fixedReactions(const State& state,
-                                      const Vector& oppositeForce) const {
+Vector ContactBody::fixedReactions(const State& state,
+                                   const Vector& oppositeForce) const {
   Vector force = load_;
   axpy(-1, contactForce(state, oppositeForce), force);
   Vector reactions(3, 0.0);
@@ -228,7 +204,7 @@ Vector ContactProblem::fixedReactions(const State& state,
   return reactions;
 }
 
-Vector ContactProblem::fixedMeans(const Vector& displacement) const {
+Vector ContactBody::fixedMeans(const Vector& displacement) const {
   Vector means(3, 0.0);
   for (std::size_t i = 0; i < displacement.size(); ++i)
     for (Index k = 0; holding_->loads.clamped[i] == 0 && k < 3; ++k)

@@ -1,4 +1,6 @@
-#include "contact/system/RigidDrives.hpp"
+#include "contact/opposite/RigidDrives.hpp"
+
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,38 +8,42 @@
 
 namespace epafi::contact {
 
-namespace {
+using bem::Vec2;
 
-/// Of one body, on all multipliers.
-RigidTraces tracesOf(int body, const std::vector<ContactProblem>& bodies,
-                     const Numbering& numbering) {
-  std::vector<RigidTraces> parts;
-  RigidTraces all{Matrix(numbering.size(), 3)};
-  for (const ContactProblem& carrier : bodies) {
-    parts.push_back(rigidTraces(carrier.space().mesh(), carrier.multiplier(),
-                                carrier.opposite(), body));
-    all.lever = std::max(all.lever, parts.back().lever);
-    all.length += parts.back().length;
-  }
+RigidDrives::Traces RigidDrives::tracesOf(int rigid,
+                                          const std::vector<ContactSide>& bodies,
+                                          const Numbering& numbering) {
+  Traces result{Matrix(numbering.size(), 3)};
   for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (Index k = 0; k < 3; ++k)
-      for (Index i = 0; i < numbering.sizeOf(a); ++i)
-        all.traces(numbering(a, i), k) =
-            parts[a].traces(i, k) *
-            (k == 2 && all.lever > 0 ? parts[a].lever / all.lever : 1);
-  return all;
+    forEachSidePoint(
+        bodies[a].space.mesh(), bodies[a].multiplier, bodies[a].opposite,
+        [&](const auto& contact, const Opposite::Point& middle) {
+          return middle.rigid == rigid ? &bem::gaussForGiven(contact.degree) : nullptr;
+        },
+        [&](const SidePoint& point) {
+          const Vec2 arm = point.opposite.arm;
+          result.length += point.weight;
+          result.lever = std::max(result.lever, norm(arm));
+          const std::array<Vec2, 3> motions = {Vec2{1, 0}, Vec2{0, 1}, turnLeft(arm)};
+          point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
+            for (Index k = 0; k < 3; ++k)
+              result.values(numbering(a, i), k) +=
+                  chi * dot(point.weight * motions[k], direction);
+          });
+        });
+  for (Index i = 0; i < numbering.size() && result.lever > 0; ++i)
+    result.values(i, 2) /= result.lever;
+  return result;
 }
 
-}  // namespace
-
 RigidDrives::RigidDrives(std::vector<Drive> drives,
-                         const std::vector<ContactProblem>& bodies,
+                         const std::vector<ContactSide>& bodies,
                          const Numbering& numbering)
     : drives_(std::move(drives)) {
-  std::vector<RigidTraces> traces;
+  std::vector<Traces> traces;
   for (std::size_t k = 0; k < drives_.size(); ++k)
     traces.push_back(tracesOf(static_cast<int>(k), bodies, numbering));
-  traces_ = std::make_shared<const std::vector<RigidTraces>>(std::move(traces));
+  traces_ = std::make_shared<const std::vector<Traces>>(std::move(traces));
 }
 
 RigidDrives RigidDrives::under(std::vector<Drive> drives) const {
@@ -66,8 +72,8 @@ double RigidDrives::force(std::size_t k, std::size_t c) const {
 double RigidDrives::loadSize() const {
   double load = 0;
   for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const RigidTraces& traces = (*traces_)[k];
-    bem::Vec2 slide;
+    const Traces& traces = (*traces_)[k];
+    Vec2 slide;
     double others = 0;  // turning, and forces as pressures on opposite sides
     for (std::size_t c = 0; c < 3; ++c) {
       if (drives_[k].components[c].free)
@@ -85,7 +91,7 @@ double RigidDrives::loadSize() const {
 
 void RigidDrives::addFreeMotions(std::vector<Vector>& columns) const {
   forEachFree([&](std::size_t k, std::size_t c) {
-    Vector& column = columns.emplace_back(at((*traces_)[k].traces.rows()));
+    Vector& column = columns.emplace_back(at((*traces_)[k].values.rows()));
     std::transform(trace(k, c), trace(k, c) + column.size(), column.begin(),
                    std::negate<>());
   });

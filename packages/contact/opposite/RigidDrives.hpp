@@ -1,18 +1,31 @@
 #pragma once
 
-#include "contact/opposite/RigidBodies.hpp"
-#include "contact/problem/Numbering.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/opposite/ContactSide.hpp"
+#include "contact/problem/Problem.hpp"
 
+#include <array>
 #include <memory>
 
 namespace epafi::contact {
+
+/// Given motion of a rigid body, or the force on it, in x, in y and about its reference point; a free
+/// component may be held by a spring.  Dimensionless.
+struct Drive {
+  struct Component {
+    bool free = false;
+    double value = 0;      ///< force or moment of a free component; else the motion
+    double inside = 0;     ///< force or moment of body loads
+    double stiffness = 0;  ///< of the spring, whose force is stiffness (end - motion)
+    double end = 0;        ///< motion of the spring's other end
+  };
+  std::array<Component, 3> components{};
+};
 
 /// The bodies of a system that do not deform: how they are driven now, and what their motions
 /// do to all multipliers.
 class RigidDrives {
  public:
-  RigidDrives(std::vector<Drive> drives, const std::vector<ContactProblem>& bodies,
+  RigidDrives(std::vector<Drive> drives, const std::vector<ContactSide>& bodies,
               const Numbering& numbering);
   /// The same bodies at another time of a path.
   RigidDrives under(std::vector<Drive> drives) const;
@@ -38,13 +51,28 @@ class RigidDrives {
   double energyOfSprings(const Vector& multiplier) const;
 
  private:
+  /// Coupling of all multipliers with the motions m_k of a rigid body: (1, 0), (0, 1) and the
+  /// rotation e_z x (y - y₀) / lever:
+  ///
+  ///   values_ik = ∫ χ_i d_i · m_k∘P ds,   d_i: n or t of the side, P: Opposite::at
+  ///
+  /// For a motion m (rotation times `lever`) the contact conditions contain C u - values m, and
+  /// the forces on the body are valuesᵀ λ.
+  struct Traces {
+    Matrix values;      ///< multiplier x 3
+    double lever = 0;   ///< largest |y - y₀| at contacts; zero: it has none
+    double length = 0;  ///< of the sides that are opposite to it
+  };
+  static Traces tracesOf(int rigid, const std::vector<ContactSide>& bodies,
+                         const Numbering& numbering);
+
   /// What a motion about the reference point has in the units of its trace, or a moment.
   double scaleOf(std::size_t k, std::size_t c) const {
     const double lever = (*traces_)[k].lever;
     return c == 2 && lever > 0 ? lever : 1;
   }
   const double* trace(std::size_t k, std::size_t c) const {
-    return (*traces_)[k].traces.column(static_cast<Index>(c));
+    return (*traces_)[k].values.column(static_cast<Index>(c));
   }
   /// K of a spring, whose contact has a stiffness of about one.
   double stiffness(std::size_t k, std::size_t c) const {
@@ -69,7 +97,7 @@ class RigidDrives {
   }
 
   std::vector<Drive> drives_;
-  std::shared_ptr<const std::vector<RigidTraces>> traces_;  // on all multipliers
+  std::shared_ptr<const std::vector<Traces>> traces_;
 };
 
 }  // namespace epafi::contact
