@@ -25,12 +25,12 @@ WALLS = (condition("left", "Dirichlet", Displacement_X="0") +
          condition("right", "Dirichlet", Displacement_X="0"))
 
 
-def confined(name, law, steps, path, form="Density", basis=BASES[0]):
+def confined(name, law, steps, path, form="Density", basis=BASES[0], size=0.5):
     text = listed("confined", listed("Bodies", body(
         "block", block(0, 0, 1, 1), E, WALLS + listed(
             "bottom", parameter("Type", "string", "Contact"), law) +
         condition("top", "Dirichlet", Displacement_Y="-0.01*min(t, 1)"))),
-        listed("Discretization", parameter("Mesh Size", "double", 0.5),
+        listed("Discretization", parameter("Mesh Size", "double", size),
                parameter("Degree", "int", 2), parameter("Multiplier", "string", basis),
                listed("Stabilization", parameter("Form", "string", form))), history(path, steps))
     os.makedirs(WORK, exist_ok=True)
@@ -44,9 +44,10 @@ def confined(name, law, steps, path, form="Density", basis=BASES[0]):
 K = 2.0
 SLIDING = "max(0, t-1)*%r" % (0.4 / K / MODULUS)
 for basis in BASES:
-    for form in ("Density", "Projected"):  # None does not determine these multipliers
+    # None determines these multipliers on one element, whose side has as many displacements
+    for form, size in (("Density", 0.5), ("Projected", 0.5), ("None", 1)):
         folder, _ = solved("confined %s %s" % (basis, form), confined(
-            "confined", wear(str(K)) + slides(SLIDING), "1, 5", "1, 6", form, basis))
+            "confined", wear(str(K)) + slides(SLIDING), "1, 5", "1, 6", form, basis, size))
         steps = rows(folder, "steps.csv")
         off = max(differ(row["bottom.force_normal"], 0.01 * MODULUS / 1.4**n)
                   for n, row in enumerate(steps))
