@@ -1,7 +1,7 @@
 #include "adaptivity/mark/Strategy.hpp"
 
 #include "Processes.hpp"
-#include "SquareMesh.hpp"
+#include "Rectangle.hpp"
 #include "adaptivity/mark/Doerfler.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
