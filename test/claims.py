@@ -26,6 +26,11 @@ def absent(folder):
     return folder
 
 
+def options(settings):
+    """--set of each."""
+    return [word for setting in settings for word in ("--set", setting)]
+
+
 def read(file):
     with open(file, encoding="utf-8") as stream:
         return stream.read()

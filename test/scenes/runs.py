@@ -11,16 +11,11 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, read, table, write  # noqa: E402, F401
+from claims import absent, claim, finish, options, read, table, write  # noqa: E402, F401
 
 EPAFI, SCENES, WORK = sys.argv[1:4]
 RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
 os.makedirs(WORK, exist_ok=True)
-
-
-def options(settings):
-    """--set of each."""
-    return [word for setting in settings for word in ("--set", setting)]
 
 
 def epafi(*arguments, settings=(), cwd=None):
