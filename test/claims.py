@@ -26,6 +26,22 @@ def absent(folder):
     return folder
 
 
+def options(settings):
+    """--set of each."""
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def read(file):
+    with open(file, encoding="utf-8") as stream:
+        return stream.read()
+
+
+def write(file, text):
+    with open(file, "w", encoding="utf-8") as stream:
+        stream.write(text)
+    return file
+
+
 def table(file):
     """Rows as dictionaries, numbers as floats."""
     def value(text):

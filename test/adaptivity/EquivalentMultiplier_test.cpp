@@ -1,9 +1,11 @@
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 
 #include "Processes.hpp"
-#include "SolvedScene.hpp"
+#include "Rectangle.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
+#include "contact/Form.hpp"
+#include "contact/SolvedScene.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -27,8 +29,6 @@ double any(int k) { return std::sin(1.7 + 3.1 * k + 0.2 * k * k); }
 /// Contact below and to the right, so that they meet at a corner, a clamp above and, on
 /// the left, a roller if there is to be one.
 SolvedScene::Input scene(const std::string& multiplier, bool roller) {
-  const bem::Loop loop{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}},
-                       {"bottom", "right", "top", "left"}};
   const auto constant = [](double value) { return [=](Vec2) { return value; }; };
   Conditions conditions;
   conditions.contact["bottom"] = {{}, contact::makeFriction("Coulomb", {constant(0.3)})};
@@ -38,14 +38,12 @@ SolvedScene::Input scene(const std::string& multiplier, bool roller) {
                                  [](Vec2) { return -0.01; }};
   if (roller)
     conditions.dirichlet["left"] = {constant(0.005), {}};
-  contact::Stabilization stabilization;
-  if (contact::multiplierBasis(multiplier).sharesNodes)
-    stabilization.form = contact::Stabilization::Form::None;
-  return {bem::makeMesh(std::make_shared<bem::Outline>(loop), {3, 2, 2, 2}, 2),
+  return {bem::makeMesh(test::outlineOf(test::rectangle({-0.5, -0.5}, 1, 1)),
+                        {3, 2, 2, 2}, 2),
           {2, 0.3, false},
           conditions,
           multiplier,
-          stabilization};
+          test::suited(multiplier)};
 }
 
 std::vector<ContactCost> costsOf(const contact::Solved& solved) {

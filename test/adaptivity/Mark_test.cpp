@@ -1,4 +1,4 @@
-#include "SquareMesh.hpp"
+#include "Rectangle.hpp"
 #include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/mark/Doerfler.hpp"
 #include "bem/basis/Legendre.hpp"

@@ -1,6 +1,6 @@
 #include "adaptivity/refine/Refine.hpp"
 
-#include "SquareMesh.hpp"
+#include "Rectangle.hpp"
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
@@ -224,10 +224,7 @@ TEUCHOS_UNIT_TEST(OtherNodes, leaveAMultiplierThatIsOnePolynomialUnchanged) {
 }
 
 TEUCHOS_UNIT_TEST(OtherNodes, nothingIsCarriedToWhereNoContactWas) {
-  const bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                       {"bottom", "right", "top", "left"}};
-  const bem::Mesh mesh =
-      bem::makeMesh(std::make_shared<bem::Outline>(loop), {2, 2, 2, 2}, 1);
+  const bem::Mesh mesh = test::squareMesh({2, 2, 2, 2}, 1);
   const contact::MultiplierBasis& basis =
       contact::multiplierBasis("Gauss-Legendre-Lagrange");
   contact::Conditions one;

@@ -1,9 +1,11 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
 #include "Processes.hpp"
-#include "SolvedScene.hpp"
+#include "Rectangle.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/Form.hpp"
+#include "contact/SolvedScene.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -26,10 +28,8 @@ const bem::Material material{2, 0.3, false};
 
 /// [-1/2, 1/2]² times a length; the shortest side name comes first at the bottom.
 bem::Mesh squareMesh(int elements, int degree, double length = 1) {
-  const double a = 0.5 * length;
-  const bem::Loop loop{{{-a, -a}, {a, -a}, {a, a}, {-a, a}},
-                       {"bottom", "right", "top", "left"}};
-  return bem::makeMesh(std::make_shared<bem::Outline>(loop),
+  const bem::Vec2 from{-0.5 * length, -0.5 * length};
+  return bem::makeMesh(test::outlineOf(test::rectangle(from, length, length)),
                        {elements, elements + 1, elements, elements}, degree);
 }
 
@@ -108,16 +108,12 @@ double rounding(const Indicators& indicators, const contact::Solved& solved) {
 // Complementarity and slip are integrals of products, not squares: what rounding leaves
 // of them shows as its root.
 TEUCHOS_UNIT_TEST(ResidualEstimator, vanishesOnLinearSolutionsWithFrictionAndRollers) {
-  using Form = contact::Stabilization::Form;
   for (int degree : {1, 3})
     for (double coefficient : {0.3, 0.0})
       for (const char* multiplier : {"Bernstein", "Biorthogonal"}) {
-        contact::Stabilization stabilization;
-        if (contact::multiplierBasis(multiplier).sharesNodes)
-          stabilization.form = Form::None;
         const SolvedScene scene({squareMesh(2, degree), material,
                                  Sliding{coefficient}.conditions(), multiplier,
-                                 stabilization});
+                                 test::suited(multiplier)});
         Indicators indicators = estimate(scene);
         out << multiplier << ", degree " << degree << ", coefficient " << coefficient
             << ": ";

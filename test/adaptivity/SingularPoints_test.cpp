@@ -1,7 +1,7 @@
 // The singular points of several steps on one mesh, and further ones.
 #include "adaptivity/singular/SingularPoints.hpp"
 
-#include "SquareMesh.hpp"
+#include "Rectangle.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

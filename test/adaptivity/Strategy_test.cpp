@@ -1,7 +1,7 @@
 #include "adaptivity/mark/Strategy.hpp"
 
 #include "Processes.hpp"
-#include "SquareMesh.hpp"
+#include "Rectangle.hpp"
 #include "adaptivity/mark/Doerfler.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
@@ -14,6 +14,8 @@
 namespace epafi {
 
 namespace {
+
+using adaptivity::Mark;
 
 std::vector<int> worstOf(const bem::Mesh& mesh) {
   bem::Vector squares;
@@ -41,6 +43,17 @@ adaptivity::LevelData allMarkedOn(const bem::Mesh& mesh) {
   std::iota(level.worst.begin(), level.worst.end(), 0);
   level.analytic.assign(mesh.size(), true);
   return level;
+}
+
+/// One whose node 1, an end of elements 0 and 1, is singular.
+adaptivity::LevelData singularOn(const bem::Mesh& mesh) {
+  adaptivity::LevelData level = allMarkedOn(mesh);
+  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  return level;
+}
+
+adaptivity::Marks graded(const adaptivity::LevelData& level) {
+  return adaptivity::strategies().at("Graded hp").marks(level);
 }
 
 }  // namespace
@@ -87,7 +100,6 @@ TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
   const std::vector<int> worst = worstOf(mesh);
   const adaptivity::Marks h = adaptivity::strategies().at("Adaptive h").marks(level);
   const adaptivity::Marks hp = adaptivity::strategies().at("Adaptive hp").marks(level);
-  using adaptivity::Mark;
   for (int e = 0; e < mesh.size(); ++e) {
     const bool marked = std::find(worst.begin(), worst.end(), e) != worst.end();
     TEST_EQUALITY(h[e] == Mark::Bisect, marked);
@@ -122,12 +134,10 @@ TEUCHOS_UNIT_TEST(Strategy, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, cutsTowardSingularPointsAndRaisesDegreesElsewhere) {
-  using adaptivity::Mark;
   const bem::Mesh mesh = test::squareMesh(2);
-  adaptivity::LevelData level = allMarkedOn(mesh);
-  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  adaptivity::LevelData level = singularOn(mesh);
   level.singular.inside[3] = {0.1};
-  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
+  const adaptivity::Marks marks = graded(level);
   const int p = mesh[0].degree;
 
   TEST_ASSERT(marks[0] == Mark::Cut);  // its end is singular
@@ -141,49 +151,42 @@ TEUCHOS_UNIT_TEST(GradedHp, cutsTowardSingularPointsAndRaisesDegreesElsewhere) {
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, doesWithTransitionsWhatItsOptionSays) {
-  using adaptivity::Mark;
   const bem::Mesh mesh = test::squareMesh(2);
   adaptivity::LevelData level = allMarkedOn(mesh);
   level.singular.inside[3] = {0.1};
   const int p = mesh[3].degree;
   level.grading.transitions = "Surround";
-  const Mark surround = adaptivity::strategies().at("Graded hp").marks(level)[3];
+  const Mark surround = graded(level)[3];
   TEST_EQUALITY(static_cast<int>(surround.places().size()), 2);
   TEST_FLOATING_EQUALITY(surround.places().front(), -0.1, 1e-14);
   TEST_FLOATING_EQUALITY(surround.places().back(), 0.3, 1e-14);
   TEST_ASSERT(surround.degrees() == std::vector<int>({p + 1, p, p + 1}));
   level.grading.transitions = "Bisect";
-  TEST_ASSERT(adaptivity::strategies().at("Graded hp").marks(level)[3] == Mark::Bisect);
+  TEST_ASSERT(graded(level)[3] == Mark::Bisect);
 }
 
 // Between steps the kinks move, so that a piece of high degree has one inside in most of them.
 TEUCHOS_UNIT_TEST(GradedHp, leavesDegreeTwoToPiecesThatTransitionsOfSeveralStatesCross) {
-  using adaptivity::Mark;
   for (const int degree : {1, 2, 5}) {
     const bem::Mesh mesh = test::squareMesh(degree);
     adaptivity::LevelData level = allMarkedOn(mesh);
     level.singular.inside[3] = {-0.3, 0.1};
-    const auto marked = [&] {
-      return adaptivity::strategies().at("Graded hp").marks(level);
-    };
-    TEST_ASSERT(marked()[3] == Mark::cut({-0.3, 0.1}, {degree, degree, degree}));
+    TEST_ASSERT(graded(level)[3] == Mark::cut({-0.3, 0.1}, {degree, degree, degree}));
     level.singular.states = 2;
     const int low = std::min(degree, 2);
-    TEST_ASSERT(marked()[3] == Mark::cut({-0.3, 0.1}, {low, low, low}));
-    TEST_ASSERT(marked()[1] == Mark::RaiseDegree);
+    TEST_ASSERT(graded(level)[3] == Mark::cut({-0.3, 0.1}, {low, low, low}));
+    TEST_ASSERT(graded(level)[1] == Mark::RaiseDegree);
   }
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
-  using adaptivity::Mark;
   const bem::Mesh mesh = test::squareMesh(2);
-  adaptivity::LevelData level = allMarkedOn(mesh);
-  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  adaptivity::LevelData level = singularOn(mesh);
   level.analytic[2] = false;
   level.grading.ratio = 0.25;
   level.grading.degreeStep = 2;
   level.grading.smooth = "Legendre Decay";
-  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
+  const adaptivity::Marks marks = graded(level);
   const int p = mesh[0].degree;
   TEST_ASSERT(marks[0] == Mark::cut({0.5}, {p + 2, p}));
   TEST_ASSERT(marks[2] == Mark::Bisect);
@@ -191,32 +194,27 @@ TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, halvesSmoothElementsAtTheLargestDegreeOfTheMultiplier) {
-  using adaptivity::Mark;
   const bem::Mesh mesh = test::squareMesh(6);
-  adaptivity::LevelData level = allMarkedOn(mesh);
-  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  adaptivity::LevelData level = singularOn(mesh);
   level.grading.largestDegree = 6;
-  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
+  const adaptivity::Marks marks = graded(level);
   TEST_ASSERT(marks[1] == Mark::cut({-0.8}, {6, 6}));
   TEST_ASSERT(marks[3] == Mark::Bisect);
   level.grading.largestDegree = 7;
-  TEST_ASSERT(adaptivity::strategies().at("Graded hp").marks(level)[3] ==
-              Mark::RaiseDegree);
+  TEST_ASSERT(graded(level)[3] == Mark::RaiseDegree);
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
-  using adaptivity::Mark;
   for (const int degree : {1, 6}) {
     const bem::Mesh mesh = test::squareMesh(degree);
     adaptivity::LevelData level = allMarkedOn(mesh);
     level.singular.nodes[0] = adaptivity::Singularity::Weak;
-    const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
+    const adaptivity::Marks marks = graded(level);
     TEST_ASSERT(marks[0] == (degree == 1 ? Mark::RaiseDegree : Mark::Cut));
   }
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, takesNeighboursAlongThatStayBehindByMoreThanTwo) {
-  using adaptivity::Mark;
   for (const int degree : {2, 3}) {
     const bem::Mesh square = test::squareMesh(1);
     std::vector<bem::Piece> pieces;
@@ -226,7 +224,7 @@ TEUCHOS_UNIT_TEST(GradedHp, takesNeighboursAlongThatStayBehindByMoreThanTwo) {
     const bem::Mesh mesh(square.sharedOutline(), pieces);
     adaptivity::LevelData level = allMarkedOn(mesh);
     level.worst = {2};
-    const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
+    const adaptivity::Marks marks = graded(level);
     const Mark neighbour = degree == 3 ? Mark::RaiseDegree : Mark::None;
     TEST_ASSERT(marks[2] == Mark::RaiseDegree);
     TEST_ASSERT(marks[1] == neighbour);

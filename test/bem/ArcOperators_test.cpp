@@ -17,12 +17,6 @@ using bem::Vector;
 
 const bem::Lame lame({1, 0.3, false});
 
-bem::Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree) {
-  const auto outline = std::make_shared<const bem::Outline>(loop);
-  return bem::makeMesh(
-      outline, std::vector<int>(outline->edges().size(), elementsPerEdge), degree);
-}
-
 double product(const Vector& a, const Vector& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -27,7 +27,7 @@ TEUCHOS_UNIT_TEST(Arcs, allPairsOfLoopsOfTwoElements) {
 TEUCHOS_UNIT_TEST(Arcs, allPairsOfArcsOfMoreThanHalfACircle) {
   for (const double angle : {270.0, 337.0}) {
     const double bulge = std::tan(angle * std::acos(-1.0) / 720);
-    const auto outline = std::make_shared<const bem::Outline>(lens(bulge, 1 / bulge));
+    const auto outline = outlineOf(lens(bulge, 1 / bulge));
     for (const int elements : {2, 3, 5}) {
       std::vector<std::pair<int, int>> pairs;
       for (int e = 0; e <= elements; ++e)

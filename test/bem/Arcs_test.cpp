@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(Arcs, thatTouchAtBothEnds) {
 /// Its elements see each other across its opening.
 TEUCHOS_UNIT_TEST(Arcs, ofAnArcOfMoreThanHalfACircle) {
   const double bulge = std::tan(3 * std::acos(-1.0) / 8);
-  const auto outline = std::make_shared<const bem::Outline>(lens(bulge, 1 / bulge));
+  const auto outline = outlineOf(lens(bulge, 1 / bulge));
   testPairs(bem::makeMesh(outline, {2, 1}, 1), {{0, 1}, {0, 2}}, out, success);
 }
 

@@ -79,8 +79,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, ofConstantStressAreExactToRounding) {
 }
 
 TEUCHOS_UNIT_TEST(BoundaryFields, ofAPointForceConvergeExponentiallyInP) {
-  for (const auto& shape :
-       {std::make_shared<const bem::Outline>(square()), squareWithHole()}) {
+  for (const auto& shape : {outlineOf(square()), squareWithHole()}) {
     const std::vector<int> two(shape->edges().size(), 2);
     const auto errors = [&](int p) {
       return errorsOf(bem::makeMesh(shape, two, p), lameOf(0.3),
@@ -232,8 +231,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, ofSeveralStatesAreThoseOfEach) {
   const bem::Lame lame = lameOf(0.3);
   std::vector<Sample> samples = hardSamples();
   samples.push_back(
-      {"many elements", bem::makeMesh(std::make_shared<const bem::Outline>(square()),
-                                      {130, 130, 130, 130}, 1)});
+      {"many elements", bem::makeMesh(outlineOf(square()), {130, 130, 130, 130}, 1)});
   for (const Sample& sample : samples) {
     const bem::Space space(sample.mesh);
     std::vector<Vector> u;

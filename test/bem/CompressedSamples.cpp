@@ -14,10 +14,6 @@ using bem::Index;
 using bem::Matrix;
 using test::largest;
 
-std::shared_ptr<const bem::Outline> outlineOf(const bem::Loop& loop) {
-  return std::make_shared<const bem::Outline>(loop);
-}
-
 namespace {
 
 /// Cuts of all edges at the same fractions.

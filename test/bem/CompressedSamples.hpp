@@ -14,8 +14,6 @@ struct CompressedSample {
 /// Uniform, graded to 1e-8, rough, of high degrees, with holes and arcs.
 std::vector<CompressedSample> compressedSamples();
 
-std::shared_ptr<const bem::Outline> outlineOf(const bem::Loop& loop);
-
 /// Leaves of 60 unknowns, so that small meshes have a tree.
 bem::Compression smallLeaves();
 

@@ -62,9 +62,7 @@ bem::CauchyData smooth(const bem::Space& space) {
   return bem::makeCauchyData(space, space.interpolate(displacement), psi);
 }
 
-std::shared_ptr<const bem::Outline> squareOutline() {
-  return std::make_shared<const bem::Outline>(square());
-}
+std::shared_ptr<const bem::Outline> squareOutline() { return outlineOf(square()); }
 
 TEUCHOS_UNIT_TEST(EnergyNorm, isThatOfTheGalerkinMatrices) {
   for (const Sample& sample : quickSamples()) {

@@ -94,14 +94,14 @@ double errorOf(const bem::Mesh& mesh) {
 }
 
 TEUCHOS_UNIT_TEST(Laplace, solvesMixedProblemsForPolynomials) {
-  const auto square = std::make_shared<const bem::Outline>(reference::square());
+  const auto square = outlineOf(reference::square());
   TEST_COMPARE(errorOf(bem::makeMesh(square, {2, 2, 2, 2}, 4)), <, 1e-12);
   TEST_COMPARE(errorOf(bem::makeMesh(squareWithHole(), {1, 2, 2, 1, 1, 2, 1, 1}, 4)), <,
                1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Laplace, convergesOnArcs) {
-  const auto outline = std::make_shared<const bem::Outline>(curvedSample());
+  const auto outline = outlineOf(curvedSample());
   const std::vector<int> counts(outline->edges().size(), 2);
   const double coarse = errorOf(bem::makeMesh(outline, counts, 4));
   const double fine = errorOf(bem::makeMesh(outline, counts, 8));
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(Laplace, convergesOnArcs) {
 
 // of their boundary values
 TEUCHOS_UNIT_TEST(CauchyIntegral, givesAnalyticFunctionsInsideAndOnTheBoundary) {
-  const auto curved = std::make_shared<const bem::Outline>(curvedSample());
+  const auto curved = outlineOf(curvedSample());
   for (const auto& outline : {squareWithHole(), curved}) {
     const std::vector<int> counts(outline->edges().size(), 3);
     const bem::Mesh mesh = bem::makeMesh(outline, counts, 1);

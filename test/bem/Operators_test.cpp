@@ -108,9 +108,7 @@ double pointForceError(const bem::Mesh& mesh, double nu) {
   return tractionError(space, factor.solve(right), field);
 }
 
-std::shared_ptr<const bem::Outline> squareOutline() {
-  return std::make_shared<const bem::Outline>(square());
-}
+std::shared_ptr<const bem::Outline> squareOutline() { return outlineOf(square()); }
 
 TEUCHOS_UNIT_TEST(Operators, giveThePointForcesTractionAtFullOrderInH) {
   for (int p : {1, 2, 3}) {
@@ -145,7 +143,7 @@ TEUCHOS_UNIT_TEST(Operators, giveThePointForcesTractionExponentiallyInP) {
 /// Rayleigh quotient <S u, u> / <u, u> on a polygon of diameter 1 for the displacement
 /// u_x + i u_y = e^{ik theta}.
 double discEigenvalue(int sides, int k, double nu) {
-  const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
+  const auto shape = outlineOf(regularPolygon(sides, 0.5));
   const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 2));
   const Vector u = space.interpolate([k](Vec2 x) {
     const double angle = k * std::atan2(x.y, x.x);
@@ -190,7 +188,7 @@ TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
   const double pi = std::acos(-1.0);
   const double exact = lame.a * pi * (std::log(2.0) + 1 / (2 * (3 - 4 * 0.3)));
   const auto error = [&](int sides) {
-    const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
+    const auto shape = outlineOf(regularPolygon(sides, 0.5));
     const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 1));
     Vector ones(space.densities());
     double length = 0;
@@ -215,9 +213,7 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
     for (Vec2& v : loop.vertices)
       v = factor * (v + shift);
     return bem::assembleOperators(
-        bem::Space(
-            bem::makeMesh(std::make_shared<const bem::Outline>(loop), {2, 1, 1, 2}, 3)),
-        lameOf(0.3));
+        bem::Space(bem::makeMesh(outlineOf(loop), {2, 1, 1, 2}, 3)), lameOf(0.3));
   };
   const auto difference = [](const bem::Matrix& a, const bem::Matrix& b) {
     double error = 0;
@@ -237,7 +233,7 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
 
 // Bases are hierarchical: a mesh of higher degree has the same entries among its own.
 TEUCHOS_UNIT_TEST(Mesh, refusesDensitiesBeyondTheLargestDegree) {
-  const auto outline = std::make_shared<const bem::Outline>(square());
+  const auto outline = outlineOf(square());
   const bem::Mesh mesh = bem::makeMesh(outline, {1, 1, 1, 1}, bem::largestDegree - 1);
   const std::vector<int> most(4, bem::largestDegree);
   TEST_EQUALITY(mesh.withDensities(most)[0].densities, bem::largestDegree);
@@ -246,7 +242,7 @@ TEUCHOS_UNIT_TEST(Mesh, refusesDensitiesBeyondTheLargestDegree) {
 }
 
 TEUCHOS_UNIT_TEST(Mesh, refusesPiecesInAnotherOrderThanTheEdges) {
-  const auto outline = std::make_shared<const bem::Outline>(square());
+  const auto outline = outlineOf(square());
   const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, 1);
   std::vector<bem::Piece> pieces;
   for (const bem::Element& element : mesh.elements())
@@ -260,8 +256,7 @@ TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
   const bem::Loop outline{{{0, 0}, {2, 0}, {2, 1}, {0.5, 1.5}}, {"a", "b", "c", "d"}};
   std::vector<bem::Piece> pieces;
   std::vector<int> densities;
-  const auto shared =
-      std::make_shared<const bem::Outline>(outline, std::vector<bem::Loop>{});
+  const auto shared = outlineOf(outline);
   const bem::Mesh plain = bem::makeMesh(shared, {9, 3, 10, 2}, 2);
   for (int e = 0; e < plain.size(); ++e) {
     const bool raised = plain[e].piece.edge == 0 || e == plain.size() - 1;

@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(ProjectedTractions, fromMomentsEqualThoseFromPointValues) {
 
 TEUCHOS_UNIT_TEST(ProjectedTractions, onArcsDoNotFeelTheRotation) {
   for (const auto& loop : {reference::disc(3, 0.5), reference::curvedSample()}) {
-    const auto outline = std::make_shared<const bem::Outline>(loop);
+    const auto outline = test::outlineOf(loop);
     const bem::Space space(
         bem::makeMesh(outline, std::vector<int>(outline->edges().size(), 2), 5));
     TEST_COMPARE(differenceOfWays(space, bem::Lame({1, 0.3, false}),
@@ -146,7 +146,7 @@ std::vector<Vec2> pointsNearTheBoundary() {
 }
 
 TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
-  const auto outline = std::make_shared<const bem::Outline>(
+  const auto outline = test::outlineOf(
       reference::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
   for (const double nu : {0.3, 0.45}) {
     const bem::Lame lame(bem::Material{1, nu, false});

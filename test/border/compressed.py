@@ -3,7 +3,6 @@
 Trees of several levels: Tresca and Coulomb, without stabilisation and by the density, two
 bodies, arcs, a rigid body on a load path, refined levels from warm starts."""
 import os
-import sys
 
 import ranks
 from scales import worst
@@ -28,13 +27,7 @@ CASES = {
 
 def solve(count, scene):
     """The tables of a run."""
-    folder = ranks.fresh("%s-%d" % (scene, count))
-    arguments = ["run", os.path.join(ranks.SCENES, scene + ".xml"), "--output", folder]
-    for setting in CASES[scene] + ["Solver->Linear->Method=Compressed"]:
-        arguments += ["--set", setting]
-    run = ranks.Run(count, arguments)
-    if run.codes != [0] * count:
-        sys.exit("%s on %d ranks: %s\n%s" % (scene, count, run.codes, run.text))
+    folder, _ = ranks.solved(count, scene, scene, CASES[scene] + ["Solver->Linear->Method=Compressed"])
     names = ["history.csv", "contact.csv", "steps.csv"]
     return {name: ranks.table(os.path.join(folder, name)) for name in names
             if os.path.exists(os.path.join(folder, name))}

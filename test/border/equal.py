@@ -21,15 +21,9 @@ METHODS = {"Dense": [], "Compressed": ["Discretization->Stabilization->Form=Dens
 
 def solve(count, scene, strategy, method="Dense"):
     """history.csv of a run."""
-    folder = ranks.fresh("%s-%s-%s-%d" % (scene, strategy, method, count))
-    arguments = ["run", os.path.join(ranks.SCENES, scene + ".xml"), "--output", folder]
-    for setting in (STRATEGIES[strategy] + METHODS.get(method, []) +
-                    ["Solver->Linear->Method=" + method]):
-        arguments += ["--set", setting]
-    run = ranks.Run(count, arguments)
-    if run.codes != [0] * count:
-        sys.exit("%s on %d ranks: %s\n%s" % (scene, count, run.codes, run.text))
-    ranks.claim(run.text.count("ended ") == 1, "one rank speaks: %s on %d" % (scene, count))
+    folder, text = ranks.solved(count, "%s-%s-%s" % (scene, strategy, method), scene, [
+        *STRATEGIES[strategy], *METHODS.get(method, []), "Solver->Linear->Method=" + method])
+    ranks.claim(text.count("ended ") == 1, "one rank speaks: %s on %d" % (scene, count))
     return ranks.table(os.path.join(folder, "history.csv"))
 
 

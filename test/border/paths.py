@@ -5,7 +5,6 @@ All columns agree to 1e-10 of their scale. At nu = 1/2 the density knows the mea
 gamma alone, so that rounding of u comes back in it 1e7 times as large: what is made of it, the
 residuals of the estimate, agrees to 1e-8, the contact point by point to 1e-9."""
 import os
-import sys
 
 import ranks
 from scales import difference, worst
@@ -17,14 +16,9 @@ OF_DENSITY = ("eta_neumann", "eta_density", "estimate", "estimate_relative",
 
 
 def solve(count, ratio, method):
-    folder = ranks.fresh("%s-%g-%d" % (method, ratio, count))
-    arguments = ["run", os.path.join(ranks.SCENES, "fretting.xml"), "--output", folder]
-    for setting in SETTINGS + ["Solver->Linear->Method=" + method,
-                               "Bodies->block->Material->Poisson's Ratio=%g" % ratio]:
-        arguments += ["--set", setting]
-    run = ranks.Run(count, arguments)
-    if run.codes != [0] * count:
-        sys.exit("%d ranks: %s\n%s" % (count, run.codes, run.text))
+    folder, _ = ranks.solved(count, "%s-%g" % (method, ratio), "fretting", [
+        *SETTINGS, "Solver->Linear->Method=" + method,
+        "Bodies->block->Material->Poisson's Ratio=%g" % ratio])
     return [ranks.table(os.path.join(folder, name)) for name in
             ("history.csv", "steps.csv", "contact.csv")]
 

@@ -8,7 +8,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, table  # noqa: E402, F401
+from claims import absent, claim, finish, options, table  # noqa: E402, F401
 
 MPIEXEC, EPAFI, SCENES, WORK = sys.argv[1:5]
 
@@ -50,3 +50,12 @@ class Run:
         self.seconds = time.monotonic() - start
         self.codes = [int(open(os.path.join(codes, name)).read()) for name in os.listdir(codes)]
         self.messages = [line for line in self.text.splitlines() if line.startswith("epafi:")]
+
+
+def solved(count, name, scene, settings):
+    """The folder of a shipped scene's run, and what was printed."""
+    folder = fresh("%s-%d" % (name, count))
+    run = Run(count, ["run", os.path.join(SCENES, scene + ".xml"), "--output", folder, *options(settings)])
+    if run.codes != [0] * count:
+        sys.exit("%s on %d ranks: %s\n%s" % (name, count, run.codes, run.text))
+    return folder, run.text

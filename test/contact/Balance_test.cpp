@@ -1,6 +1,8 @@
 // Forces and moments balance where rounding of the stiffness is far larger than the load,
 // on any number of ranks.
-#include "Projected.hpp"
+#include "Largest.hpp"
+#include "Rectangle.hpp"
+#include "contact/Form.hpp"
 #include "contact/body/CoupledBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 using bem::Index;
 using bem::Vector;
+using Form = contact::Stabilization::Form;
 
 struct Body {
   bem::Lame lame;
@@ -26,22 +29,12 @@ struct Body {
 
   Body(double length, double nu, const std::vector<int>& elements)
       : lame({1, nu, false}),
-        space(bem::makeMesh(std::make_shared<const bem::Outline>(
-                                bem::Loop{{{0, 0}, {length, 0}, {length, 1}, {0, 1}},
-                                          {"bottom", "right", "top", "left"}},
-                                std::vector<bem::Loop>{}),
-                            elements, 2)),
+        space(bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, length, 1)), elements,
+                            2)),
         stiffness(bem::assembleOperators(space, lame, {})) {}
 };
 
 double zero(bem::Vec2) { return 0; }
-
-double largest(const Vector& v) {
-  double most = 0;
-  for (const double x : v)
-    most = std::max(most, std::abs(x));
-  return most;
-}
 
 /// Held at the left, sheared at the right, bent and pressed from above, far from a floor.
 contact::Conditions cantilever(double load) {
@@ -114,7 +107,7 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
                  <, 1e-15 * size);
     const Vector none =
         coupled->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
-    TEST_COMPARE(largest(none), <, 1e-16);
+    TEST_COMPARE(test::largest(none), <, 1e-16);
   }
 }
 
@@ -123,9 +116,8 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  contact::Stabilization none;
-  none.form = contact::Stabilization::Form::None;
-  const auto coupled = coupledBody(body, conditions, multiplier, {2, 1}, none);
+  const auto coupled =
+      coupledBody(body, conditions, multiplier, {2, 1}, test::ofForm(Form::None));
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
@@ -177,9 +169,7 @@ TEUCHOS_UNIT_TEST(Refinement, endsWhereCorrectionsDoNotShrink) {
 TEUCHOS_UNIT_TEST(Definiteness, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused) {
   const bem::Lame lame({1, 0.3, false});
   const bem::Loop wedge{{{0, 0}, {1, 0}, {1, 0.0875}}, {"bottom", "left", "top"}};
-  const bem::Space space(
-      bem::makeMesh(std::make_shared<const bem::Outline>(wedge, std::vector<bem::Loop>{}),
-                    {8, 2, 8}, 1));
+  const bem::Space space(bem::makeMesh(test::outlineOf(wedge), {8, 2, 8}, 1));
   const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
   contact::Conditions conditions;
   conditions.dirichlet["left"] = {zero, zero};

@@ -1,5 +1,6 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
+#include "Rectangle.hpp"
 #include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -26,12 +27,8 @@ struct Block {
   bem::SteklovPoincare stiffness;
 
   Block(double bottom, int across, int degree)
-      : space(bem::makeMesh(
-            std::make_shared<const bem::Outline>(
-                bem::Loop{{{0, bottom}, {1, bottom}, {1, bottom + 1}, {0, bottom + 1}},
-                          {"bottom", "right", "top", "left"}},
-                std::vector<bem::Loop>{}),
-            {across, 4, across, 4}, degree)),
+      : space(bem::makeMesh(test::outlineOf(test::rectangle({0, bottom}, 1, 1)),
+                            {across, 4, across, 4}, degree)),
         stiffness(bem::assembleOperators(space, lame, {})) {}
 };
 

@@ -2,9 +2,11 @@
 // solution and number of Newton's steps, displacement, reactions, energy.
 #include "Largest.hpp"
 #include "Processes.hpp"
-#include "Solve.hpp"
+#include "Rectangle.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
+#include "contact/Form.hpp"
+#include "contact/Solve.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/system/ContactSystem.hpp"
@@ -152,7 +154,7 @@ struct Pair {
       : conditions(conditionsOf(c)),
         lame({1, c.nu, false}),
         units(outline->units(1)),
-        stabilization(stabilizationOf(c)),
+        stabilization(test::ofForm(c.form)),
         space(contact::makeSpace(bem::makeMesh(outline,
                                                std::vector<int>(4, c.degree == 1  ? 40
                                                                    : c.degree > 3 ? 6
@@ -168,15 +170,10 @@ struct Pair {
                                                     test::processes(), smallLeaves())) {}
 
   static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
-    bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+    bem::Loop loop = test::rectangle({0, 0}, 1, 1);
     if (c.bulge != 0)
       loop.bulges = {c.bulge, 0, -c.bulge, c.bulge};
-    return std::make_shared<const bem::Outline>(loop, std::vector<bem::Loop>{});
-  }
-  static Stabilization stabilizationOf(const Case& c) {
-    Stabilization stabilization;
-    stabilization.form = c.form;
-    return stabilization;
+    return test::outlineOf(loop);
   }
   static bem::Compression smallLeaves() {
     bem::Compression options;
@@ -388,9 +385,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFailedStepLeavesNothingBehind) {
 }
 
 TEUCHOS_UNIT_TEST(CompressedBody, whatCannotBeCompressedIsRefused) {
-  Stabilization projected;
-  projected.form = Stabilization::Form::Projected;
-  TEST_ASSERT(!contact::whyNotCompressed(projected).empty());
+  TEST_ASSERT(!contact::whyNotCompressed(test::projected()).empty());
   TEST_ASSERT(contact::whyNotCompressed(Stabilization()).empty());
 }
 

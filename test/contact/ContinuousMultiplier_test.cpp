@@ -1,6 +1,7 @@
 // The multiplier that does the same work and does not jump at nodes.
 #include "contact/multiplier/ContinuousMultiplier.hpp"
 
+#include "Rectangle.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
 
@@ -18,9 +19,7 @@ using Value = MultiplierSpace::Value;
 
 /// Unequal elements of degrees 1, 3, 2, 2 at the bottom of the unit square.
 bem::Mesh unequalMesh() {
-  const bem::Loop square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                         {"bottom", "right", "top", "left"}};
-  auto outline = std::make_shared<bem::Outline>(square);
+  const auto outline = test::outlineOf(test::rectangle({0, 0}, 1, 1));
   const double whole = outline->edges()[0].curve.length();
   std::vector<bem::Piece> pieces;
   const double places[] = {0, 0.1, 0.45, 0.7, 1};

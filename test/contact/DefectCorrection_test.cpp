@@ -4,8 +4,10 @@
 
 #include "Largest.hpp"
 #include "Processes.hpp"
-#include "Solve.hpp"
+#include "Rectangle.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
+#include "contact/Form.hpp"
+#include "contact/Solve.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/equation/Equation.hpp"
@@ -48,15 +50,14 @@ struct Body {
 
   explicit Body(const Case& c)
       : conditions(conditionsOf(c)),
+        stabilization(test::ofForm(c.form)),
         outline(outlineOf(c)),
         units(outline->units(1)),
         space(contact::makeSpace(
             bem::makeMesh(outline, {elements(c), 4, elements(c), 4}, c.degree),
-            conditions, withForm(c.form))),
+            conditions, stabilization)),
         basis(contact::multiplierBasis(c.basis)),
-        multiplier(space.mesh(), basis, conditions) {
-    stabilization.form = c.form;
-  }
+        multiplier(space.mesh(), basis, conditions) {}
 
   contact::ContactSystem system(const bem::SteklovPoincare& stiffness) const {
     return contact::ContactSystem(
@@ -76,17 +77,11 @@ struct Body {
 
  private:
   static int elements(const Case& c) { return static_cast<int>(4 * c.length); }
-  static Stabilization withForm(Form form) {
-    Stabilization stabilization;
-    stabilization.form = form;
-    return stabilization;
-  }
   static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
-    bem::Loop loop{{{0, 0}, {c.length, 0}, {c.length, 1}, {0, 1}},
-                   {"bottom", "right", "top", "left"}};
+    bem::Loop loop = test::rectangle({0, 0}, c.length, 1);
     if (c.bulge != 0)
       loop.bulges = {c.bulge, 0, 0, 0};
-    return std::make_shared<const bem::Outline>(loop, std::vector<bem::Loop>{});
+    return test::outlineOf(loop);
   }
   static contact::Conditions conditionsOf(const Case& c) {
     contact::Conditions conditions;

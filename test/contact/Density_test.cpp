@@ -1,9 +1,12 @@
 // Stabilisation by the density: what ContactSystem condenses is the saddle point of
 //   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
 // solved here as a whole, with forms integrated anew.
+#include "Largest.hpp"
+#include "Rectangle.hpp"
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
+#include "contact/Form.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/system/ContactSystem.hpp"
 
@@ -28,11 +31,8 @@ const bem::Units units{1, 1};
 /// A square of diameter one whose bottom touches, and its right side if asked for.
 bem::Mesh squareMesh(const std::vector<int>& elements, int degree) {
   const double side = std::sqrt(0.5);
-  const bem::Loop square{{{0, 0}, {side, 0}, {side, side}, {0, side}},
-                         {"bottom", "right", "top", "left"}};
-  return bem::makeMesh(
-      std::make_shared<const bem::Outline>(square, std::vector<bem::Loop>{}), elements,
-      degree);
+  return bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, side, side)), elements,
+                       degree);
 }
 
 contact::Conditions conditionsOf(const char* law) {
@@ -69,8 +69,7 @@ struct Condensed {
 };
 
 Stabilization stabilizationOf(const Case& c) {
-  Stabilization stabilization;
-  stabilization.form = Stabilization::Form::Density;
+  Stabilization stabilization = test::ofForm(Stabilization::Form::Density);
   stabilization.gamma0 = c.gamma0;
   stabilization.raised = c.raised;
   return stabilization;
@@ -247,13 +246,7 @@ Condensed whole(const Case& c) {
 }
 
 double apart(const Vector& a, const Vector& b) {
-  double largest = 0;
-  double size = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-    size = std::max(size, std::abs(b[i]));
-  }
-  return a.size() == b.size() ? largest / size : 1e9;
+  return test::largestDifference(a, b) / test::largest(b);
 }
 
 TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {

@@ -1,10 +1,9 @@
 // Contact on circular arcs: normals turn along an element, sides close, and a rotation is no
 // polynomial.  On any number of ranks.
-#include "bem/operators/ExactRotation.hpp"
+#include "Rectangle.hpp"
 #include "bem/space/DisplacementField.hpp"
-#include "contact/Solve.hpp"
-#include "contact/results/Summary.hpp"
-#include "contact/system/ContactSystem.hpp"
+#include "contact/Form.hpp"
+#include "contact/SolvedScene.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -16,7 +15,6 @@ namespace epafi {
 namespace {
 
 using bem::Vec2;
-using bem::Vector;
 
 constexpr double radius = 2;
 
@@ -31,54 +29,15 @@ bem::Loop disc(const std::vector<std::string>& names) {
   return loop;
 }
 
-/// A solved disc.
-struct Disc {
-  bem::Lame lame{bem::Material{1, 0.3, false}};
-  contact::Conditions conditions;
-  bem::Space space;
-  const contact::MultiplierBasis& basis;
-  contact::Stabilization stabilization;
-  bem::SteklovPoincare stiffness;
-  contact::ContactSystem system;
-  contact::Solution solution;
-  Vector displacement;
-
-  Disc(const std::vector<std::string>& names, int elementsPerEdge, int degree,
-       contact::Conditions given, const std::string& basisName,
-       contact::Stabilization::Form form)
-      : conditions(std::move(given)),
-        space(bem::makeMesh(std::make_shared<const bem::Outline>(disc(names)),
-                            std::vector<int>(names.size(), elementsPerEdge), degree)),
-        basis(contact::multiplierBasis(basisName)),
-        stabilization(with(form)),
-        stiffness(operators(), contact::densityCompliance(space, multiplier(),
-                                                          stabilization, lame, units())),
-        system({{space, stiffness, lame, units(), conditions, basis, stabilization}}),
-        solution(test::solve(system.numbers(), {}, {})),
-        displacement(system.body(0).displacement(solution.state)) {}
-
-  bem::Units units() const { return space.mesh().outline().units(1); }
-  contact::MultiplierSpace multiplier() const {
-    return {space.mesh(), basis, conditions};
-  }
-  contact::Summary summary() const {
-    return contact::summarize({space, stiffness, system.body(0), conditions, units(),
-                               solution.state, displacement});
-  }
-
- private:
-  static contact::Stabilization with(contact::Stabilization::Form form) {
-    contact::Stabilization result;
-    result.form = form;
-    return result;
-  }
-  bem::Operators operators() const {
-    return bem::withExactRotation(
-        bem::assembleOperators(space, lame,
-                               contact::tractionElements(multiplier(), stabilization)),
-        space);
-  }
-};
+test::SolvedScene solvedDisc(const std::vector<std::string>& names, int elementsPerEdge,
+                             int degree, const contact::Conditions& conditions,
+                             const std::string& basis,
+                             contact::Stabilization::Form form) {
+  return test::SolvedScene(
+      {bem::makeMesh(test::outlineOf(disc(names)),
+                     std::vector<int>(names.size(), elementsPerEdge), degree),
+       bem::Material{1, 0.3, false}, conditions, basis, test::ofForm(form)});
+}
 
 double zero(Vec2) { return 0; }
 
@@ -107,17 +66,17 @@ TEUCHOS_UNIT_TEST(Disc, balancesWhateverHoldsIt) {
       contact::Conditions resting = pushed();
       resting.contact["floor"] = {[](Vec2) { return 0.0; }, nullptr, {}};
       resting.fix = {true, false, true};
-      const Disc fixed({"free", "load", "free", "floor", "floor"}, 3, degree, resting,
-                       "Gauss-Legendre-Lagrange", form);
-      TEST_COMPARE(imbalance(fixed.summary()), <, 1e-12);
-      TEST_COMPARE(std::abs(fixed.summary().contact.y), >, 1);
+      const auto fixed = solvedDisc({"free", "load", "free", "floor", "floor"}, 3, degree,
+                                    resting, "Gauss-Legendre-Lagrange", form);
+      TEST_COMPARE(imbalance(summarize(fixed.solved())), <, 1e-12);
+      TEST_COMPARE(std::abs(summarize(fixed.solved()).contact.y), >, 1);
 
       contact::Conditions clamped = pushed();
       clamped.dirichlet["clamp"] = {zero, zero};
       clamped.contact["floor"] = {[](Vec2) { return 0.001; }, nullptr, {}};
-      const Disc held({"free", "load", "clamp", "floor", "free"}, 3, degree, clamped,
-                      "Gauss-Legendre-Lagrange", form);
-      TEST_COMPARE(imbalance(held.summary()), <, 1e-12);
+      const auto held = solvedDisc({"free", "load", "clamp", "floor", "free"}, 3, degree,
+                                   clamped, "Gauss-Legendre-Lagrange", form);
+      TEST_COMPARE(imbalance(summarize(held.solved())), <, 1e-12);
     }
 }
 
@@ -134,14 +93,14 @@ TEUCHOS_UNIT_TEST(Disc, isPressedEvenlyAllAround) {
     for (const Form form : {Form::Projected, Form::Density, Form::None}) {
       if (form != Form::None && contact::multiplierBasis(basis).sharesNodes)
         continue;
-      const Disc all({"all", "all"}, 3, 8, ring, basis, form);
-      TEST_ASSERT(all.solution.report.status == contact::Status::Converged);
-      const contact::MultiplierSpace space = all.multiplier();
+      const auto all = solvedDisc({"all", "all"}, 3, 8, ring, basis, form);
+      TEST_ASSERT(all.report().converged());
+      const contact::MultiplierSpace& space = all.solved().problem.multiplier();
       double worst = 0;
       for (const auto& element : space.elements())
         for (const double t : {-1.0, -0.4, 0.7, 1.0})
           worst = std::max(
-              worst, std::abs(space.at(all.solution.state.multiplier, element, t).normal -
+              worst, std::abs(space.at(all.solved().state.multiplier, element, t).normal -
                               pressure));
       out << basis << ": ";
       TEST_COMPARE(worst, <, 1e-6 * pressure);
@@ -152,7 +111,7 @@ TEUCHOS_UNIT_TEST(Disc, isPressedEvenlyAllAround) {
 TEUCHOS_UNIT_TEST(Disc, sharesAllNodesOfAClosedSide) {
   contact::Conditions ring;
   ring.contact["all"] = {[](Vec2) { return 0.0; }, nullptr, {}};
-  const auto outline = std::make_shared<const bem::Outline>(disc({"all", "all", "all"}));
+  const auto outline = test::outlineOf(disc({"all", "all", "all"}));
   for (const int degree : {1, 2, 5}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2}, degree);
     const contact::MultiplierSpace space(mesh, contact::multiplierBasis("Biorthogonal"),
@@ -171,12 +130,13 @@ TEUCHOS_UNIT_TEST(Disc, turnsWithoutStrain) {
   const double angle = 1e-2;
   turned.dirichlet["all"] = {[=](Vec2 x) { return -angle * x.y; },
                              [=](Vec2 x) { return angle * x.x; }};
-  const Disc rigid({"all", "all", "all"}, 2, 1, turned, "Gauss-Legendre-Lagrange",
-                   Form::None);
-  TEST_COMPARE(std::abs(rigid.summary().energyStrain), <, 1e-15 * angle * angle);
-  const Vec2 u = bem::DisplacementField(rigid.space, rigid.displacement).at(1, 0.3);
-  const Vec2 x = rigid.space.mesh().physicalPoint(1, 0.3);
-  TEST_COMPARE(norm(rigid.units().length * u - angle * turnLeft(x)), <, 1e-15);
+  const auto rigid = solvedDisc({"all", "all", "all"}, 2, 1, turned,
+                                "Gauss-Legendre-Lagrange", Form::None);
+  const contact::Solved solved = rigid.solved();
+  TEST_COMPARE(std::abs(summarize(solved).energyStrain), <, 1e-15 * angle * angle);
+  const Vec2 u = bem::DisplacementField(solved.space, solved.displacement).at(1, 0.3);
+  const Vec2 x = solved.space.mesh().physicalPoint(1, 0.3);
+  TEST_COMPARE(norm(solved.units.length * u - angle * turnLeft(x)), <, 1e-15);
 }
 
 }  // namespace epafi

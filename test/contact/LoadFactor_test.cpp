@@ -1,7 +1,7 @@
 #include "Largest.hpp"
-#include "contact/Solve.hpp"
+#include "Rectangle.hpp"
+#include "contact/SolvedScene.hpp"
 #include "contact/equation/ProblemFamily.hpp"
-#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -11,12 +11,12 @@ namespace {
 
 namespace bem = epafi::bem;
 namespace contact = epafi::contact;
+namespace test = epafi::test;
 using bem::Vec2;
 using contact::Index;
 using contact::Vector;
 using epafi::test::largest;
 using epafi::test::largestDifference;
-using epafi::test::solve;
 
 // A block over a curved foundation, its top pulled, pushed and displaced by `load`; with
 // or without a clamp.
@@ -38,58 +38,44 @@ contact::Conditions conditionsFor(double load, bool clamped) {
   return conditions;
 }
 
-struct Scene {
-  explicit Scene(double load, bool clamped)
-      : conditions(conditionsFor(load, clamped)),
-        space(contact::makeSpace(bem::makeMesh(outline(), {4, 2, 3, 2}, 2), conditions,
-                                 {})),
-        stiffness(contact::makeStiffness(
-            space, contact::MultiplierSpace(space.mesh(), basis, conditions), {}, lame,
-            units)),
-        system({{space, stiffness, lame, units, conditions, basis, {}}}) {}
-
-  static std::shared_ptr<const bem::Outline> outline() {
-    return std::make_shared<bem::Outline>(bem::Loop{{{-1, 0}, {1, 0}, {1, 1}, {-1, 1}},
-                                                    {"bottom", "right", "top", "left"}});
-  }
-
-  bem::Lame lame{bem::Material{5, 0.3, false}};
-  bem::Units units{outline()->diameter(), 5};
-  const contact::MultiplierBasis& basis =
-      contact::multiplierBasis("Gauss-Legendre-Lagrange");
-  contact::Conditions conditions;
-  bem::Space space;
-  bem::SteklovPoincare stiffness;
-  contact::ContactSystem system;
-};
+test::SolvedScene solvedBlock(double load, bool clamped) {
+  return test::SolvedScene(
+      {bem::makeMesh(test::outlineOf(test::rectangle({-1, 0}, 2, 1)), {4, 2, 3, 2}, 2),
+       bem::Material{5, 0.3, false}, conditionsFor(load, clamped),
+       "Gauss-Legendre-Lagrange"});
+}
 
 /// Twice the load factor is twice all tractions and prescribed displacements over the
 /// same gap.
 TEUCHOS_UNIT_TEST(LoadFactor, scalesTractionsAndPrescribedDisplacements) {
   for (const bool clamped : {false, true}) {
-    const Scene one(1, clamped);
-    const Scene two(2, clamped);
-    const contact::ProblemFamily family(one.system.numbers(), one.system.gap());
+    const auto scene = solvedBlock(1, clamped);
+    const auto twice = solvedBlock(2, clamped);
+    const contact::ContactSystem& one = scene.system();
+    const contact::ContactSystem& two = twice.system();
+    const contact::ProblemFamily family(one.numbers(), one.gap());
     const contact::Problem scaled = family.at({2, 1});
-    const contact::Problem& expected = two.system.numbers();
+    const contact::Problem& expected = two.numbers();
     TEST_COMPARE(largestDifference(scaled.offset, expected.offset), <,
                  1e-14 * largest(expected.offset) * 10);
     TEST_COMPARE(largestDifference(scaled.rigidLoad, expected.rigidLoad), <, 1e-14);
-    TEST_COMPARE(largest(one.system.gap()), >, 1e-4);
+    TEST_COMPARE(largest(one.gap()), >, 1e-4);
   }
 }
 
 /// What doc/howto/embed.md says of the displacement at another load factor.
 TEUCHOS_UNIT_TEST(LoadFactor, displacementAddsTheRestOfTheLoad) {
   for (const bool clamped : {false, true}) {
-    const Scene one(1, clamped);
-    const Scene two(2, clamped);
-    const contact::State state = solve(two.system.numbers(), {}, {}).state;
-    Vector u = one.system.body(0).displacement(state);
-    const Vector rest = one.system.body(0).displacement({});
+    const auto scene = solvedBlock(1, clamped);
+    const auto twice = solvedBlock(2, clamped);
+    const contact::ContactBody& one = scene.system().body(0);
+    const contact::ContactBody& two = twice.system().body(0);
+    const contact::State& state = twice.solved().state;
+    Vector u = one.displacement(state);
+    const Vector rest = one.displacement({});
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += rest[i];
-    const Vector expected = two.system.body(0).displacement(state);
+    const Vector expected = two.displacement(state);
     TEST_COMPARE(largestDifference(u, expected), <, 1e-12 * largest(expected));
   }
 }

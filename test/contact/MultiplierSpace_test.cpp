@@ -1,6 +1,7 @@
 // The numbering of multipliers that belong to the displacement's nodes.
 #include "contact/multiplier/MultiplierSpace.hpp"
 
+#include "Rectangle.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
@@ -21,12 +22,8 @@ using contact::Conditions;
 using contact::Index;
 using contact::MultiplierSpace;
 
-/// The unit square, three elements on every side.
-bem::Mesh squareMesh(int degree) {
-  const bem::Loop square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                         {"bottom", "right", "top", "left"}};
-  return bem::makeMesh(std::make_shared<bem::Outline>(square), {3, 3, 3, 3}, degree);
-}
+/// Three elements on every side.
+bem::Mesh squareMesh(int degree) { return test::squareMesh({3, 3, 3, 3}, degree); }
 
 double zero(bem::Vec2) { return 0; }
 
@@ -233,8 +230,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpac
   conditions.dirichlet["top"] = {zero, {}};
   const bem::Loop leaning{{{0, 0}, {1, 0}, {1 - std::tan(0.005), 1}, {0, 1}},
                           {"bottom", "right", "top", "left"}};
-  const bem::Mesh mesh =
-      bem::makeMesh(std::make_shared<bem::Outline>(leaning), {3, 3, 3, 3}, 4);
+  const bem::Mesh mesh = bem::makeMesh(test::outlineOf(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
   TEST_ASSERT(!space.elements().back().normalEnds.last);
   TEST_ASSERT(space.elements().back().normalCompletions[1].clamped);
@@ -301,8 +297,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, atACornerTheFunctionKeepsTheForceOfTheInequalitie
   conditions.contact["right"] = frictional();
   const bem::Loop slanted{{{0, 0}, {1, 0}, {1.4, 1.1}, {0, 1}},
                           {"bottom", "right", "top", "left"}};
-  const bem::Mesh mesh =
-      bem::makeMesh(std::make_shared<bem::Outline>(slanted), {2, 5, 3, 3}, 3);
+  const bem::Mesh mesh = bem::makeMesh(test::outlineOf(slanted), {2, 5, 3, 3}, 3);
   const MultiplierSpace space(mesh, dual(), conditions);
   bem::Vector multiplier;
   for (Index i = 0; i < space.size(); ++i)
@@ -318,13 +313,9 @@ TEUCHOS_UNIT_TEST(MultiplierSpace, anElementWithoutFreeNodesIsRefused) {
   conditions.contact["bottom"] = frictional();
   conditions.dirichlet["left"] = {zero, zero};
   conditions.dirichlet["right"] = {zero, zero};
-  const bem::Loop square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                         {"bottom", "right", "top", "left"}};
-  const auto outline = std::make_shared<bem::Outline>(square);
-  TEST_THROW(MultiplierSpace(bem::makeMesh(outline, {1, 1, 1, 1}, 1), dual(), conditions),
+  TEST_THROW(MultiplierSpace(test::squareMesh({1, 1, 1, 1}, 1), dual(), conditions),
              bem::InputError);
-  TEST_NOTHROW(
-      MultiplierSpace(bem::makeMesh(outline, {2, 1, 1, 1}, 1), dual(), conditions));
+  TEST_NOTHROW(MultiplierSpace(test::squareMesh({2, 1, 1, 1}, 1), dual(), conditions));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Manufactured partial slip: a smooth exact field, two contact sides, one that sticks and
 // one that slips; rates in displacement and contact stress for every basis.
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/Form.hpp"
 #include "contact/Solve.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/results/ContactFields.hpp"
@@ -125,8 +126,7 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
   const bem::Space space(mesh);
   const contact::Conditions conditions = exact.conditions(choice.law);
   const contact::MultiplierBasis& basis = contact::multiplierBasis(choice.basis);
-  Stabilization stabilization;
-  stabilization.form = choice.form;
+  const Stabilization stabilization = test::ofForm(choice.form);
   const contact::MultiplierSpace multiplier(mesh, basis, conditions);
   const bem::SteklovPoincare stiffness(bem::assembleOperators(
       space, lame, contact::tractionElements(multiplier, stabilization)));

@@ -1,4 +1,7 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
+#include "Largest.hpp"
+#include "Rectangle.hpp"
+#include "contact/Form.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
@@ -18,6 +21,8 @@ namespace {
 using bem::Vec2;
 using contact::State;
 using contact::Vector;
+using test::largest;
+using test::largestDifference;
 using Form = contact::Stabilization::Form;
 
 constexpr bem::Units units{1.4142135623730951, 1};
@@ -25,12 +30,10 @@ constexpr bem::Units units{1.4142135623730951, 1};
 /// A unit square that stands on a plane, on a curved side where that has a bulge; its top is
 /// moved, its right side pushed.
 bem::Mesh mesh(int degree, double bulge) {
-  bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+  bem::Loop loop = test::rectangle({0, 0}, 1, 1);
   if (bulge != 0)
     loop.bulges = {bulge, 0, 0, 0};
-  return bem::makeMesh(
-      std::make_shared<const bem::Outline>(loop, std::vector<bem::Loop>{}), {6, 4, 6, 4},
-      degree);
+  return bem::makeMesh(test::outlineOf(loop), {6, 4, 6, 4}, degree);
 }
 
 /// The conditions of the only body.
@@ -50,12 +53,6 @@ contact::Conditions conditionsAt(double t) {
                                  [down](Vec2) { return down; }};
   conditions.neumann["right"] = {[t](Vec2 x) { return -0.002 * t * x.y; }, {}};
   return conditions;
-}
-
-contact::Stabilization formOf(Form form) {
-  contact::Stabilization stabilization;
-  stabilization.form = form;
-  return stabilization;
 }
 
 /// Pressed and pushed, the more the larger t: the solution is a multiple of t.
@@ -93,7 +90,7 @@ struct Square {
 
   Square(Form form, double time, double bulge = 0)
       : conditions(conditionsAt(time)),
-        stabilization(formOf(form)),
+        stabilization(test::ofForm(form)),
         space(contact::makeSpace(mesh(2, bulge), conditions, stabilization)),
         multiplier(space.mesh(), basis, conditions),
         stiffness(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
@@ -139,16 +136,9 @@ TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
     const contact::ContactSystem step = problem.under({same, {}, {}, {}, 0});
     const contact::Problem& a = problem.numbers();
     const contact::Problem& b = step.numbers();
-    TEST_EQUALITY(a.offset.size(), b.offset.size());
     TEST_EQUALITY(a.stress, b.stress);
     TEST_EQUALITY(a.rigidLoad.size(), b.rigidLoad.size());
-    double largest = 0;
-    double difference = 0;
-    for (std::size_t i = 0; i < a.offset.size(); ++i) {
-      largest = std::max(largest, std::abs(a.offset[i]));
-      difference = std::max(difference, std::abs(a.offset[i] - b.offset[i]));
-    }
-    TEST_COMPARE(difference, <=, 1e-13 * largest);
+    TEST_COMPARE(largestDifference(a.offset, b.offset), <=, 1e-13 * largest(a.offset));
   };
   for (const Form form : {Form::None, Form::Exact, Form::Projected, Form::Density})
     for (const double bulge : {0.0, 0.2})
@@ -239,12 +229,6 @@ TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
   const contact::ContactSystem problem = square.problem.under({none});
   contact::PathMemory memory(problem);
   contact::Prediction prediction(problem);
-  const auto differs = [](const Vector& a, const Vector& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
-  };
   double size = 0;
   for (const double t : {1.0, 1.5, 4.0, 2.0}) {
     const auto now = alone(inProportion(t));
@@ -258,10 +242,9 @@ TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
       break;
     }
     const State state = test::solve(step.numbers(), start).state;
-    for (const double x : state.multiplier)
-      size = std::max(size, std::abs(x));
+    size = std::max(size, largest(state.multiplier));
     if (t > 1)
-      TEST_COMPARE(differs(start.multiplier, state.multiplier), <, 1e-9 * size);
+      TEST_COMPARE(largestDifference(start.multiplier, state.multiplier), <, 1e-9 * size);
     memory.add(step, step.configuration(state));
     prediction.add(step, state);
   }
@@ -290,12 +273,6 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
     return contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
         .at(x)
         .residual;
-  };
-  const auto largest = [](const Vector& v) {
-    double size = 0;
-    for (const double x : v)
-      size = std::max(size, std::abs(x));
-    return size;
   };
   const Vector x = contact::pack(step.numbers(), state);
   TEST_COMPARE(largest(residual(0, x)), <, 1e-10 * step.numbers().stress);

@@ -10,10 +10,9 @@ import subprocess
 import sys
 
 from run_cases import HERE
-from runs import EPAFI, WORK, claim, failures, finish, run, table
+from runs import EPAFI, WORK, claim, failures, finish, read, run, table, write
 
-with open(os.path.join(HERE, "scenes", "partial_slip.xml")) as stream:
-    TRESCA = stream.read()
+TRESCA = read(os.path.join(HERE, "scenes", "partial_slip.xml"))
 COULOMB = TRESCA.replace('"Tresca"', '"Coulomb"').replace("Threshold", "Coefficient").replace(
     '0.1*exp(1)*cos(y) + 0.25"', '(0.1*exp(1)*cos(y) + 0.25)/(3/7 - 0.1*exp(1)*sin(y))"')
 STABILISED = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
@@ -50,13 +49,11 @@ def study(law, scene):
     """The rows of study.csv, by variant."""
     os.makedirs(WORK, exist_ok=True)
     files = {kind: os.path.join(WORK, law + kind) for kind in (".xml", ".study.xml", ".out")}
-    with open(files[".xml"], "w") as stream:
-        stream.write(scene)
+    write(files[".xml"], scene)
     compared = "".join(sublist("%s / %s" % (basis, strategy.replace(",", "")),
                                settings(BASES[basis] + STRATEGIES[strategy]))
                        for basis in BASES for strategy in STRATEGIES)
-    with open(files[".study.xml"], "w") as stream:
-        stream.write(sublist("Partial slip", sublist("Scenes", sublist(
+    write(files[".study.xml"], sublist("Partial slip", sublist("Scenes", sublist(
             "block", '<Parameter name="File" type="string" value="%s"/>' % os.path.abspath(
                 files[".xml"]) + sublist("Reference", settings(REFERENCE)))) +
             sublist("Variants", compared)))
@@ -142,8 +139,7 @@ inside = {distance: stressInside(distance) for distance in (0.5, 1e-2, 1e-4, 1e-
 for distance, error in inside.items():
     claim(error < 1e-8, "the stress %g element lengths inside errs by %.1e" % (distance, error))
 if len(sys.argv) > 3 and not failures:
-    with open(os.path.join(HERE, "partial-slip.md")) as stream:
-        text = stream.read()
+    text = read(os.path.join(HERE, "partial-slip.md"))
     with open(sys.argv[3], "w") as out:
         out.write(text.replace("STRESS\n", "".join(
             "| %g | %.1e |\n" % pair for pair in inside.items())) + "".join(lines))

@@ -3,7 +3,7 @@ import sys
 
 from cases import Case
 from run_cases import run as run_case
-from claims import claim, failures, finish, table  # noqa: F401
+from claims import claim, failures, finish, read, table, write  # noqa: F401
 
 EPAFI, WORK = sys.argv[1:3]
 

@@ -8,11 +8,10 @@ import sys
 
 from cases import CASES
 from run_cases import HERE, outcome
+from claims import read  # run_cases knows where that is
 
-with open(sys.argv[1]) as stream:
-    text = stream.read()
-with open(os.path.join(HERE, "hard-cases.md")) as stream:
-    head = stream.read()
+text = read(sys.argv[1])
+head = read(os.path.join(HERE, "hard-cases.md"))
 wrong = [] if text.startswith(head) else ["its text is not that of test/hard/hard-cases.md"]
 rows = [line.split(" | ") for line in text[len(head):].splitlines()]
 names = [row[0].strip("|` ") for row in rows]

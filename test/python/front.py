@@ -16,7 +16,7 @@ import typing
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import claim, finish  # noqa: E402
+from claims import claim, finish, read, write  # noqa: E402
 
 EPAFI, WORK = sys.argv[1:]
 shutil.rmtree(WORK, ignore_errors=True)
@@ -52,12 +52,10 @@ try:
             os.path.join(SHIPPED, "patch.xml")))}, stream)
     claim(epafi.Scene.read(os.path.join(WORK, "patch.yaml")) ==
           epafi.Scene.read(os.path.join(SHIPPED, "patch.xml")), "YAML is read as well")
-    with open(os.path.join(WORK, "patch.yaml")) as stream:
-        text = stream.read()
+    text = read(os.path.join(WORK, "patch.yaml"))
     key = "Young's Modulus: "
     begin = text.index(key) + len(key)
-    with open(os.path.join(WORK, "patch.YAML"), "w") as stream:
-        stream.write(text[:begin] + "1e3" + text[text.index("\n", begin):])
+    write(os.path.join(WORK, "patch.YAML"), text[:begin] + "1e3" + text[text.index("\n", begin):])
     body, = epafi.Scene.read(os.path.join(WORK, "patch.YAML"))["Bodies"].values()
     claim(body["Material"]["Young's Modulus"] == 1000,
           "with numbers as the program takes them, and .YAML")
@@ -344,8 +342,7 @@ claim(os.path.isfile(os.path.join(folder, "timings.txt")),
       "Ctrl-C in a terminal lets the program write what it has")
 
 # a table's file is looked for beside the scene
-with open(os.path.join(WORK, "profile.csv"), "w") as stream:
-    stream.write("-10, 0\n10, 0\n")
+write(os.path.join(WORK, "profile.csv"), "-10, 0\n10, 0\n")
 beside = epafi.Scene({**coulomb, "Tables": {"profile": {"File": "profile.csv"}}}, folder=WORK)
 claim(beside.check(), "a table has its file beside the scene")
 

@@ -19,7 +19,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, table  # noqa: E402
+from claims import absent, claim, finish, table, write  # noqa: E402
 from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
 from oddities import Oddities  # noqa: E402
 from products import Products  # noqa: E402
@@ -41,8 +41,7 @@ class Result:
         folder = absent(os.path.join(work, "%d" % seed))
         os.makedirs(folder)
         self.file = os.path.join(folder, "scene.xml")
-        with open(self.file, "w") as stream:
-            stream.write(self.scene.xml())
+        write(self.file, self.scene.xml())
         out = os.path.join(folder, "out")
         start = time.monotonic()
         try:

@@ -10,12 +10,6 @@ namespace epafi::reference {
 using bem::Mesh;
 using ArcField = ArcMoments::Field;
 
-Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree) {
-  const auto outline = std::make_shared<const bem::Outline>(loop);
-  return bem::makeMesh(
-      outline, std::vector<int>(outline->edges().size(), elementsPerEdge), degree);
-}
-
 namespace {
 
 /// The largest error of the moments of a pair over the largest moment.

@@ -9,9 +9,6 @@
 
 namespace epafi::reference {
 
-/// Equal elements of one degree on all edges of a polygon.
-bem::Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree);
-
 /// Compares the moments of pairs of elements with plain quadrature in 33 digits: errors
 /// below 1e-13 of a pair's largest moment.
 void testPairs(const bem::Mesh& mesh, const std::vector<std::pair<int, int>>& pairs,

@@ -101,10 +101,12 @@ Block tested(const std::vector<Series>& psi, const Kernel& kernel,
   for (int i = 0; i < block.rows; ++i)
     for (int j = 0; j < block.columns; ++j)
       for (std::size_t k = 0; k < psi[i].size(); ++k)
-        for (std::size_t l = 0; l < phi[j].size(); ++l)
-          for (int c = 0; c < 2; ++c)
+        for (std::size_t l = 0; l < phi[j].size(); ++l) {
+          const Quad factor = psi[i][k] * phi[j][l];
+          for (int c = 0; c < 2 && factor != 0; ++c)
             for (int e = 0; e < 2; ++e)
-              block(i, j)[c][e] += psi[i][k] * phi[j][l] * moments[k * n + l][c][e];
+              block(i, j)[c][e] += factor * moments[k * n + l][c][e];
+        }
   block.norm = block.frobenius();
   return block;
 }

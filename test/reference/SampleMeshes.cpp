@@ -63,6 +63,11 @@ Loop curvedSample() {
   return loop;
 }
 
+Mesh meshOf(const Loop& loop, int elementsPerEdge, int degree) {
+  return bem::makeMesh(outlineOf(loop),
+                       std::vector<int>(loop.edges.size(), elementsPerEdge), degree);
+}
+
 std::shared_ptr<const Outline> squareWithHole() {
   const Loop hole = polygon({{0.1, 0.4}, {0.3, 0.4}, {0.3, 0.6}, {0.1, 0.6}});
   return std::make_shared<const Outline>(square(), std::vector<Loop>{hole});

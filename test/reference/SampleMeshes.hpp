@@ -1,11 +1,13 @@
 #pragma once
 
-#include "bem/mesh/Mesh.hpp"
+#include "Rectangle.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::reference {
+
+using test::outlineOf;
 
 /// A closed polygon whose edges are all called "side".
 bem::Loop polygon(const std::vector<bem::Vec2>& vertices);
@@ -24,6 +26,9 @@ bem::Loop lens(double first, double second);
 /// Arcs to either side and segments: arc on arc and arc on segment at right, wide and acute
 /// corners (5 degrees) and at a smooth joint, an arc facing another closely.
 bem::Loop curvedSample();
+
+/// Equal elements of one degree on all edges.
+bem::Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree);
 
 /// Unit square with a square hole of side 0.2 that keeps 0.1 off the left side.
 std::shared_ptr<const bem::Outline> squareWithHole();

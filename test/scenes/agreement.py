@@ -8,12 +8,10 @@ doc/benchmarks/compression.md.  --large: with 2048 and 4096 elements.
 """
 import argparse
 import os
-import subprocess
 import sys
 
-from runs import EPAFI, ENERGIES, WORK, differ
-from written import block, body, condition, contact, geometry, listed, loop, parameter
-from claims import absent, claim, finish, table
+from runs import ENERGIES, WORK, absent, claim, differ, epafi, finish, saved, table
+from written import CLAMPED, NONE, block, body, condition, contact, geometry, keys, listed, loop
 
 LAWS = {"frictionless": {}, "Tresca": {"Threshold": "0.002*(1 + x)"}, "Coulomb": {"Coefficient": "0.3"}}
 FORMS = {  # multiplier, form
@@ -43,18 +41,17 @@ def cut(corners, sides):
 
 
 def friction(law):
-    return listed("Friction", parameter("Law", "string", {"frictionless": "None"}.get(law, law)),
-                  *(parameter(key, "string", value) for key, value in LAWS[law].items()))
+    return listed("Friction", keys(Law={"frictionless": "None"}.get(law, law)), **LAWS[law])
 
 
 def counts(number, edges, weights):
     """Elements of each edge, `number` in all, some per weight."""
     share = number / sum(weights)
-    return "{%s}" % ", ".join(str(max(1, round(share * w))) for w in weights[:edges])
+    return [max(1, round(share * w)) for w in weights[:edges]]
 
 
 class Combination:
-    """A scene as text.  Body: block, hole, arcs, two, beam (1 : 30); mesh: uniform, graded, cut (an
+    """A scene.  Body: block, hole, arcs, two, beam (1 : 30); mesh: uniform, graded, cut (an
     outline with many corners, no arcs)."""
 
     def __init__(self, kind, mesh, law, form, elements, degree=1, ratio=1000):
@@ -66,29 +63,24 @@ class Combination:
             self.kind, self.mesh, self.law, self.form, self.elements, self.degree)
 
     def outline(self, corners, sides, elements, bulges=(), hole=False):
-        holes = ""
+        holes = more = NONE
         weights = [15, 1, 15, 1] if self.kind == "beam" else [1] * len(corners)
         if self.mesh == "cut":
             corners, sides = cut(corners, sides)
             weights = [1] * len(corners)
-        more = ""
         if hole:
-            holes = loop(block(-0.1, 0.2, 0.1, 0.5), "{rim, rim, rim, rim}", hole="Hole 1 ")
-            more = parameter("Hole 1 Elements per Edge", "Array(int)",
-                             counts(elements // 4, 4, [1] * 4))
+            holes = loop(block(-0.1, 0.2, 0.1, 0.5), ["rim"] * 4, hole="Hole 1 ")
+            more = keys(Hole_1_Elements_per_Edge=counts(elements // 4, 4, [1] * 4))
             elements = elements - elements // 4
-        names = "{%s}" % ", ".join(sides)
-        return geometry(corners, names, bulges, holes), listed(
-            "Mesh", parameter("Elements per Edge", "Array(int)",
-                              counts(elements, len(corners), weights)), more,
-            parameter("Degree", "int", self.degree))
+        mesh = listed("Mesh", more, Degree=self.degree,
+                      Elements_per_Edge=counts(elements, len(corners), weights))
+        return geometry(corners, sides, bulges, holes), mesh
 
-    def xml(self):
+    def scene(self):
         sides = ["bottom", "right", "top", "left"]
         press = condition("top", "Neumann", Traction_X="0.001", Traction_Y="-0.01*(1 + 0.3*x)")
-        touch = listed("bottom", parameter("Type", "string", "Contact"),
-                       parameter("Gap", "string", "0.002*x^2"), friction(self.law))
-        contacts = ""
+        touch = condition("bottom", "Contact", friction(self.law), Gap="0.002*x^2")
+        contacts = NONE
         upper = block(-0.5, 0, 29.5, 1) if self.kind == "beam" else block(-0.5, 0, 0.5, 0.75)
         bulges = (0.05, 0, 0, 0) if self.kind == "arcs" else ()
         share = self.elements // 2 if self.kind == "two" else self.elements
@@ -96,40 +88,30 @@ class Combination:
         if self.kind == "two":
             under, coarse = self.outline(block(-1, -1, 1, 0), sides, self.elements - share)
             bodies = [body("pad", outline, 1.0, press, "X, Rotation", mesh),
-                      body("plate", under, self.ratio, condition(
-                          "bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"),
+                      body("plate", under, self.ratio, condition("bottom", "Dirichlet", CLAMPED),
                            mesh=coarse)]
-            bodies[0] = bodies[0].replace('"X, Rotation"', '"{X, Rotation}"')
             contacts = contact("joint", "pad:bottom", "plate:top", friction(self.law))
         elif self.kind == "hole":
             held = condition("rim", "Dirichlet", Displacement_X="0", Displacement_Y="-0.01")
             bodies = [body("block", outline, 1.0, press + touch + held, mesh=mesh)]
         elif self.kind == "arcs":
-            held = condition("right", "Dirichlet", Displacement_X="0", Displacement_Y="0")
+            held = condition("right", "Dirichlet", CLAMPED)
             bodies = [body("block", outline, 1.0, press + touch + held, mesh=mesh)]
         else:
-            bodies = [body("block", outline, 1.0, press + touch, "{X, Rotation}", mesh)]
+            bodies = [body("block", outline, 1.0, press + touch, "X, Rotation", mesh)]
         multiplier, form = FORMS[self.form]
-        return listed(
-            self.name(), listed("Bodies", *bodies), listed("Contacts", contacts),
-            listed("Discretization", parameter("Mesh Size", "double", 10),
-                   parameter("Multiplier", "string", multiplier),
-                   listed("Stabilization", parameter("Form", "string", form))),
-            listed("Adaptivity", parameter("Strategy", "string", "None"),
-                   parameter("Maximum Degrees of Freedom", "int", 1000000)),
-            listed("Output", parameter("Fields", "bool", "false"),
-                   parameter("Contact Samples per Element", "int", 2)))
+        return keys(listed("Bodies", *bodies), listed("Contacts", contacts) if contacts else NONE,
+                    listed("Discretization", listed("Stabilization", Form=form), Mesh_Size=10,
+                           Multiplier=multiplier),
+                    listed("Adaptivity", Strategy="None", Maximum_Degrees_of_Freedom=1000000),
+                    listed("Output", Fields=False, Contact_Samples_per_Element=2))
 
 
 class Result:
     def __init__(self, file, folder, method, settings=()):
-        arguments = [EPAFI, "run", file, "--quiet", "--threads", "1", "--output", absent(folder),
-                     "--set", "Solver->Linear->Method=" + method]
-        for setting in settings:
-            arguments += ["--set", setting]
-        done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              universal_newlines=True)
-        self.code, self.text = done.returncode, done.stdout.strip()
+        self.code, self.text = epafi("run", file, "--quiet", "--threads", "1", "--output",
+                                     absent(folder), settings=["Solver->Linear->Method=" + method,
+                                                               *settings])
         if self.code != 0:
             return
         self.rows = table(os.path.join(folder, "history.csv"))
@@ -220,15 +202,17 @@ def summary(results):
                      "p = 2 to 12" if case.degree > 1 else "p = 1",
                      "1024 elements and more" if case.elements >= 1024 else "fewer"):
             groups.setdefault(kind, []).append(result)
-    print("| | scenes | energies to | pressures to | points of another state | smallest element | Newton steps, "
-          "dense and compressed | scenes with more |\n|---|---|---|---|---|---|---|---|")
+    print(
+        "| | scenes | energies to | pressures to | points of another state | smallest element | Newton steps, "
+        "dense and compressed | scenes with more |\n|---|---|---|---|---|---|---|---|")
     for kind, group in groups.items():
         both = [result for result in group if result.solved]
         if both:
-            print("| %s | %d | %.0e | %.0e | %d | %.0e | %d, %d | %d |" % (
-                kind, len(both), max(r.energy for r in both), max(r.pressure for r in both),
-                sum(r.sets for r in both), min(r.smallest for r in both), sum(r.dense.steps for r in both),
-                sum(r.own.steps for r in both), sum(r.more > 0 for r in both)))
+            print("| %s | %d | %.0e | %.0e | %d | %.0e | %d, %d | %d |" %
+                  (kind, len(both), max(r.energy for r in both), max(r.pressure for r in both),
+                   sum(r.sets for r in both), min(r.smallest for r in both),
+                   sum(r.dense.steps for r in both), sum(r.own.steps for r in both),
+                   sum(r.more > 0 for r in both)))
 
 
 def main():
@@ -236,14 +220,11 @@ def main():
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--large", action="store_true")
     options = parser.parse_args(sys.argv[4:])
-    os.makedirs(WORK, exist_ok=True)
     results = []
     for case in combinations(options.large):
         if not all(word in case.name() for word in options.only):
             continue
-        file = os.path.join(WORK, "scene.xml")
-        with open(file, "w") as stream:
-            stream.write(case.xml())
+        file = saved("scene", case.scene(), case.name())
         result = Comparison(case.name(), file, GRADED if case.mesh == "graded" else ())
         claim(result.holds(), result.line())
         sys.stdout.flush()

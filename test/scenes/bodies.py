@@ -2,9 +2,9 @@
 swapped sides, restart, loads that nothing holds."""
 import os
 
-from runs import (RANKS, WORK, claim, epafi, finish, fresh, imbalance, largest, run, scene, table)
-from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
-                     loop, mesh, parameter, rigid, written)
+from runs import RANKS, WORK, claim, epafi, finish, fresh, imbalance, largest, run, scene, table
+from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, contact, friction,
+                     geometry, listed, loop, mesh, rigid, written)
 
 
 def off_balance(name):
@@ -13,16 +13,16 @@ def off_balance(name):
 
 PRESS = condition("top", "Neumann", Traction_Y="-1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
-CLAMP = condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0")
+CLAMP = condition("bottom", "Dirichlet", CLAMPED)
 
 # constant stress on meshes and degrees that do not match; ranks compute dense levels each by itself
 for form in ("None", "Projected", "Exact", "Density")[::1 if RANKS == 1 else 3]:
     for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
         for above, below in (((4, 1), (7, 3)), ((5, 3), (3, 1))):
             file = written("patch", [
-                body("a", block(0, 0, 1, 1), 1.0, PRESS, "{X, Rotation}",
+                body("a", block(0, 0, 1, 1), 1.0, PRESS, "X, Rotation",
                      mesh(above[0], 2, above[1])),
-                body("b", block(0, -1, 1, 0), 5.0, ROLLER, "{X}",
+                body("b", block(0, -1, 1, 0), 5.0, ROLLER, "X",
                      mesh(below[0], 2, below[1]), 0.2)], contact("c", *sides), form)
             history, points = run(file, "patch")
             claim(largest(p["lambda_n"] - 1 for p in points) < 1e-12,
@@ -38,8 +38,8 @@ for form in ("None", "Projected", "Exact", "Density")[::1 if RANKS == 1 else 3]:
 # 1 mm beside 1 m, rubber on steel
 file = written("small", [
     body("a", block(0, 0, 1e-3, 1e-3), 1e6, condition("top", "Neumann", Traction_Y="-1e3"),
-         "{X, Rotation}", mesh(3, 2, 2)),
-    body("b", block(-0.5, -1, 0.5, 0), 2.1e11, CLAMP, "", mesh(4, 4, 2))],
+         "X, Rotation", mesh(3, 2, 2)),
+    body("b", block(-0.5, -1, 0.5, 0), 2.1e11, CLAMP, mesh=mesh(4, 4, 2))],
     contact("c", "a:bottom", "b:top"))
 history, points = run(file, "small")
 claim(largest(p["lambda_n"] / 1e3 - 1 for p in points) < 2e-5,
@@ -52,12 +52,12 @@ BOTTOM = condition("bottom", "Dirichlet", Displacement_X="0",
                    Displacement_Y="0.02*(1+0.3*x)")
 PLANE = condition("bottom", "Contact", Gap="0")
 file = written("mirror", [
-    body("a", block(0, 0, 1, 0.5), 1.0, TOP, "", mesh(8, 4, 2)),
-    body("b", block(0, -0.5, 1, 0), 1.0, BOTTOM, "", mesh(8, 4, 2))],
+    body("a", block(0, 0, 1, 0.5), 1.0, TOP, mesh=mesh(8, 4, 2)),
+    body("b", block(0, -0.5, 1, 0), 1.0, BOTTOM, mesh=mesh(8, 4, 2))],
     contact("c", "a:bottom", "b:top", friction("0.3")))
 both = run(file, "mirror")[1]
-file = written("plane", [body("a", block(0, 0, 1, 0.5), 1.0, TOP + PLANE, "",
-                              mesh(8, 4, 2))])
+file = written("plane", [body("a", block(0, 0, 1, 0.5), 1.0, TOP + PLANE,
+                              mesh=mesh(8, 4, 2))])
 alone = run(file, "plane")[1]
 scale = largest(p["lambda_n"] for p in alone)
 claim(largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(both, alone)) < 1e-9 * scale,
@@ -65,20 +65,14 @@ claim(largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(both, alone)) < 1e-9
 
 # one body on a rigid outline, held and moved, and the same by Gap
 PUSH = condition("top", "Neumann", Traction_Y="-0.02", Traction_X="0.001")
-for motion, gap in (("", "0.01*x^2"), (
-        listed("Motion", parameter("Displacement Y", "string", "0.004")),
-        "0.01*x^2-0.004")):
-    flat = [rigid("floor", block(-1, -1, 2, 0), motion)]
-    file = written("floor", [body("a", block(0, 0, 1, 0.5), 1.0, PUSH, "", mesh(8, 4, 2))] +
-                   flat, contact("c", "a:bottom", "floor:top", friction("0.4") +
-                                 parameter("Interference", "string", "-0.01*x^2")),
-                   "Projected")
+for motion, gap in ((NONE, "0.01*x^2"), (listed("Motion", Displacement_Y=0.004), "0.01*x^2-0.004")):
+    file = written("floor", [body("a", block(0, 0, 1, 0.5), 1.0, PUSH, mesh=mesh(8, 4, 2)),
+                             rigid("floor", block(-1, -1, 2, 0), motion)], contact(
+        "c", "a:bottom", "floor:top", friction("0.4"), Interference="-0.01*x^2"), "Projected")
     history, onFloor = run(file, "floor")
-    file = written("gap", [body(
-        "a", block(0, 0, 1, 0.5), 1.0, PUSH + listed(
-            "bottom", parameter("Type", "string", "Contact"),
-            parameter("Gap", "string", gap), friction("0.4")), "", mesh(8, 4, 2))],
-        form="Projected")
+    file = written("gap", [body("a", block(0, 0, 1, 0.5), 1.0,
+                                PUSH + condition("bottom", "Contact", friction("0.4"), Gap=gap),
+                                mesh=mesh(8, 4, 2))], form="Projected")
     other, onGap = run(file, "gap")
     scale = largest(p["lambda_n"] for p in onGap)
     claim(largest(p[key] - q[key] for p, q in zip(onFloor, onGap)
@@ -88,23 +82,24 @@ for motion, gap in (("", "0.01*x^2"), (
           "history.csv has the force of a rigid body as that of an obstacle")
 
 # a pin in a lug, on coarse arcs of low degree: what is met turns as a rigid body, too
-ROUND = "{s, s, s, s}"
+ROUND = "s, s, s, s"
 HOLE = "Hole 1 "
 lug = body("lug", geometry(block(-3, -3, 3, 3), holes=loop(circle(1), ROUND, QUARTERS, HOLE)), 1.0,
-           condition("left", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+           condition("left", "Dirichlet", CLAMPED))
 pin = body("pin", geometry(circle(0.99), ROUND, QUARTERS, loop(
-    circle(0.5), "{in, in, in, in}", QUARTERS, HOLE)), 3.0,
-    condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "{Rotation}")
+    circle(0.5), "in, in, in, in", QUARTERS, HOLE)), 3.0,
+    condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "Rotation")
 for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
     for degree in (1, 2):
         run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,
                     degree), "pin")
-        claim(off_balance("pin") < 1e-10, "a pin in a lug, first %s, degree %d: they balance within %.0e" % (
-            sides[0], degree, off_balance("pin")))
+        claim(off_balance("pin") < 1e-10,
+              "a pin in a lug, first %s, degree %d: they balance within %.0e" %
+              (sides[0], degree, off_balance("pin")))
 
 # partly covered sides, either first; the resultants are those of the load
-pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, "", mesh(6, 4, 2))
-plate = body("b", block(0, -1, 1, 0), 2.0, CLAMP, "", mesh(5, 4, 2))
+pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, mesh=mesh(6, 4, 2))
+plate = body("b", block(0, -1, 1, 0), 2.0, CLAMP, mesh=mesh(5, 4, 2))
 lengths = []
 for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
     file = written("covered", [pad, plate], contact("c", *sides, friction("0.5")),
@@ -148,8 +143,8 @@ for sign in (-1, 1):
 
 # twelve elements on each third of three, four and a half beside them: as many left as right
 run(written("halves", [
-    body("a", block(-0.5, 0, 0.5, 1), 1.0, PRESS, "{X, Rotation}", mesh(4, 2, 1)),
-    body("b", block(-2, -1, 2, 0), 5.0, CLAMP, "", mesh(12, 2, 1))],
+    body("a", block(-0.5, 0, 0.5, 1), 1.0, PRESS, "X, Rotation", mesh(4, 2, 1)),
+    body("b", block(-2, -1, 2, 0), 5.0, CLAMP, mesh=mesh(12, 2, 1))],
     contact("c", "a:bottom", "b:top")), "halves")
 middles = {}
 for row in table(os.path.join(WORK, "halves", "boundary.csv")):
@@ -159,8 +154,9 @@ left, right = (sum(sign * sum(x) > 0.5 * len(x) for x in middles.values()) for s
 claim(left == right == 5, "%d elements left of the contact, %d right of it" % (left, right))
 
 # a bulge far below rounding is none
-flat = [run(shipped, "flat", ["Adaptivity->Maximum Levels=1", "Bodies->pad->Geometry->Bulges={0, %g, 0, 0}" %
-                              bulge])[0][0]["estimate"] for bulge in (0, 1e-16, 1e-160, 1e-300)]
+flat = [run(shipped, "flat", ["Adaptivity->Maximum Levels=1",
+                              "Bodies->pad->Geometry->Bulges={0, %g, 0, 0}" % bulge])[0][0][
+                                  "estimate"] for bulge in (0, 1e-16, 1e-160, 1e-300)]
 claim(largest(estimate / flat[0] - 1 for estimate in flat) < 1e-10, "bulges of nothing: %s" % flat)
 
 # what no contact holds is named
@@ -173,8 +169,7 @@ for file, settings, code, words in (
         ("two-blocks", [PAD.replace("%g}", "-0.01*(1+20*x)}") % 0], 2, "turns Bodies->pad about ("),
         ("tilting-punch", [PUNCH % (1, 0), *SHORT], 3, "drives Bodies->punch in the direction (0, 1)"),
         ("tilting-punch", [PUNCH % (-1, 3), *SHORT], 3, "turns Bodies->punch")):
-    done, text = epafi("run", scene(file + ".xml"), "--output", fresh("unheld"), *(
-        word for setting in settings for word in ("--set", setting)))
+    done, text = epafi("run", scene(file + ".xml"), "--output", fresh("unheld"), settings=settings)
     claim(done == code and "the load " + words in text and "neither contact nor friction" in text,
           "%s %s: exit %d, %s" % (file, settings[0], done, text.splitlines()[-1]))
 

@@ -2,7 +2,7 @@
 import math
 import os
 
-from runs import WORK, claim, differ, finish, run, scene, table
+from runs import WORK, changed, claim, differ, finish, read, run, scene, table, write
 from written import with_sides_swapped
 
 
@@ -23,11 +23,8 @@ def solved(name, *settings):
 
 def swapped(name, *settings):
     """The same with the other side of each contact first: its last level, its points."""
-    file = os.path.join(WORK, name + "-swapped.xml")
-    with open(scene(name + ".xml")) as stream:
-        text = with_sides_swapped(stream.read())
-    with open(file, "w") as stream:
-        stream.write(text)
+    file = write(os.path.join(WORK, name + "-swapped.xml"),
+                 with_sides_swapped(read(scene(name + ".xml"))))
     history, points = run(file, name + "-swapped", settings)
     return history[-1], points
 
@@ -104,17 +101,12 @@ history, points, _ = solved("rounded-punch")
 errors = ofPunch(points)
 claim(max(map(abs, errors)) < 1e-3, "rounded punch: p(0), p(0.3 a) within %.1e, %.1e" % errors)
 claim(abs(history[-1]["contact_length"] / 2 - 1) < 1e-3, "its contact ends at a")
-with open(scene("rounded-punch.xml")) as stream:
-    text = stream.read()
-for old, new in (("-20,-40, 20,-40, 20,0", "-80,-160, 80,-160, 80,0"), ("-20,0}", "-80,0}"),
-                 ("{4, 4, 6, 4, 16, 4, 6, 4}", "{4, 4, 12, 4, 16, 4, 12, 4}")):
-    claim(old in text, "the block's size, " + old)
-    text = text.replace(old, new)
+text = read(scene("rounded-punch.xml"))
 load = text.split('"Traction Y" type="string" value="')[1].split('"')[0]
-text = text.replace('value="%s"' % load, 'value="%.16g"' % (float(load) / 4))
-file = os.path.join(WORK, "large-block.xml")
-with open(file, "w") as stream:
-    stream.write(text)
+file = changed("large-block", scene("rounded-punch.xml"),
+               ("-20,-40, 20,-40, 20,0", "-80,-160, 80,-160, 80,0"), ("-20,0}", "-80,0}"),
+               ("{4, 4, 6, 4, 16, 4, 6, 4}", "{4, 4, 12, 4, 16, 4, 12, 4}"),
+               ('value="%s"' % load, 'value="%.16g"' % (float(load) / 4)))
 larger = ofPunch(run(file, "large-block", ["Adaptivity->Maximum Levels=22"])[1])
 claim(abs(larger[0]) < 0.5 * abs(errors[0]),
       "four times the block: p(0) within %.1e instead of %.1e" % (larger[0], errors[0]))

@@ -7,7 +7,7 @@ import os
 import re
 import sys
 
-from runs import WORK, claim, epafi, finish, fresh, run, scene
+from runs import WORK, claim, epafi, finish, fresh, run, scene, write
 
 with open(sys.argv[4], encoding="utf-8") as stream:
     parts = re.split(r"^## ", stream.read(), flags=re.M)[1:]
@@ -24,8 +24,7 @@ run(scene("fretting.xml"), "path", ["History->Times={1, 2}", "History->Steps=1"]
 run(scene("patch.xml"), "patch", ONE)
 epafi("fields", os.path.join(WORK, "patch"), "--grid", "2,2")
 study = os.path.join(WORK, "study.xml")
-with open(study, "w") as stream:
-    stream.write("""<ParameterList name="S">
+write(study, """<ParameterList name="S">
   <ParameterList name="Scenes"><ParameterList name="s">
     <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
   <ParameterList name="Variants"><ParameterList name="v">

@@ -5,9 +5,8 @@ import re
 import shutil
 import subprocess
 
-from runs import SCENES, WORK, claim, epafi, finish, fresh, scene, table
+from runs import SCENES, WORK, claim, epafi, finish, fresh, read, scene, table, write
 
-os.makedirs(WORK, exist_ok=True)
 code, usage = epafi("--help")
 names = re.findall(r"^  epafi ([a-z]+)", usage, re.M)
 claim(code == 0 and {"run", "study", "check", "parameters", "plot", "schema", "version",
@@ -44,8 +43,7 @@ for arguments, words in [
 
 # the completion completes
 script = os.path.join(WORK, "completion.bash")
-with open(script, "w") as stream:
-    stream.write(completion)
+write(script, completion)
 
 
 def completed(*words):
@@ -77,15 +75,13 @@ for sentence, settings, ok, words in [
          "Threshold"),
         ("what is not there cannot be removed", ["Output->Fields="], False, "not in the scene"),
         ("a list is no value", ["Adaptivity=None"], False, "{Key=value")]:
-    arguments = [word for setting in settings for word in ("--set", setting)]
-    code, text = epafi("check", scene("coulomb.xml"), *arguments)
+    code, text = epafi("check", scene("coulomb.xml"), settings=settings)
     claim((code == 0) == ok and words in text, "--set: %s (%s)" %
           (sentence, "accepted" if code == 0 else text.strip()[:120]))
 
 # Set in studies takes arrays and lists, and used.xml repeats them
 study = os.path.join(WORK, "arrays.xml")
-with open(study, "w") as stream:
-    stream.write("""<ParameterList name="Arrays">
+write(study, """<ParameterList name="Arrays">
   <ParameterList name="Scenes"><ParameterList name="coulomb">
     <Parameter name="File" type="string" value="%s"/>
   </ParameterList></ParameterList>
@@ -119,8 +115,7 @@ claim(code == 0 and len(keys) > 100 and
       all("\n| %s |" % key.replace("<", "&lt;").replace(">", "&gt;") in tables for key in keys),
       "%d keys stand in its tables" % len(keys))
 rng = os.path.join(WORK, "epafi.rng")
-with open(rng, "w") as stream:
-    stream.write(epafi("schema")[1])
+write(rng, epafi("schema")[1])
 xmllint = shutil.which("xmllint")
 if xmllint:
     def valid(file):
@@ -134,15 +129,14 @@ if xmllint:
           "RELAX NG: %d shipped scenes and studies are valid" % len(shipped))
     claim(valid(os.path.join(folder, "used.xml")) and
           valid(os.path.join(folder, "coarse", "used.xml")), "and what a run has used")
-    with open(scene("coulomb.xml")) as stream:
-        text = stream.read()
+    text = read(scene("coulomb.xml"))
     for before, after in [('name="Strategy"', 'name="Strateg"'), ("Graded hp", "Gradde hp"),
                           ('Freedom" type="int"', 'Freedom" type="bool"'),
-                          ('"Young\'s Modulus" type="double" value="', '"Young\'s Modulus" type="double" value="-')]:
+                          ('"Young\'s Modulus" type="double" value="',
+                           '"Young\'s Modulus" type="double" value="-')]:
         claim(before in text, "the scene has " + before)
         spoiled = os.path.join(WORK, "spoiled.xml")
-        with open(spoiled, "w") as stream:
-            stream.write(text.replace(before, after, 1))
+        write(spoiled, text.replace(before, after, 1))
         claim(not valid(spoiled), "RELAX NG refuses " + after)
 else:
     print("xmllint is not here: RELAX NG not tried")
@@ -166,8 +160,7 @@ A block:
   Discretization: {Elements per Edge: [16, 8, 16, 8]}
 """
     file = os.path.join(WORK, "block.yaml")
-    with open(file, "w") as stream:
-        stream.write(SCENE)
+    write(file, SCENE)
     code, text = epafi("check", file)
     claim(code == 0, "the program accepts a scene in YAML")
     jsonschema.validate(yaml.safe_load(SCENE), schema)

@@ -2,8 +2,7 @@
 Method "Automatic" takes them by sizes and shape."""
 import os
 
-from runs import ENERGIES, WORK, claim, differ, epafi, finish, fresh, run, scene
-from claims import table
+from runs import ENERGIES, WORK, claim, differ, epafi, finish, fresh, read, run, scene, table, write
 from written import with_moduli
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
@@ -38,15 +37,10 @@ def compare(name, file, settings):
     claim(steps[1] <= most * steps[0], "%s: %d Newton steps, dense %d" % (name, steps[1], steps[0]))
 
 
-os.makedirs(WORK, exist_ok=True)
 for each, choices in SCENES.items():
     compare(each, scene(each + ".xml"), choices)
 for ratio in (1000, 0.001):
-    with open(scene("two-blocks.xml")) as stream:
-        text = with_moduli(stream.read(), ratio)
-    path = os.path.join(WORK, "moduli.xml")
-    with open(path, "w") as stream:
-        stream.write(text)
+    path = write(os.path.join(WORK, "moduli.xml"), with_moduli(read(scene("two-blocks.xml")), ratio))
     compare("two-blocks, E %g" % ratio, path, LEVELS)
 
 NONE = ["Discretization->Multiplier=Biorthogonal", "Discretization->Stabilization->Form=None"]
@@ -56,17 +50,16 @@ DENSITY = ["Discretization->Stabilization="]
 def chosen(name, file, elements, settings):
     """What a level of a scene was solved with under "Automatic", and what was printed."""
     folder = fresh("automatic-" + name)
-    code, text = epafi("run", scene(file), "--output", folder, "--threads", "1", *(
-        word for setting in [
-            "Adaptivity->Strategy=None", "Adaptivity->Maximum Degrees of Freedom=100000",
-            "Solver->Linear->Method=Automatic", "Output->Fields=false",
-            "Discretization->Elements per Edge={%s}" % ", ".join(map(str, elements)),
-            *settings] for word in ("--set", setting)))
+    code, text = epafi("run", scene(file), "--output", folder, "--threads", "1", settings=[
+        "Adaptivity->Strategy=None", "Adaptivity->Maximum Degrees of Freedom=100000",
+        "Solver->Linear->Method=Automatic", "Output->Fields=false",
+        "Discretization->Elements per Edge={%s}" % ", ".join(map(str, elements)), *settings])
     return (table(os.path.join(folder, "history.csv"))[-1]["operators"] if code == 0 else "none"), text
 
 
 claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
-claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "large ones are compressed")
+claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed",
+      "large ones are compressed")
 THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.48, -0.5,-0.48}"
 claim(chosen("slender", "coulomb.xml", [460, 52, 460, 52], [*DENSITY, THIN])[0] == "dense",
       "but dense where the body is slender, whose displacements would lose digits")

@@ -7,18 +7,9 @@ import shutil
 import struct
 import xml.etree.ElementTree as xml
 
-from runs import WORK, claim, differ, epafi, finish, fresh, scene, table
-import written
+from runs import WORK, claim, differ, epafi, finish, fresh, read, scene, solved, table, write
+from written import block, body, condition, contact, written
 
-os.makedirs(WORK, exist_ok=True)
-
-
-def solved(name, *settings):
-    folder = fresh(name)
-    arguments = [word for setting in settings for word in ("--set", setting)]
-    code, text = epafi("run", scene(name + ".xml"), "--output", folder, "--quiet", *arguments)
-    claim(code == 0, name + " is solved " + text)
-    return folder
 
 
 def fields(folder, *arguments):
@@ -29,7 +20,7 @@ def fields(folder, *arguments):
 
 
 LEVELS = ["Adaptivity->Maximum Levels=9"]
-folder = solved("coulomb", *LEVELS)
+folder, _ = solved("coulomb", scene("coulomb.xml"), *LEVELS)
 used = xml.parse(os.path.join(folder, "used.xml")).getroot()
 
 
@@ -76,13 +67,13 @@ claim(differ(row["principal_1"] + row["principal_2"], row["sxx"] + row["syy"], s
       row["principal_1"] >= row["principal_2"], "principal stresses: sum and product")
 
 # along the contact, just below it, the stress is the contact's
-contact = table(os.path.join(folder, "contact.csv"))
-boundary = contact[0]["boundary"]
+touching = table(os.path.join(folder, "contact.csv"))
+boundary = touching[0]["boundary"]
 below = fields(folder, "--along", "block:" + boundary, "--depth", "1e-6")
 claim(len(below) > 10 and len({row["y"] for row in below}) == 1, "a line at a depth")
-nearest = min(contact, key=lambda row: abs(row["x"]))
+nearest = min(touching, key=lambda row: abs(row["x"]))
 there = min(below, key=lambda row: abs(row["x"] - nearest["x"]))
-claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in contact)) < 0.1,
+claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in touching)) < 0.1,
       "the stress below the contact is its pressure: %g, %g" %
       (-there["syy"], nearest["lambda_n"]))
 
@@ -114,7 +105,7 @@ claim(min(areas) < 0.1 * max(areas), "and are small at small elements: %.1e, %.1
 claim(len(vtu["von_mises"]) == len(place) and all(map(math.isfinite, vtu["von_mises"])),
       "with a finite stress at all of their %d corners" % len(place))
 # a uniform stress
-folder = solved("patch")
+folder, _ = solved("patch", scene("patch.xml"))
 row = fields(folder, "--grid", "3,2")
 for name in ("sxx", "syy", "sxy"):
     values = [point[name] for point in row]
@@ -123,7 +114,7 @@ for name in ("sxx", "syy", "sxy"):
 
 # Interior Points are evaluated once, on the last level
 points = "Output->Interior Points=1x2:{%.17g, %.17g}" % (x, y)
-folder = solved("coulomb", *LEVELS, points)
+folder, _ = solved("coulomb", scene("coulomb.xml"), *LEVELS, points)
 inside = table(os.path.join(folder, "interior.csv"))[0]
 claim(all(differ(inside[key], middle[key], size) < 1e-12 for key in middle if key != "body") and
       inside["body"] == "block",
@@ -131,11 +122,11 @@ claim(all(differ(inside[key], middle[key], size) < 1e-12 for key in middle if ke
 
 # the steps of a load path: the fields of a step are those of the path that ends there
 COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}"]
-path = solved("fretting", *COARSE, "History->Times={1, 2, 4}", "History->Steps={1, 2, 2}")
+path, _ = solved("fretting", scene("fretting.xml"), *COARSE, "History->Times={1, 2, 4}",
+                 "History->Steps={1, 2, 2}")
 shorter = fresh("shorter")
 code, text = epafi("run", scene("fretting.xml"), "--output", shorter, "--quiet",
-                   *(x for setting in [*COARSE, "History->Times={1, 1.5}", "History->Steps={1, 1}"]
-                     for x in ("--set", setting)))
+                   settings=[*COARSE, "History->Times={1, 1.5}", "History->Steps={1, 1}"])
 claim(code == 0, "a path that ends at t = 1.5 " + text)
 ends = fields(shorter, "--grid", "9,9")
 for step, there in (("2", ends), ("5", fields(path, "--grid", "9,9"))):
@@ -158,14 +149,11 @@ claim(code == 0 and os.path.getsize(os.path.join(alone, "von_mises.png")) > 2000
 os.rename(steps + ".kept", steps)
 
 # bodies that overlap as drawn: each has its own fields
-pair = fresh("pair")
-lower, upper = (written.body(name, written.block(0, low, 2, low + 1), 100.0, written.condition(
-    side, "Dirichlet", Displacement_X="0", Displacement_Y=uy))
-    for name, low, side, uy in (("a", 0, "bottom", "0"), ("b", 0.9, "top", "-0.01")))
-code, text = epafi("run", written.written("overlap", [lower, upper], written.contact(
-    "c", "a:top", "b:bottom", written.parameter("Interference", "string", "-0.1")), "Density"),
-    "--output", pair, "--quiet")
-claim(code == 0, "two bodies, one upon the other " + text)
+lower, upper = (body(name, block(0, low, 2, low + 1), 100.0, condition(
+    side, "Dirichlet", Displacement_X=0, Displacement_Y=uy))
+    for name, low, side, uy in (("a", 0, "bottom", 0), ("b", 0.9, "top", -0.01)))
+pair, _ = solved("pair", written("overlap", [lower, upper], contact(
+    "c", "a:top", "b:bottom", Interference=-0.1), "Density"))
 for name, sign in (("a:top", 1), ("b:bottom", -1)):
     found = fields(pair, "--along", name, "--depth", "0.05")
     claim({row["body"] for row in found} == {name[0]} and
@@ -173,11 +161,9 @@ for name, sign in (("a:top", 1), ("b:bottom", -1)):
           "fields along %s are its body's: uy from %g" % (name, found[0]["uy"]))
 
 # a point outside has an empty row, the others have theirs
-with open(os.path.join(WORK, "outside.csv"), "w") as stream:
-    stream.write("x,y\n%g,%g\n%g,%g\n" % (x, 1e3, x, y))
+write(os.path.join(WORK, "outside.csv"), "x,y\n%g,%g\n%g,%g\n" % (x, 1e3, x, y))
 code, text = epafi("fields", folder, "--points", os.path.join(WORK, "outside.csv"))
-with open(os.path.join(folder, "fields.csv")) as stream:
-    written_rows = stream.read()
+written_rows = read(os.path.join(folder, "fields.csv"))
 empty, full = ([cell for cell in line.split(",")] for line in written_rows.splitlines()[1:])
 claim(code == 0 and "1 outside" in text and float(empty[1]) == 1e3 and not any(empty[2:]) and
       all(full) and len(full) == len(empty), "a point outside has an empty row: " + text.strip())

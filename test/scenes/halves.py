@@ -2,7 +2,7 @@
 Boussinesq's and Flamant's forces; Cattaneo's and Mindlin's closed forms.  a = E* = 1, R = 100."""
 import math
 
-from written import body, condition, geometry, listed, parameter
+from written import NONE, body, condition, geometry, listed
 
 P, P0, F = math.pi / 400, 0.005, 0.5
 PRESS = "pi/400*min(t, 1)"
@@ -10,12 +10,6 @@ PRESS = "pi/400*min(t, 1)"
 COARSE = ([-40, -16, -6, -2.5, -1.25, 1.25, 2.5, 6, 16, 40], [4, 4, 4, 6, 24, 6, 4, 4, 4])
 FINE = ([-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40],
         [4, 4, 4, 6, 30, 88, 30, 88, 30, 6, 4, 4, 4])
-
-
-def history(times, steps):
-    return listed("History",
-                  parameter("Times", "Array(double)", "{%s}" % ", ".join(map(repr, times))),
-                  parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
 
 
 def path(times, counts):
@@ -43,7 +37,7 @@ def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE, uniform=F
     if up < 0:  # counter-clockwise again
         corners = [(-x, 0) for x in cuts] + [(-far, -2 * far), (far, -2 * far)]
         sides = names + ["left", "far", "right"]
-    load = "" if not uniform else condition("far", "Neumann", **{
+    load = NONE if not uniform else condition("far", "Neumann", **{
         "Traction_X": "%d*(%s)/%r" % (up, push, 2 * far),
         "Traction_Y": "%d*(%s)/%r" % (-up, press, 2 * far)})
     for edge, normal in () if uniform else (
@@ -51,11 +45,9 @@ def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE, uniform=F
         load += condition(edge, "Neumann", **{
             "Traction_" + c: "%d*2/pi*((%s)*x - (%s)*y)*(%s)*%s/(x^2 + y^2)^2" % (
                 up, push, press, normal, c.lower()) for c in "XY"})
-    grid = listed("Mesh", parameter("Elements per Edge", "Array(int)",
-                                    "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
-                  parameter("Degree", "int", 2))
-    return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
-                "{X, Y, Rotation}" if up < 0 else "{Rotation}" if uniform else "", grid, ratio)
+    grid = listed("Mesh", Elements_per_Edge=counts + [6, 6, 6], Degree=2)
+    return body(name, geometry(corners, sides), modulus, load,
+                "X, Y, Rotation" if up < 0 else "Rotation" if uniform else "", grid, ratio)
 
 
 def root(x):

@@ -3,35 +3,24 @@ import cmath
 import math
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, largest, run, scene, table
-from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
-                     loop, parameter, rigid, written)
+from runs import (WORK, claim, epafi, finish, fresh, largest, refused, run, saved, scene, solved,
+                  table)
+from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, contact, friction,
+                     geometry, history, keys, listed, loop, points_at, rigid, with_more, written)
 
 
-def heated(text, expansion=None, conductivity=None, plane=None, density=None, loads="",
-           **boundaries):
-    """A body with Thermal Conditions; of a boundary a temperature or ("Heat Flux", flux)."""
-    more = "".join(
-        parameter(key, "double", repr(value))
-        for key, value in (("Thermal Expansion", expansion), ("Conductivity", conductivity),
-                           ("Density", density)) if value is not None)
-    if plane is not None:
-        more += parameter("Plane State", "string", plane)
-    text = text.replace("</ParameterList>", more + "</ParameterList>", 1)
-    heat = listed("Thermal Conditions", *(
-        listed(name, *(parameter(key, "string", value) for key, value in
-                       (what if isinstance(what, tuple) else (("Temperature", what),))))
-        for name, what in boundaries.items()))
-    return text[:-len("</ParameterList>")] + heat + loads + "</ParameterList>"
+def heated(whole, expansion=None, conductivity=None, plane=None, loads=NONE, **boundaries):
+    """A body with Thermal Conditions; of a boundary a temperature or its keys."""
+    more = {"Thermal Expansion": expansion, "Conductivity": conductivity, "Plane State": plane}
+    heat = listed("Thermal Conditions", **{
+        boundary: what if isinstance(what, dict) else {"Temperature": what}
+        for boundary, what in boundaries.items()}) if boundaries else NONE
+    return with_more(whole, heat, loads, **{
+        key: value for key, value in more.items() if value is not None})
 
 
 def flux(value):
-    return (("Heat Flux", value),)
-
-
-def points_at(points):
-    return listed("Output", parameter("Interior Points", "TwoDArray(double)", "%dx2:{%s}" % (
-        len(points), ", ".join("%r,%r" % p for p in points))))
+    return {"Heat Flux": value}
 
 
 def inside(name):
@@ -49,14 +38,12 @@ def off_balance(name):
     return worst
 
 
-def ring(name, inner, outer, modulus, at=(0.0, 0.0), count=2, **more):
-    mesh = listed("Mesh", parameter("Elements per Edge", "Array(int)", "{%s}" % ", ".join(
-        4 * [str(count)])), parameter("Hole 1 Elements per Edge", "Array(int)", "{%s}" % ", ".join(
-            4 * [str(count)])))
+def ring(name, inner, outer, modulus, at, ratio):
     return body(name, geometry(
-        circle(outer, *at), "{outside, outside, outside, outside}", QUARTERS,
-        loop(circle(inner, *at), "{bore, bore, bore, bore}", QUARTERS, "Hole 1 ")), modulus,
-                more.pop("conditions", ""), more.pop("fix", "{X, Y, Rotation}"), mesh, **more)
+        circle(outer, *at), ["outside"] * 4, QUARTERS,
+        loop(circle(inner, *at), ["bore"] * 4, QUARTERS, "Hole 1 ")), modulus, NONE,
+                "X, Y, Rotation", listed("Mesh", Elements_per_Edge=[2] * 4,
+                                         Hole_1_Elements_per_Edge=[2] * 4), ratio)
 
 
 def primed(ratio, alpha, plane):
@@ -72,8 +59,8 @@ def tube(name, a, b, modulus, ratio, alpha, plane, hot, degree, at=(0.0, 0.0), f
               for k, r in enumerate(radii)]
     into = hot / a / math.log(b / a) * conductivity
     text = heated(ring("tube", a, b, modulus, at, ratio=ratio), alpha, conductivity, plane,
-                  bore=flux(repr(into)) if flow else "%r" % hot, outside="0")
-    level = run(written(name, [text], "", "Density", 1, degree, points_at(points)), name)[0][-1]
+                  bore=flux(into) if flow else hot, outside=0)
+    level = run(written(name, [text], NONE, "Density", 1, degree, points_at(points)), name)[0][-1]
     e, al = primed(ratio, alpha, plane)
     log = math.log(b / a)
     scale = modulus * e * al * hot / (2 * log)
@@ -136,7 +123,7 @@ for plane, ratio, degree in (("Plane Strain", 0.3, 10), ("Plane Stress", 0.3, 10
              for k, r in enumerate(radii)]
     plate = heated(ring("plate", A, B, E, where, ratio=ratio), ALPHA, None, plane,
                    outside="%r*(x - %r)" % (G * (1 + (A / B) ** 2), where[0]))
-    levels = run(written(name, [plate], "", "Density", 1, degree, points_at(spots)), name)[0]
+    levels = run(written(name, [plate], NONE, "Density", 1, degree, points_at(spots)), name)[0]
     e, al = primed(ratio, ALPHA, plane)
     size = E * e * al * G * A ** 2 / 2
     worst = 0
@@ -156,8 +143,8 @@ for plane, ratio, degree in (("Plane Strain", 0.3, 10), ("Plane Stress", 0.3, 10
 
 # linear and harmonic temperatures held on all of an L with a hole are those of Body Loads
 CORNERS = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
-SIDES = "{bottom, right, step, inner, top, left}"
-L_SHAPE = geometry(CORNERS, SIDES, holes=loop(block(0.5, 0.5, 1.5, 1.2), "{h, h, h, h}", (), "Hole 1 "))
+SIDES = "bottom, right, step, inner, top, left"
+L_SHAPE = geometry(CORNERS, SIDES, holes=loop(block(0.5, 0.5, 1.5, 1.2), "h, h, h, h", (), "Hole 1 "))
 HELD = condition("bottom", "Contact", Gap="0.01*x") + condition("left", "Dirichlet",
                                                                  Displacement_X="0")
 for what in ("3 + 2*x - y", "x^2 - y^2 + 0.3*x*y"):
@@ -167,14 +154,10 @@ for what in ("3 + 2*x - y", "x^2 - y^2 + 0.3*x*y"):
             name = "L %s %s %s %g" % (kind, what.replace("*", ""), plane, ratio)
             plain = body("L", L_SHAPE, E, HELD, ratio=ratio)
             bounds = {b: what for b in ("bottom", "right", "step", "inner", "top", "left", "h")}
-            more = listed("Body Loads", parameter("Force Y", "string", "-0.1"),
-                          parameter("Temperature", "string", what) if kind == "polynomial" else "")
-            if kind == "conducted":
-                text = heated(plain, ALPHA, 2.0, plane, loads=more, **bounds)
-            else:
-                text = heated(plain, ALPHA, 2.0, plane, loads=more).replace(
-                    listed("Thermal Conditions"), "")
-            levels, sides = run(written(name, [text], "", "Density", 1, 4, points_at(
+            more = keys(Force_Y=-0.1) + (keys(Temperature=what) if kind == "polynomial" else NONE)
+            text = heated(plain, ALPHA, 2.0, plane, listed("Body Loads", more),
+                          **(bounds if kind == "conducted" else {}))
+            levels, sides = run(written(name, [text], NONE, "Density", 1, 4, points_at(
                 [(0.3, 0.3), (1.9, 1.4), (3.9, 0.1), (0.4, 3.0)])), name)
             found.append((levels[-1], sides, inside(name)))
             claim(off_balance(name) < 1e-12, "%s: balances, %.1e" % (name, off_balance(name)))
@@ -191,32 +174,30 @@ for what in ("3 + 2*x - y", "x^2 - y^2 + 0.3*x*y"):
         claim(worst < 1e-9, "%s: energies, %.1e" % (name, worst))
 
 # heat goes in at one end of a bar and out at the other: T is linear, q/k its slope
-for into, out in ((flux("6"), "1"), ("7", flux("-6"))):
-    name = "bar, %s" % ("in" if out == "1" else "out")
+for into, out in ((flux(6), 1), (7, flux(-6))):
+    name = "bar, %s" % ("in" if out == 1 else "out")
     bar = heated(body("bar", block(0, 0, 2, 1), E, condition(
         "left", "Dirichlet", Displacement_X="0") + condition("right", "Dirichlet",
-                                                             Displacement_X="0"), "{Y}"),
+                                                             Displacement_X="0"), "Y"),
                  ALPHA, 2.0, left=into, right=out)
-    run(written(name, [bar], "", "Density", 1, 3, points_at([(0.5, 0.5)])), name)
+    run(written(name, [bar], NONE, "Density", 1, 3, points_at([(0.5, 0.5)])), name)
     p = inside(name)[0]
     claim(abs(p["temperature"] - 5.5) < 1e-11, "%s: %r" % (name, p["temperature"]))
     claim(off_balance(name) < 1e-12, "%s: balances, %.1e" % (name, off_balance(name)))
 
 # a temperature beside insulation goes with r^1/2: the estimate bounds the true error at each level
 PLATE = heated(body("plate", geometry(
-    [(0, 0), (1, 0), (2, 0), (2, 1), (0, 1)], "{cold, floor, right, top, left}"), E, "".join(
-        condition(side, "Dirichlet", Displacement_X="0", Displacement_Y="0")
-        for side in ("cold", "floor", "right", "left"))), ALPHA, None, cold="0", top="1")
-file = os.path.join(WORK, "beside insulation study.xml")
-with open(file, "w") as stream:
-    stream.write(listed("Beside insulation", listed("Scenes", listed(
-        "plate", parameter("File", "string", os.path.abspath(written(
-            "beside insulation", [PLATE], "", "Density", 0.5, 2))),
-        listed("Reference", parameter("Set", "Array(string)", "{Adaptivity->Strategy=Graded hp, "
-               "Adaptivity->Maximum Levels=24, Adaptivity->Maximum Degrees of Freedom=1500}")))),
-        listed("Variants", *(listed(strategy, parameter(
-            "Set", "Array(string)", "{Adaptivity->Strategy=%s, Adaptivity->Maximum Levels=%d}" % (
-                strategy, count))) for strategy, count in (("Uniform h", 4), ("Graded hp", 14))))))
+    [(0, 0), (1, 0), (2, 0), (2, 1), (0, 1)], "cold, floor, right, top, left"), E, keys(*(
+        condition(side, "Dirichlet", CLAMPED) for side in ("cold", "floor", "right", "left")))),
+               ALPHA, None, cold=0, top=1)
+file = written("beside insulation", [PLATE], NONE, "Density", 0.5, 2)
+file = saved("study beside insulation", keys(
+    listed("Scenes", plate={"File": file, "Reference": {"Set": [
+        "Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=24",
+        "Adaptivity->Maximum Degrees of Freedom=1500"]}}),
+    listed("Variants", *(listed(strategy, Set=[
+        "Adaptivity->Strategy=" + strategy, "Adaptivity->Maximum Levels=%d" % count])
+        for strategy, count in (("Uniform h", 4), ("Graded hp", 14))))))
 folder = fresh("beside insulation study")
 code, text = epafi("study", file, "--output", folder, "--no-plot")
 claim(code == 0, "a study of it: exit %d" % code)
@@ -235,19 +216,16 @@ claim(min(row["error"] for row in other if row["dof"] < one["dof"]) < one["error
       "graded meshes are better than uniform ones: %g" % one["error"])
 
 # a path: without friction heat that has gone leaves nothing
-SQUARE = heated(body("block", block(-1, 0, 1, 1), E, condition(
-    "bottom", "Contact", Gap="0.004*x^2"), "{X, Rotation}"), ALPHA, 1.0,
-                loads=listed("Body Loads", parameter("Force Y", "string", "-0.4*min(t, 1)")),
-                bottom="(t < 1 ? 0 : 1 - abs(t - 2))*(1 + x)",
-                top=flux("(t < 1 ? 0 : 1 - abs(t - 2))*cos(x)"))
-PATH = listed("History", parameter("Times", "Array(double)", "{1, 2, 3}"),
-              parameter("Steps", "Array(int)", "{4, 4, 4}"))
 for law in ("smooth", "rough"):
-    text = SQUARE if law == "smooth" else SQUARE.replace(
-        parameter("Gap", "string", "0.004*x^2"),
-        parameter("Gap", "string", "0.004*x^2") + friction("0.4"))
+    text = heated(body("block", block(-1, 0, 1, 1), E,
+                       condition("bottom", "Contact", friction(0.4) if law == "rough" else NONE,
+                                 Gap="0.004*x^2"), "X, Rotation"), ALPHA, 1.0,
+                  loads=listed("Body Loads", Force_Y="-0.4*min(t, 1)"),
+                  bottom="(t < 1 ? 0 : 1 - abs(t - 2))*(1 + x)",
+                  top=flux("(t < 1 ? 0 : 1 - abs(t - 2))*cos(x)"))
     name = "there and back " + law
-    run(written(name, [text], "", "Density", 0.5, 3, PATH), name)
+    run(written(name, [text], NONE, "Density", 0.5, 3,
+                history([1, 2, 3], [4, 4, 4])), name)
     first, last = (table(os.path.join(WORK, name, "steps", str(k), "contact.csv"))
                    for k in (4, 12))
     apart = largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(first, last)) / largest(
@@ -259,12 +237,11 @@ for law in ("smooth", "rough"):
     claim(off_balance(name) < 1e-12, "%s: balances, %.1e" % (name, off_balance(name)))
 
 # two bodies, each with heat of its own, in either order
-LOWER = heated(body("lower", block(0, 0, 3, 1), E, condition(
-    "bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0")), ALPHA, 1.0,
-               top="1 + x", bottom="0")
+LOWER = heated(body("lower", block(0, 0, 3, 1), E, condition("bottom", "Dirichlet", CLAMPED)),
+               ALPHA, 1.0, top="1 + x", bottom=0)
 UPPER = heated(body("upper", block(0.5, 1, 2.5, 2), 2 * E, condition(
-    "top", "Neumann", Traction_Y="-0.3"), "{X, Rotation}"), 2 * ALPHA, 3.0, bottom="2", left="2",
-               right=flux("-1"))
+    "top", "Neumann", Traction_Y="-0.3"), "X, Rotation"), 2 * ALPHA, 3.0, bottom=2, left=2,
+               right=flux(-1))
 found = []
 for bodies in ((LOWER, UPPER), (UPPER, LOWER)):
     name = "two bodies, %d" % len(found)
@@ -276,12 +253,11 @@ apart = max(abs(a - b) for p, q in zip(*found) for a, b in zip(p, q))
 claim(apart < 1e-10, "bodies in another order: %.1e" % apart)
 
 # a hot slot: its source is shared out along it
-slot = geometry(block(0, 0, 4, 2), "{outside, outside, outside, outside}", holes=loop(
-    block(0.5, 0.9, 3, 1), "{slot, slot, slot, slot}", (), "Hole 1 "))
-level = run(written("slot", [heated(body("plate", slot, E, "", "{X, Y, Rotation}"), ALPHA,
-                                    outside="0", slot="1")], "", "Density", 0.5, 2, listed(
-    "Adaptivity", parameter("Strategy", "string", "Graded hp"),
-    parameter("Maximum Levels", "int", 14))), "slot")[0][-1]
+slot = geometry(block(0, 0, 4, 2), ["outside"] * 4, holes=loop(
+    block(0.5, 0.9, 3, 1), ["slot"] * 4, (), "Hole 1 "))
+level = run(written("slot", [heated(body("plate", slot, E, NONE, "X, Y, Rotation"), ALPHA,
+                                    outside=0, slot=1)], NONE, "Density", 0.5, 2,
+                    listed("Adaptivity", Strategy="Graded hp", Maximum_Levels=14)), "slot")[0][-1]
 claim(level["estimate"] < 4e-4 and abs(level["energy_strain"] / 1.9536e-4 - 1) < 3e-3,
       "a hot slot: estimate %.1e" % level["estimate"])
 claim(off_balance("slot") < 1e-12, "slot: balances, %.1e" % off_balance("slot"))
@@ -314,34 +290,29 @@ for row in table(os.path.join(WORK, "blade-root", "steps.csv")):
             row["t"], error))
 
 # what is refused
-BARE = body("block", block(0, 0, 1, 1), E, condition("bottom", "Contact"), "{X, Rotation}")
-TEMPERATURE = listed("Body Loads", parameter("Temperature", "string", "1"))
+BARE = body("block", block(0, 0, 1, 1), E, condition("bottom", "Contact"), "X, Rotation")
+TEMPERATURE = listed("Body Loads", Temperature=1)
 for text, what in (
-        (heated(BARE, 1e-5, top=flux("1")), "no boundary has a Temperature"),
-        (heated(BARE, 1e-5, top="1", loads=TEMPERATURE), "give one of them"),
-        (heated(BARE, 1e-5, top=(("Temperature", "1"), ("Heat Flux", "1"))), "has both of"),
-        (heated(BARE, 1e-5, top=()), "has none of Temperature and Heat Flux"),
-        (heated(BARE, 1e-5, tip="1"), "did you mean 'top'"),
-        (heated(BARE, 1e-5, top=(("Temperatur", "1"),)), "did you mean"),
-        (heated(BARE, 1e-5, 0.0, top="1"), "Conductivity"),
-        (heated(BARE, 1e-5, left="1", top="2"), "a temperature does not jump"),
-        (heated(BARE, top="1"), "Thermal Expansion: missing; Bodies->block->Thermal Conditions "
+        (heated(BARE, 1e-5, top=flux(1)), "no boundary has a Temperature"),
+        (heated(BARE, 1e-5, top=1, loads=TEMPERATURE), "give one of them"),
+        (heated(BARE, 1e-5, top={"Temperature": 1, "Heat Flux": 1}), "has both of"),
+        (heated(BARE, 1e-5, top={}), "has none of Temperature and Heat Flux"),
+        (heated(BARE, 1e-5, tip=1), "did you mean 'top'"),
+        (heated(BARE, 1e-5, top={"Temperatur": 1}), "did you mean"),
+        (heated(BARE, 1e-5, 0.0, top=1), "Conductivity"),
+        (heated(BARE, 1e-5, left=1, top=2), "a temperature does not jump"),
+        (heated(BARE, top=1), "Thermal Expansion: missing; Bodies->block->Thermal Conditions "
          "needs it")):
-    code, said = epafi("check", written("refused", [text], "", "Density"))
-    claim(code == 1 and what in said, "refused: " + what + ("" if what in said else said))
-code, said = epafi("check", written("refused", [heated(BARE, 1e-5, top="1")], "", "Density",
-                                    0.001, 3))
-claim(code == 1 and "takes at most 4000 degrees" in said, "refused: conduction on too fine a mesh")
-file = written("fine", [heated(BARE, 1e-5, top="1")], "", "Density", 0.0016, 1)
-code, said = epafi("run", file, "--output", fresh("fine"), "--set", "Adaptivity->Strategy=Uniform h",
-                   "--set", "Adaptivity->Maximum Levels=3",
-                   "--set", "Adaptivity->Maximum Degrees of Freedom=100000")
-claim(code == 0 and "ended   level 1 would have more than 4000 degrees" in said,
+    refused(what, written("refused", [text], NONE, "Density"), what, command="check")
+refused("conduction on too fine a mesh",
+        written("refused", [heated(BARE, 1e-5, top=1)], NONE, "Density", 0.001, 3),
+        "takes at most 4000 degrees", command="check")
+file = written("fine", [heated(BARE, 1e-5, top=1)], NONE, "Density", 0.0016, 1)
+_, said = solved("fine", file, "Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=3",
+                 "Adaptivity->Maximum Degrees of Freedom=100000")
+claim("ended   level 1 would have more than 4000 degrees" in said,
       "a level on too fine a mesh ends the run: " + said[-300:])
-code, said = epafi("check", written("refused", [BARE, heated(
-    rigid("floor", block(-1, -2, 2, -1)), top="1")], contact(
-        "on", "block:right", "floor:top"), "Density"))
-claim(code == 1 and "Thermal Conditions" in said and "rigid" in said,
-      "refused: conduction in a rigid body")
-
+refused("conduction in a rigid body", written("refused", [BARE, heated(
+    rigid("floor", block(-1, -2, 2, -1)), top=1)], contact("on", "block:right", "floor:top"),
+    "Density"), "Thermal Conditions", "rigid", command="check")
 finish()

@@ -7,21 +7,16 @@ import subprocess
 import sys
 import time
 
-from runs import EPAFI, claim, epafi, finish, fresh, scene, table
+from runs import EPAFI, claim, epafi, finish, fresh, options, rows, scene
 
 LEVELS = 26  # so many that files are written on the way
-SCENE = ["run", scene("tresca.xml"), "--quiet", "--threads", "1",
-         "--set", "Adaptivity->Strategy=Adaptive hp",
-         "--set", "Adaptivity->Maximum Levels=%d" % LEVELS,
-         "--set", "Adaptivity->Maximum Degrees of Freedom=100000"]
-
-
-def contact(folder):
-    return table(os.path.join(folder, "contact.csv"))
+SCENE = ["run", scene("tresca.xml"), "--quiet", "--threads", "1", *options([
+    "Adaptivity->Strategy=Adaptive hp", "Adaptivity->Maximum Levels=%d" % LEVELS,
+    "Adaptivity->Maximum Degrees of Freedom=100000"])]
 
 
 def iterations(folder):
-    return [row["newton_iterations"] for row in table(os.path.join(folder, "history.csv"))]
+    return [row["newton_iterations"] for row in rows(folder, "history.csv")]
 
 
 whole = fresh("whole")
@@ -29,7 +24,7 @@ began = time.monotonic()
 code, text = epafi(*SCENE, "--output", whole)
 duration = time.monotonic() - began
 claim(code == 0, "a run of %.2f s that nobody kills" % duration)
-expected = contact(whole)
+expected = rows(whole)
 largest = {key: max(abs(row[key]) for row in expected) for key in expected[0]
            if not isinstance(expected[0][key], str)}
 
@@ -50,7 +45,7 @@ for k in range(int(sys.argv[4])):
     resumed += solved
     code, text = epafi(*SCENE, *(["--restart", folder] if solved else
                                  ["--output", folder, "--force"]))
-    points = contact(folder) if code == 0 else []
+    points = rows(folder) if code == 0 else []
     error = max((abs(a[key] - b[key]) / (size or 1)
                  for a, b in zip(points, expected) for key, size in largest.items()),
                 default=1)

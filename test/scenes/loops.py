@@ -4,8 +4,8 @@ and pressed by a contact that goes all around.  Standard library only."""
 import math
 
 from runs import claim, finish, run
-from written import (body, circle, condition, contact, geometry, listed, loop, parameter, QUARTERS,
-                     written)
+from written import (NONE, QUARTERS, body, circle, condition, contact, geometry, keys, listed,
+                     loop, written)
 
 NU, PRESSURE = 0.3, 0.01
 METHODS = ("Dense", "Compressed")
@@ -24,22 +24,18 @@ def arcs(angles, radius, start=0.3):
     return corners, tuple(map(bulge, angles))
 
 
-def named(name, count):
-    return "{%s}" % ", ".join([name] * count)
-
-
 def outline(corners, bulges, hole=None):
     """Sides of the outer loop are `o`, those of a hole `i`."""
-    return geometry(corners, named("o", len(corners)), bulges,
-                    loop(hole[0], named("i", len(hole[0])), hole[1], "Hole 1 ") if hole else "")
+    return geometry(corners, ["o"] * len(corners), bulges,
+                    loop(hole[0], ["i"] * len(hole[0]), hole[1], "Hole 1 ") if hole else NONE)
 
 
 def elements(outer, inner=()):
     """One on each arc, two where it turns by more than half a circle."""
     def counts(angles):
-        return "{%s}" % ", ".join("2" if angle > 180 else "1" for angle in angles)
-    return (parameter("Elements per Edge", "Array(int)", counts(outer)) if outer else "") + (
-        parameter("Hole 1 Elements per Edge", "Array(int)", counts(inner)) if inner else "")
+        return [2 if angle > 180 else 1 for angle in angles]
+    return (keys(Elements_per_Edge=counts(outer)) if outer else NONE) + (
+        keys(Hole_1_Elements_per_Edge=counts(inner)) if inner else NONE)
 
 
 def pressed(boundary, pressure):
@@ -49,10 +45,10 @@ def pressed(boundary, pressure):
 
 def energy(name, shape, mesh, degree, method, inside=0):
     """Strain energy and estimate of the first mesh."""
-    conditions = pressed("o", PRESSURE) + (pressed("i", inside) if inside else "")
-    file = written(name, [body("b", shape, 1.0, conditions, "{X, Y, Rotation}", listed(
-        "Mesh", mesh, parameter("Degree", "int", degree)), NU)], more=listed(
-            "Adaptivity", parameter("Maximum Levels", "int", 1)))
+    conditions = pressed("o", PRESSURE) + (pressed("i", inside) if inside else NONE)
+    file = written(name, [body("b", shape, 1.0, conditions, "X, Y, Rotation",
+                               listed("Mesh", mesh, Degree=degree), NU)],
+                   more=listed("Adaptivity", Maximum_Levels=1))
     level = run(file, name, ["Solver->Linear->Method=" + method])[0][-1]
     return level["energy_strain"], level["estimate"]
 
@@ -78,16 +74,19 @@ DEGREES = ((4, 2e-4, 1e-3), (8, 1e-11, 1e-5), (12, 1e-13, 1e-9))
 for method in METHODS:
     for angles in ([180, 180], [90] * 4, [120] * 3, [270, 90], [337, 23], [200, 160]):
         for degree, limit, estimated in DEGREES:
-            value, estimate = energy("disc", outline(*arcs(angles, 1)), elements(angles), degree, method)
+            value, estimate = energy("disc", outline(*arcs(angles, 1)), elements(angles), degree,
+                                     method)
             error = abs(value / compressed_uniformly(math.pi) - 1)
-            claim(error < limit and estimate < estimated, "%s disc of arcs %s, degree %d: energy within %.1e, "
+            claim(error < limit and estimate < estimated,
+                  "%s disc of arcs %s, degree %d: energy within %.1e, "
                   "estimate %.1e" % (method, angles, degree, error, estimate))
     for outer, inner in (([180, 180], [180, 180]), ([90] * 4, [180, 180]), ([270, 90], [120] * 3)):
         for degree, limit, estimated in DEGREES:
             value, estimate = energy("ring", outline(*arcs(outer, 1), arcs(inner, 0.5, 0.7)),
                                      elements(outer, inner), degree, method, 2 * PRESSURE)
             error = abs(value / lame(0.5, 1, 2 * PRESSURE) - 1)
-            claim(error < limit and estimate < 10 * estimated, "%s ring of arcs %s around %s, degree %d: energy "
+            claim(error < limit and estimate < 10 * estimated,
+                  "%s ring of arcs %s around %s, degree %d: energy "
                   "within %.1e, estimate %.1e" % (method, outer, inner, degree, error, estimate))
     # from (1, 0) above and back below, half a disc, lenses, a crescent: area of circles' segments
     for angles in ([180, 0], [40, 40], [90, 0], [180, -40]):
@@ -97,32 +96,35 @@ for method in METHODS:
             value, estimate = energy("lens", outline([(1, 0), (-1, 0)], tuple(map(bulge, angles))),
                                      elements([1, 1]), degree, method)
             error = abs(value / compressed_uniformly(area) - 1)
-            claim(error < limit and estimate < estimated, "%s arcs %s on a chord, degree %d: energy within %.1e, "
+            claim(error < limit and estimate < estimated,
+                  "%s arcs %s on a chord, degree %d: energy within %.1e, "
                   "estimate %.1e" % (method, angles, degree, error, estimate))
 
 # a square with a hole: of two arcs and of four, one outer mesh
 for method in METHODS:
-    energies = [energy("square", outline(*([(-2, -2), (2, -2), (2, 2), (-2, 2)], (0,) * 4), arcs(angles, 0.5, 0.7)),
-                       parameter("Elements per Edge", "Array(int)", "{4, 4, 4, 4}") + elements((), angles), 12,
-                       method, 2 * PRESSURE)[0] for angles in ([180, 180], [270, 90], [90] * 4)]
+    energies = [energy("square", outline(*([(-2, -2), (2, -2), (2, 2), (-2, 2)], (0,) * 4),
+                                         arcs(angles, 0.5, 0.7)),
+                       keys(Elements_per_Edge=[4, 4, 4, 4]) + elements((), angles), 12, method,
+                       2 * PRESSURE)[0] for angles in ([180, 180], [270, 90], [90] * 4)]
     for name, value in zip(("two halves", "270 and 90 degrees"), energies):
         error = abs(value / energies[-1] - 1)
-        claim(error < 1e-11, "%s square with a hole of %s: energy of four quarters within %.1e" % (method, name, error))
+        claim(error < 1e-11, "%s square with a hole of %s: energy of four quarters within %.1e" %
+              (method, name, error))
 
 # a disc of two arcs in a ring whose hole has two: a press fit, p/d of plane strain
 for method in METHODS:
     pressures = []
     for angles in ([180, 180], [90] * 4):
         inner = arcs(angles, 1)
-        bodies = [body("disc", outline(*inner), 1.0, "", "{X, Y, Rotation}", listed(
-            "Mesh", elements(angles), parameter("Degree", "int", 12)), NU),
-            body("ring", geometry(circle(2), named("o", 4), QUARTERS, loop(
-                inner[0], named("i", len(angles)), inner[1], "Hole 1 ")), 1.0, "", "{X, Y, Rotation}", listed(
-                    "Mesh", elements([90] * 4, angles), parameter("Degree", "int", 12)), NU)]
-        points = run(written("fit", bodies, contact("fit", "disc:o", "ring:i", parameter(
-            "Interference", "string", "0.001")), "Density", more=listed(
-                "Adaptivity", parameter("Maximum Levels", "int", 1))), "fit",
-            ["Solver->Linear->Method=" + method])[1]
+        bodies = [body("disc", outline(*inner), 1.0, NONE, "X, Y, Rotation",
+                       listed("Mesh", elements(angles), Degree=12), NU),
+                  body("ring", geometry(circle(2), "o, o, o, o", QUARTERS,
+                                        loop(inner[0], ["i"] * len(angles), inner[1], "Hole 1 ")),
+                       1.0, NONE, "X, Y, Rotation",
+                       listed("Mesh", elements([90] * 4, angles), Degree=12), NU)]
+        points = run(written("fit", bodies, contact("fit", "disc:o", "ring:i", Interference=0.001),
+                             "Density", more=listed("Adaptivity", Maximum_Levels=1)), "fit",
+                     ["Solver->Linear->Method=" + method])[1]
         pressures.append([point["lambda_n"] for point in points])
     # both give way by p times this
     give = (1 + NU) * (1 - 2 * NU) + (1 + NU) * ((1 - 2 * NU) * 1 + 4) / 3

@@ -6,7 +6,7 @@ import os
 import sys
 
 from images import DIAGONAL, IDENTITY, MIRROR_X, MIRROR_Y, QUARTER, Image
-from runs import WORK, claim, finish, run, scene, table
+from runs import WORK, claim, finish, read, run, scene, table, write
 
 EVERY = sys.argv[4:] == ["all"]
 # name: levels (None: as shipped)
@@ -83,16 +83,13 @@ def compare(name, what, image, here, there, shift):
 
 
 for name, levels in SCENES.items():
-    with open(scene(name + ".xml")) as stream:
-        text = stream.read()
+    text = read(scene(name + ".xml"))
     results = {}
     for what, image in {"": Image(), **IMAGES}.items():
         if name in FINE and what == "shifted":
             continue
-        os.makedirs(WORK, exist_ok=True)
         file = os.path.join(WORK, name + ".xml")
-        with open(file, "w") as stream:
-            stream.write(image.scene(text))
+        write(file, image.scene(text))
         history, contact = run(file, name, ["Adaptivity->Maximum Levels=%d" % levels]
                                if levels else [])
         results[what] = history, contact, table(os.path.join(WORK, name, "boundary.csv"))

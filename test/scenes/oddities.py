@@ -4,17 +4,16 @@ import math
 import os
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, run, saved, scene, table
+from runs import (EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, options, read, run,
+                  saved, scene, table, write)
 
-os.makedirs(WORK, exist_ok=True)
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
 HARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "hard", "scenes")
 CONDITIONS = "Bodies->block->Boundary Conditions->"
 
 
 def told(file, name, settings=()):
-    arguments = [word for setting in [*SETTINGS, *settings] for word in ("--set", setting)]
-    code, text = epafi("run", file, "--output", fresh(name), *arguments)
+    code, text = epafi("run", file, "--output", fresh(name), settings=[*SETTINGS, *settings])
     return code, [line for line in text.splitlines() if line.startswith("epafi: warning: ")]
 
 
@@ -56,9 +55,8 @@ for sentence, setting, words in [
         ("a load that is there half way along a path alone",
          CONDITIONS + "top={Type=Neumann, Traction Y=-100*t*(1 - t)*(abs(x - 0.0612) < 0.001)}",
          "->top: the traction is narrower")]:
-    code, text = epafi("check", scene("coulomb.xml"), "--set", setting, "--set",
-                       FIXED if "top" in setting else HELD,
-                       *(["--set", "History->Times={0.5, 1}"] if "t*(" in setting else []))
+    code, text = epafi("check", scene("coulomb.xml"), settings=[
+        setting, FIXED if "top" in setting else HELD, *["History->Times={0.5, 1}"] * ("t*(" in setting)])
     warnings = [line for line in text.splitlines() if line.startswith("warning: ")]
     claim(code == 0 and len(warnings) == 1 and words in warnings[0], "%s: %s" % (sentence, warnings))
 for sentence, setting in [
@@ -67,8 +65,8 @@ for sentence, setting in [
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}"),
         ("one that touches but for rounding", CONDITIONS +
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01*sin(pi)}")]:
-    code, text = epafi("check", scene("coulomb.xml"), "--set", setting, "--set",
-                       FIXED if "top" in setting else HELD)
+    code, text = epafi("check", scene("coulomb.xml"), settings=[
+        setting, FIXED if "top" in setting else HELD])
     claim(code == 0 and "warning" not in text, "%s is none: %s" % (sentence, text.splitlines()[-1]))
 for sentence, file, setting, words in [
         ("an unstable pair", "coulomb.xml", "Discretization->Stabilization={Form=None}",
@@ -111,8 +109,7 @@ for sentence, file, settings in [
         ("a small body on a large one, its motions fixed", scene("two-blocks.xml"), [
             "Bodies->pad->Geometry->Vertices=4x2:{-2e-4,0, 2e-4,0, 2e-4,4e-4, -2e-4,4e-4}",
             "Bodies->pad->Rigid Motions={Fix={X, Rotation}}"])]:
-    code, text = epafi("run", file, "--output", fresh("limit"),
-                       *(word for setting in [*SETTINGS, *settings] for word in ("--set", setting)))
+    code, text = epafi("run", file, "--output", fresh("limit"), settings=[*SETTINGS, *settings])
     claim(code == 0, sentence + ": " + text.strip().splitlines()[-1][-90:])
 
 # digits that rounding takes
@@ -143,15 +140,13 @@ for slender, friction, method, words in [
           "a beam of 1 : %d, %s: %s" % (slender, method, lost))
 
 # of this one the stiffness is singular to rounding: factorised it may be, or not
-code, text = epafi("run", beam(10000, False), "--output", fresh("beam"), "--set",
-                   "Adaptivity->Maximum Levels=1", "--set", "Solver->Linear->Method=Dense",
-                   "--set", "Discretization->Degree=3")
+code, text = epafi("run", beam(10000, False), "--output", fresh("beam"), settings=[
+    *SETTINGS, "Solver->Linear->Method=Dense", "Discretization->Degree=3"])
 claim((code == 0 and "out of balance by" in text or code == 2) and "slender by more than 1 : 1000" in text,
       "a beam of 1 : 10000: exit %d, %s" % (code, text[-200:]))
 
 # encodings
-with open(scene("patch.xml"), encoding="utf-8") as stream:
-    text = stream.read()
+text = read(scene("patch.xml"))
 marked = os.path.join(WORK, "marked.xml")
 for encoding, code in [("utf-8-sig", 0), ("utf-16", 1), ("utf-16-le", 1), ("utf-16-be", 1)]:
     with open(marked, "w", encoding=encoding) as stream:
@@ -164,8 +159,7 @@ with open(marked, "w", encoding="latin-1") as stream:
 done, said = epafi("check", marked)
 claim(done == 1 and "UTF-8" in said and ": line " in said, "latin-1: " + said.strip()[-90:])
 loud = os.path.join(WORK, "LOUD.YAML")
-with open(loud, "w") as stream:
-    stream.write("Loud:\n  Bodis: {}\n")
+write(loud, "Loud:\n  Bodis: {}\n")
 done, said = epafi("check", loud)
 claim(done == 1 and "'Bodies'" in said, "YAML in a file whose name is in capitals: " + said.strip()[:90])
 
@@ -177,7 +171,7 @@ for row in history[-2:]:
         row["dof"], row["memory_forecast_mb"], row["memory_mb"]))
 limit = "Adaptivity->Maximum Memory=%d" % (history[-2]["memory_forecast_mb"] + 1)
 code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("limited"),
-                   *(word for setting in [*levels(9), limit] for word in ("--set", setting)))
+                   settings=[*levels(9), limit])
 claim(code == 0 and "Maximum Degrees of Freedom" in text.split("ended")[1] and
       len(table(os.path.join(WORK, "limited", "history.csv"))) == 6,
       "a level that would not fit ends the run: " + text.split("ended")[1].splitlines()[0])
@@ -187,7 +181,7 @@ claim(code == 1 and "coarser" in text, "a first one is bad input: " + text.split
 done = subprocess.run(
     ["bash", "-c", 'ulimit -v 800000; exec "$0" "$@"', EPAFI, "run", scene("coulomb.xml"),
      "--threads", "1", "--output", fresh("ulimit"),
-     *(word for setting in levels(20) for word in ("--set", setting))],
+     *options(levels(20))],
     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
 claim(done.returncode == 0 and "that are free" in done.stdout,

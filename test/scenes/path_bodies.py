@@ -5,10 +5,10 @@ Two blocks 80 half-widths of the contact wide, pressed by P and pushed by Q: the
 carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a = E* = 1."""
 import math
 
-from halves import COARSE, F, FINE, P, P0, PRESS, after, half, history, partial
-from runs import (claim, epafi, finish, fresh, imbalance, largest, never_falls, points, steps)
-from written import (block, body, condition, contact, friction, listed, parameter, rigid,
-                     written)
+from halves import COARSE, F, FINE, P, P0, PRESS, after, half, partial
+from runs import claim, epafi, finish, fresh, imbalance, largest, never_falls, points, steps
+from written import (CLAMPED, NONE, block, body, condition, contact, friction, history, keys,
+                     listed, rigid, written)
 
 
 def solve(name, bodies, contacts, path, form="Density", settings=(), restart=None):
@@ -16,12 +16,12 @@ def solve(name, bodies, contacts, path, form="Density", settings=(), restart=Non
     folder = restart or fresh(name)
     settings = [*settings, "Adaptivity->Maximum Degrees of Freedom=10000"]
     code, text = epafi("run", file, "--restart" if restart else "--output", folder,
-                       *(x for s in settings for x in ("--set", s)))
+                       settings=settings)
     claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-400:]))
     return folder
 
 
-PARABOLA = parameter("Interference", "string", "-x^2/200")
+PARABOLA = keys(Interference="-x^2/200")
 LOOP = "0.5*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
 E = 2 * (1 - 0.3**2)
 
@@ -88,20 +88,18 @@ claim(abs(work[1] / work[0] - 1) < 0.02,
 
 # what moves in t: a rigid body and an interference, against the same by a gap
 SLAB = [(-2, 0), (2, 0), (2, 1), (-2, 1)]
-HELD = condition("top", "Dirichlet", Displacement_X="0", Displacement_Y="0")
+HELD = condition("top", "Dirichlet", CLAMPED)
 DOWN = "0.003*min(t, 1) + 0.0005*x - 0.001*x^2"
 PATH = history([1, 2, 3], [2, 3, 3])
-PUSHED = rigid("floor", block(-3, -1, 3, 0), listed(
-    "Motion", parameter("Displacement X", "string", "0.002*sin(3*max(0, t - 1))"),
-    parameter("Displacement Y", "string", "0.001*min(t, 1)")))
+PUSHED = rigid("floor", block(-3, -1, 3, 0),
+               listed("Motion", Displacement_X="0.002*sin(3*max(0, t - 1))",
+                      Displacement_Y="0.001*min(t, 1)"))
 moved = solve("moved floor", [body("slab", SLAB, 1.0, HELD), PUSHED], contact(
-    "rub", "slab:bottom", "floor:top", friction("0.3") + parameter(
-        "Interference", "string", DOWN)), PATH, "Projected")
-gap = condition("bottom", "Contact", Gap="-(%s) - 0.001*min(t, 1)" % DOWN)
+    "rub", "slab:bottom", "floor:top", friction("0.3") + keys(Interference=DOWN)), PATH, "Projected")
+gap = condition("bottom", "Contact", friction("0.3"), Gap="-(%s) - 0.001*min(t, 1)" % DOWN)
 lift = condition("top", "Dirichlet", Displacement_X="-0.002*sin(3*max(0, t - 1))",
                  Displacement_Y="0")
-turned = solve("moved top", [body("slab", SLAB, 1.0, lift + gap.replace(
-    "</ParameterList>", friction("0.3") + "</ParameterList>"))], "", PATH, "Projected")
+turned = solve("moved top", [body("slab", SLAB, 1.0, lift + gap)], NONE, PATH, "Projected")
 scale = largest(p["lambda_n"] for p in points(turned))
 for step in (1, 4, 8):
     claim(largest(a[c] - b[c] for c in ("lambda_n", "lambda_t")
@@ -129,8 +127,8 @@ claim(all(a[c] == b[c] for a, b in zip(steps(whole), steps(part)) for c in a),
 # Fix holds means of the whole boundary: where clamps that move are a part of it, it pulls at the rest
 beam = body("block", block(0, 0, 2, 1), 10.0, condition("bottom", "Contact") + condition(
     "left", "Dirichlet", Displacement_Y="-0.02*t") + condition("top", "Neumann", Traction_Y="-1*t"),
-            "{X, Rotation}")
-last = steps(solve("held means beside a clamp", [beam], "", history([1], [3])))[-1]
+            "X, Rotation")
+last = steps(solve("held means beside a clamp", [beam], NONE, history([1], [3])))[-1]
 claim(abs(last["energy_error"]) < 1e-12 * abs(last["energy_outside"]),
       "what Fix does against a clamp is outside work: %.1e" % (
           last["energy_error"] / last["energy_outside"]))

@@ -3,16 +3,14 @@ other amplitudes of the loop, bulk stress, dissimilar bodies, errors in time.
 
 Fourth argument: the page that the tables are written to, doc/benchmarks/paths.md."""
 import math
-import os
 import sys
 
-from halves import (F, P, P0, after, error, half, history, loading, loads, loop, path, rms,
-                    stick)
-from runs import WORK, claim, finish, never_falls, points, scene, solved, steps
-from written import contact, friction, parameter, written
+from halves import F, P, P0, after, error, half, loading, loads, path, rms, stick
+from runs import claim, finish, never_falls, points, scene, solved, steps, write
+from written import contact, friction, history, keys, loop, written
 
 LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
-PARABOLA = parameter("Interference", "string", "-x^2/200")
+PARABOLA = keys(Interference="-x^2/200")
 SIDES = [(2, "Q = Qm", lambda x: loading(x, 0.5), math.sqrt(0.5)),
          (3, "Q = 0", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
          (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))]
@@ -54,8 +52,6 @@ def measured(folder):
     return max(widths), max(worst), max(mean)
 
 
-os.makedirs(WORK, exist_ok=True)
-
 # two equal bodies on blocks of three widths
 rows = []
 for width in (20, 40, 80):
@@ -72,12 +68,7 @@ for a, b in zip(rows, rows[1:]):
     claim(b[1][5] < a[1][5] / 1.5, "uniform tractions: shear %.1e of f p0 on %d a, %.1e on %d a" % (
         a[1][5], a[0], b[1][5], b[0]))
 page += ["## Two equal bodies", "",
-         "Blocks as high as wide, ν = 0.3, degree 2, elements of 0.004 a where slip ends. The load is P, then Q = Qm = 0.5 f P, 0 and",
-         "-Qm, one step each. The largest errors of the three last steps: half the stick width (a = 1), the shear relative to f p0 at its",
-         "worst point in contact, and its mean. With the half-plane's tractions on the outer sides the error does not depend on the width: it comes",
-         "from the elements where slip ends. With uniform tractions on the far sides it falls with the width.", "",
-         "| width | stick | shear | mean | uniform: stick | shear | mean |",
-         "|---:|---:|---:|---:|---:|---:|---:|"]
+         "Blocks as high as wide, ν = 0.3, degree 2, elements of 0.004 a where slip ends. The load is P, then Q = Qm = 0.5 f P, 0 and", "-Qm, one step each. The largest errors of the three last steps: half the stick width (a = 1), the shear relative to f p0 at its", "worst point in contact, and its mean. With the half-plane's tractions on the outer sides the error does not depend on the width: it comes", "from the elements where slip ends. With uniform tractions on the far sides it falls with the width.", "", "| width | stick | shear | mean | uniform: stick | shear | mean |", "|---:|---:|---:|---:|---:|---:|---:|"]
 page += ["| %d a | %s |" % (width, " | ".join("%.1e" % e for e in errors)) for width, errors in rows]
 
 # dissimilar bodies whose pressure and shear do not mix: (1 - 2 nu)(1 + nu)/E is equal
@@ -89,8 +80,8 @@ for first, second in (("upper", "lower"), ("lower", "upper")):
     never_falls(folder)
 
 # loops of other amplitudes, counted from +Qm
-page += ["", "## Loops", "", "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "",
-         "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
+page += ["", "## Loops", "",
+         "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "", "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
 
 for q in (0.2, 0.3, 0.4, 0.5, 0.7):
     folder = solve("loop %g" % q, scene("fretting.xml"), path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
@@ -111,13 +102,14 @@ CUTS = [-40, -16, -6, -2.5, -1.25, -0.95, -0.86, 0.46, 0.56, 1.25, 2.5, 6, 16, 4
 BULK = "%r*%r*(t < 1 ? 0 : t - 1)" % (2 * shift, F * P0)
 c = math.sqrt(0.5)
 for count in (1, 8):
-    folder = solve("bulk stress, %d steps" % count, scene("fretting.xml"), path([1, 2], [1, count]) + loads(
-        "0.25*pi/400*max(0, t - 1)", "pi/400*min(t, 1)", BULK) + [
-            "Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" % ", ".join(
-                "%g, 0" % x for x in CUTS),
-            "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
-                ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
-            "Discretization->Elements per Edge={4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4, 6, 6, 6}"])
+    folder = solve("bulk stress, %d steps" % count, scene("fretting.xml"),
+                   path([1, 2], [1, count]) +
+                   loads("0.25*pi/400*max(0, t - 1)", "pi/400*min(t, 1)", BULK) +
+                   ["Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" %
+                    ", ".join("%g, 0" % x for x in CUTS),
+                    "Bodies->block->Geometry->Edges={%s, far, far, far}" %
+                    ", ".join(["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
+                    "Discretization->Elements per Edge={4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4, 6, 6, 6}"])
     here = points(folder, 1 + count)
     left, right = stick(here)
     side_ = 1 if right > -left else -1
@@ -130,13 +122,12 @@ for count in (1, 8):
 
 # errors in time
 page += ["", "## Errors in time", "",
-         "fretting.xml. Relative error of friction's work by the trapezoidal rule (`energy_dissipated_trapezoidal`) from Qm to -Qm, against",
-         "160 steps; and the error of the energy balance while P grows, relative to the work from outside.", "",
-         "| steps | trapezoidal work | balance |", "|---:|---:|---:|"]
+         "fretting.xml. Relative error of friction's work by the trapezoidal rule (`energy_dissipated_trapezoidal`) from Qm to -Qm, against", "160 steps; and the error of the energy balance while P grows, relative to the work from outside.", "", "| steps | trapezoidal work | balance |", "|---:|---:|---:|"]
 
 
 def halfCycle(count):
-    rows = steps(solve("half a cycle, %d" % count, scene("fretting.xml"), path([1, 2, 4], [1, 5, count])))
+    rows = steps(solve("half a cycle, %d" % count, scene("fretting.xml"),
+                       path([1, 2, 4], [1, 5, count])))
     return [rows[5 + count][key] - rows[5][key] for key in
             ("energy_dissipated", "energy_dissipated_trapezoidal")]
 
@@ -151,12 +142,13 @@ exact = halfCycle(160)[0]
 inTime = [(abs(halfCycle(count)[1] / exact - 1), pressing(count)) for count in counts]
 page += ["| %d | %.1e | %.1e |" % (count, *errors) for count, errors in zip(counts, inTime)]
 for (a, b), (c, d), count in zip(inTime, inTime[1:], counts[1:]):
-    claim(c < a / 3.3 and d < b / 3, "%d steps: trapezoidal work %.1e after %.1e, balance %.1e after %.1e" % (
-        count, c, a, d, b))
+    claim(c < a / 3.3 and d < b / 3,
+          "%d steps: trapezoidal work %.1e after %.1e, balance %.1e after %.1e" %
+          (count, c, a, d, b))
 
 if len(sys.argv) > 4:
-    with open(sys.argv[4], "w") as file:
-        file.write("# Load paths\n\n**Claim.** Load paths converge to Cattaneo's and Mindlin's closed forms ([theory](../theory/paths.md)). This page was made by\n\n"
-                   "    python3 test/scenes/path_claims.py build/bin/epafi drivers/scenes build/path_claims "
-                   "doc/benchmarks/paths.md\n\n" + "\n".join(page) + "\n")
+    write(sys.argv[4],
+          "# Load paths\n\n**Claim.** Load paths converge to Cattaneo's and Mindlin's closed forms ([theory](../theory/paths.md)). This page was made by\n\n"
+          "    python3 test/scenes/path_claims.py build/bin/epafi drivers/scenes build/path_claims "
+          "doc/benchmarks/paths.md\n\n" + "\n".join(page) + "\n")
 finish()

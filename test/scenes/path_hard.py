@@ -10,7 +10,6 @@ import xml.etree.ElementTree as xml
 from runs import SCENES, WORK, claim, epafi, finish, fresh, table
 
 LOADS = ("Displacement X", "Displacement Y", "Traction X", "Traction Y", "Force X", "Force Y")
-os.makedirs(WORK, exist_ok=True)
 
 
 def path(file):
@@ -50,7 +49,8 @@ for file in sorted(glob.glob(os.path.join(sys.argv[4], "*.xml")) +
     solved += code == 0
     columns = [key for key in (rows[0] if rows else []) if key.endswith("energy_dissipated")]
     falls = [key for key in columns for a, b in zip([{key: 0}] + rows, rows) if b[key] < a[key]]
-    claim(not falls, "%s: exit %d behind %d of 20 steps, friction's work %s %s" % (
-        name, code, len(rows), "never falls, %.2e" % rows[-1]["energy_dissipated"] if rows else "unknown", last))
+    claim(not falls, "%s: exit %d behind %d of 20 steps, friction's work %s %s" %
+          (name, code, len(rows), "never falls, %.2e" % rows[-1]["energy_dissipated"] if rows else
+           "unknown", last))
 claim(solved == 17, "all 17 paths are solved to their end, these are %d" % solved)
 finish()

@@ -3,7 +3,6 @@
 Fourth argument: how often it is killed; fifth: bodies, 1 or 2."""
 import os
 import random
-import subprocess
 import sys
 import time
 import zlib
@@ -11,31 +10,25 @@ import zlib
 import h5py
 import numpy
 
-from halves import half, history
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, rows, scene, table
+from halves import half
+from runs import claim, epafi, finish, fresh, options, rows, scene, stopped, table
 from scales import worst
-from written import contact, friction, listed, parameter, written
+from written import contact, friction, history, listed, wear, written
 
-os.makedirs(WORK, exist_ok=True)
 if sys.argv[5:] == ["2"]:
     PUSH = "0.25*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
-    FILE = written("two", [half("upper", 1, 2, PUSH), half("lower", -1, 3, PUSH, ratio=0.2)],
-                   contact("fret", "upper:contact", "lower:contact", friction("0.5") + parameter(
-                       "Interference", "string", "-x^2/200") + listed(
-                           "Normal", parameter("Law", "string", "Exponential"),
-                           parameter("Length", "string", "1e-4"),
-                           parameter("Pressure", "string", "1e-3")) + parameter(
-                           "Sliding", "string", "2e-5*t") + listed(
-                               "Wear", parameter("Coefficient", "string", "0.02"),
-                               parameter("Cycle Jump", "string", "t < 2 ? 1 : 10"))), "Density",
-                   more=history([1, 2, 4, 6], [1, 7, 16, 16]))
-    SCENE = [FILE]
+    SCENE = [written(
+        "two", [half("upper", 1, 2, PUSH), half("lower", -1, 3, PUSH, ratio=0.2)], contact(
+            "fret", "upper:contact", "lower:contact", friction("0.5"), wear(0.02, "t < 2 ? 1 : 10"),
+            listed("Normal", Law="Exponential", Length=1e-4, Pressure=1e-3),
+            Interference="-x^2/200", Sliding="2e-5*t"), "Density",
+        more=history([1, 2, 4, 6], [1, 7, 16, 16]))]
 else:
-    SCENE = [scene("fretting.xml"),
-             "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}",
-             "--set", "History->Times={1, 2, 4, 6}", "--set", "History->Steps={1, 7, 16, 16}"]
-SCENE += ["--quiet", "--threads", "1", "--set", "Adaptivity->Strategy=Adaptive h",
-          "--set", "Adaptivity->Maximum Levels=3"]
+    SCENE = [scene("fretting.xml"), *options([
+        "Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}",
+        "History->Times={1, 2, 4, 6}", "History->Steps={1, 7, 16, 16}"])]
+SCENE += ["--quiet", "--threads", "1", *options(["Adaptivity->Strategy=Adaptive h",
+                                                 "Adaptivity->Maximum Levels=3"])]
 
 
 def same(sentence, whole, part):
@@ -55,16 +48,15 @@ moments = random.Random(15)
 resumed = 0
 for k in range(int(sys.argv[4])):
     folder = fresh("killed")
-    process = subprocess.Popen([EPAFI, "run", *SCENE, "--output", folder])
-    time.sleep(moments.uniform(0.1, 1) * duration)
-    process.kill()
-    process.wait()
+    end = time.monotonic() + moments.uniform(0.1, 1) * duration
+    stopped(lambda: time.monotonic() > end, "run", *SCENE, "--output", folder)
     solved = os.path.exists(os.path.join(folder, "solution.hdf"))
     resumed += solved
     before = len(rows(folder, "steps.csv")) if solved else 0
     if before % 40:
         code, text = epafi("fields", folder, "--step", "1")
-        claim(code == 1 and "--restart" in text, "fields of its steps are refused: " + text.strip()[:90])
+        claim(code == 1 and "--restart" in text,
+              "fields of its steps are refused: " + text.strip()[:90])
     code, text = epafi("run", *SCENE, *(["--restart", folder] if solved
                                         else ["--output", folder, "--force"]))
     claim(code == 0, "killed behind %d steps: goes on%s" % (before, "" if code == 0 else text))
@@ -77,14 +69,6 @@ def solved(folder):
         return 40 * int(file["Epafi"].attrs["level"]) + len(file["Epafi/path_t"])
 
 
-def killed_when(ready, *arguments):
-    process = subprocess.Popen([EPAFI, "run", *SCENE, *arguments])
-    while process.poll() is None and not ready():
-        time.sleep(0.001)
-    process.kill()
-    process.wait()
-
-
 def file_number(folder):
     return os.stat(os.path.join(folder, "solution.hdf")).st_ino
 
@@ -92,10 +76,11 @@ def file_number(folder):
 folder = fresh("twice")
 steps = os.path.join(folder, "steps.csv")
 solution = os.path.join(folder, "solution.hdf")  # the last file of a write
-killed_when(lambda: os.path.exists(solution) and len(table(steps)) >= 25, "--output", folder)
+stopped(lambda: os.path.exists(solution) and len(table(steps)) >= 25,
+        "run", *SCENE, "--output", folder)
 for k in range(3):
     before, number = solved(folder), file_number(folder)
-    killed_when(lambda: file_number(folder) != number, "--restart", folder)
+    stopped(lambda: file_number(folder) != number, "run", *SCENE, "--restart", folder)
     claim(solved(folder) >= before and len(table(steps)) >= before,
           "killed again behind %d steps: %d in solution.hdf, %d in steps.csv" % (
               before, solved(folder), len(table(steps))))

@@ -1,26 +1,17 @@
 """Paths whose steps are chosen: History->Tolerance against closed forms and against many steps."""
 import os
 import signal
-import subprocess
-import time
 
 from halves import loads, loop
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, steps
+from runs import claim, epafi, finish, fresh, options, refused, scene, solved, steps, stopped
 from scales import worst
 
 SCENE = scene("fretting.xml")
 COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 5, 12, 5, 1, 3, 2, 2, 2, 3, 3, 3}"]
 
 
-def arguments(settings):
-    return [SCENE, "--threads", "1"] + [x for s in settings for x in ("--set", s)]
-
-
 def solve(name, settings):
-    folder = fresh(name)
-    code, text = epafi("run", *arguments(settings), "--output", folder)
-    claim(code == 0, "%s: solved%s" % (name, "" if code == 0 else " " + text[-300:]))
-    return folder, text
+    return solved(name, SCENE, *settings)
 
 
 def path(times, count, tolerance):
@@ -28,25 +19,26 @@ def path(times, count, tolerance):
         ["History->Tolerance=%g" % tolerance] if tolerance else [])
 
 
-os.makedirs(WORK, exist_ok=True)
 
 # where bounds stay, few steps are exact; what the mesh errs by is in paths.py
 folder, text = solve("loop", path([1, 2, 4, 6], 1, 1e-3))
 rows = steps(folder)
 claim([row["t"] for row in rows] == [1, 2, 4, 6], "a row for each time that is asked for")
-claim([row["parts"] for row in rows] == [8] * 4, "eight steps each are enough under a constant pressure")
+claim([row["parts"] for row in rows] == [8] * 4,
+      "eight steps each are enough under a constant pressure")
 cycle = rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]
 claim(abs(cycle / loop(0.5) - 1) < 1e-3, "a cycle's work is off by %.1e" % (cycle / loop(0.5) - 1))
 
 # loops of other amplitudes, on small elements where slip is
 CUTS = [-40, -16, -6, -2.5, -1.25, -1.02, -0.8, 0.8, 1.02, 1.25, 2.5, 6, 16, 40]
-LAYERS = [
-    "Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" % ", ".join("%g, 0" % x for x in CUTS),
-    "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
-        ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
-    "Discretization->Elements per Edge={4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4, 6, 6, 6}"]
+LAYERS = ["Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" %
+          ", ".join("%g, 0" % x for x in CUTS),
+          "Bodies->block->Geometry->Edges={%s, far, far, far}" %
+          ", ".join(["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
+          "Discretization->Elements per Edge={4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4, 6, 6, 6}"]
 for q in (0.2, 0.9):
-    folder, text = solve("loop of %g" % q, LAYERS + ["Constants->Q=%g*f*P" % q] + path([1, 2, 4, 6], 1, 1e-3))
+    folder, text = solve("loop of %g" % q,
+                         LAYERS + ["Constants->Q=%g*f*P" % q] + path([1, 2, 4, 6], 1, 1e-3))
     rows = steps(folder)
     error = (rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]) / loop(q) - 1
     claim(abs(error) < 5e-4, "a cycle's work at %g f P is off by %.1e" % (q, error))
@@ -62,15 +54,17 @@ for tolerance in (1e-2, 2e-3):
     for row in rows[1:]:
         error = abs(row["energy_dissipated"] / exact[row["t"]] - 1)
         told = row["energy_dissipated_error"] / row["energy_dissipated"]
-        claim(error < tolerance, "tolerance %g: work up to t = %g in %d steps off by %.1e, told %.1e" % (
-            tolerance, row["t"], row["parts"], error, told))
+        claim(error < tolerance,
+              "tolerance %g: work up to t = %g in %d steps off by %.1e, told %.1e" %
+              (tolerance, row["t"], row["parts"], error, told))
     claim(8 < max(row["parts"] for row in rows) < 320, "their number is chosen")
     claim("error in time" not in text, "no warning")
 
 # places that slip before they close: friction does little until they are pushed
 MIXED = COARSE + ["Bodies->block->Material->Poisson's Ratio=0.3"] + loads(
     "0.1*pi/400*max(0, t - 1)", "pi/400*min(t, 1)")
-exact = steps(solve("mixed, many", MIXED + path([1, 2], 200, 0))[0])[-1]["energy_dissipated_trapezoidal"]
+exact = steps(solve("mixed, many", MIXED + path([1, 2], 200, 0))[0])[-1][
+    "energy_dissipated_trapezoidal"]
 rows = steps(solve("mixed", MIXED + path([1, 2], 1, 2e-3))[0])
 error = abs(rows[-1]["energy_dissipated"] / exact - 1)
 claim(error < 2e-3, "pressed in %d steps, pushed in %d: work off by %.1e" % (
@@ -84,24 +78,18 @@ claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and co
 folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.125"])
 claim("error in time" in text and "History->Tolerance" in text, "what is missing is told")
 claim(steps(folder)[1]["parts"] == 16, "down to the shortest step")
-code, text = epafi("run", *arguments(SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"]),
-                   "--output", fresh("none"))
-claim(code == 1 and "at least 8 steps from t = 0 to 1; at most 0.125" in text,
-      "steps that leave nothing to compare are refused: %s" % text.strip())
+refused("steps that leave nothing to compare", SCENE, "at least 8 steps from t = 0 to 1; at most 0.125",
+        settings=SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"])
 
 # stopped behind a step, gone on with: the same steps
 LONG = SWING + path([1, 2, 3, 4, 5], 1, 5e-3) + ["Adaptivity->Strategy=Adaptive h",
                                                  "Adaptivity->Maximum Levels=2"]
 whole, _ = solve("whole", LONG)
 part = fresh("part")
-process = subprocess.Popen([EPAFI, "run", *arguments(LONG), "--quiet", "--output", part])
-while process.poll() is None and not (os.path.exists(os.path.join(part, "steps.csv"))
-                                      and len(steps(part)) >= 5):
-    time.sleep(0.01)
-process.send_signal(signal.SIGTERM)
-process.wait()
+stopped(lambda: os.path.exists(os.path.join(part, "steps.csv")) and len(steps(part)) >= 5,
+        "run", SCENE, *options(LONG), "--output", part, how=signal.SIGTERM)
 before = len(steps(part))
-code, text = epafi("run", *arguments(LONG), "--restart", part)
+code, text = epafi("run", SCENE, "--restart", part, settings=LONG)
 claim(code == 0 and 0 < before < 10, "stopped behind %d steps, gone on with%s" % (
     before, "" if code == 0 else ": " + text[-300:]))
 claim(worst(steps(whole), steps(part))[0] <= 1e-10, "the same steps.csv as without a stop")

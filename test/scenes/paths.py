@@ -6,10 +6,9 @@ for a half-plane (incompressible, so that pressure and shear do not mix), a = 1.
    a closed loop    work (f P)^2/(pi E*) (4 q h - 8 H), q = Qm/(f P), see loop()
 """
 import math
-import os
 
 from halves import F, P0, after, error, loading, loads, loop, path, stick
-from runs import WORK, claim, finish, never_falls, points, scene, solved, steps
+from runs import claim, finish, never_falls, points, scene, solved, steps
 
 
 
@@ -17,7 +16,6 @@ def solve(name, settings):
     return solved(name, scene("fretting.xml"), *settings)[0]
 
 
-os.makedirs(WORK, exist_ok=True)
 
 # Cattaneo, and the way back to 0 and to -Qm; small elements where slip ends, a node at |x| = a
 CUTS = [-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40]

@@ -8,7 +8,8 @@ import time
 
 import h5py
 
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, levels, run, scene, table
+from runs import (EPAFI, WORK, claim, epafi, finish, fresh, levels, options, run, scene, stopped,
+                  table, write)
 
 TRESCA = scene("tresca.xml")
 ONE = ["--set", "Adaptivity->Strategy=None"]
@@ -21,7 +22,6 @@ def refused(sentence, words, *arguments, code=1):
           "%s (exit %d: %s)" % (sentence, got, text.strip().split("\n")[0][:150]))
 
 
-os.makedirs(WORK, exist_ok=True)
 refused("an unknown command names the nearest", ["'run'"], "runn")
 refused("an unknown option names the nearest", ["'--output'"], "run", TRESCA, "--outptu", "x")
 refused("no command shows the usage", ["epafi run"])
@@ -47,7 +47,8 @@ refused("help is no failure", ["epafi check"], "--help", code=0)
 refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
 for command in ("parameters", "schema", "help"):
     with open("/dev/full", "w") as full:
-        done = subprocess.run([EPAFI, command], stdout=full, stderr=subprocess.PIPE, universal_newlines=True)
+        done = subprocess.run([EPAFI, command], stdout=full, stderr=subprocess.PIPE,
+                              universal_newlines=True)
     claim(done.returncode == 1 and "cannot be written" in done.stderr,
           "epafi %s on a full disk: exit %d, %s" % (command, done.returncode, done.stderr.strip()))
 
@@ -148,8 +149,7 @@ os.remove(os.path.join(folder, "solution.hdf"))
 for name in ("contact.csv", "boundary.csv", "interior.csv"):
     os.remove(os.path.join(folder, name))
 refused("a history with a row is a run", ["--force"], "run", TRESCA, "--output", folder, *ONE)
-with open(os.path.join(folder, "history.csv"), "w") as stream:
-    stream.write(head)
+write(os.path.join(folder, "history.csv"), head)
 code, text = epafi("run", TRESCA, "--output", folder, *ONE)
 claim(code == 0, "one without a row is none")
 
@@ -177,21 +177,12 @@ refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--outp
         "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)
 
 # signals
-def wait_for_a_level(folder):
-    deadline = time.time() + 60
-    while not os.path.exists(os.path.join(folder, "history.csv")) and time.time() < deadline:
-        time.sleep(0.02)
-
-
+ENDLESS = options(["Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=20",
+                   "Adaptivity->Maximum Degrees of Freedom=1000000"])
 folder = fresh("interrupted")
-process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
-                            "Adaptivity->Strategy=Uniform h", "--set",
-                            "Adaptivity->Maximum Levels=20", "--set",
-                            "Adaptivity->Maximum Degrees of Freedom=1000000"],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-wait_for_a_level(folder)
-process.send_signal(signal.SIGTERM)
-claim(process.wait() == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its number")
+code = stopped(lambda: os.path.exists(os.path.join(folder, "history.csv")), "run", TRESCA, "--output",
+               folder, *ENDLESS, how=signal.SIGTERM)
+claim(code == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its number")
 rows = table(os.path.join(folder, "history.csv"))
 claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
@@ -199,10 +190,7 @@ claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
 # Ctrl-C answers soon, also in the midst of a long phase, and says how to go on
 def interrupted(sentence, name, command, ready, codes, heard=True):
     folder = fresh(name)
-    process = subprocess.Popen([*command, "run", TRESCA, "--quiet", "--output", folder, "--set",
-                                "Adaptivity->Strategy=Uniform h", "--set",
-                                "Adaptivity->Maximum Levels=20", "--set",
-                                "Adaptivity->Maximum Degrees of Freedom=1000000"],
+    process = subprocess.Popen([*command, "run", TRESCA, "--quiet", "--output", folder, *ENDLESS],
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                universal_newlines=True)
     deadline = time.time() + 60

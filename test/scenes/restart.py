@@ -8,16 +8,12 @@ import signal
 import subprocess
 import sys
 
-from runs import EPAFI, RANKS, WORK, claim, epafi, finish, fresh, scene, table
+from runs import EPAFI, RANKS, WORK, claim, epafi, finish, fresh, options, scene, table, write
 from scales import worst
 
 HISTORY, CONTACT, SOLUTION = "history.csv", "contact.csv", "solution.hdf"
 COEFFICIENT = "Bodies->block->Boundary Conditions->foundation->Friction->Coefficient=%g"
 FILES = (HISTORY, CONTACT, "boundary.csv", SOLUTION)
-
-
-def options(settings):
-    return [word for setting in settings for word in ("--set", setting)]
 
 
 def solve(file, folder, count, settings, *more):
@@ -57,7 +53,6 @@ def refused(sentence, words, *arguments):
           "%s (exit %d: %s)" % (sentence, code, text.strip()[:200]))
 
 
-os.makedirs(WORK, exist_ok=True)
 
 # the same rows, iterations and points as without the stop
 cases = [("tresca.xml", "tresca", [])]
@@ -169,8 +164,7 @@ os.makedirs(file)
 refused("a folder instead", ["is a folder", file], "run", scene("tresca.xml"), "--restart",
         damaged)
 h5 = fresh("h5") + ".py"
-with open(h5, "w") as stream:
-    stream.write("import h5py, sys\nwith h5py.File(sys.argv[1], 'w') as f:\n    f['x'] = 1\n")
+write(h5, "import h5py, sys\nwith h5py.File(sys.argv[1], 'w') as f:\n    f['x'] = 1\n")
 foreign = copy(base, "foreign")
 subprocess.run(["/usr/bin/python3", h5, os.path.join(foreign, SOLUTION)], check=True)
 refused("somebody else's HDF5 file", ["/Epafi"], "run", scene("tresca.xml"), "--restart",

@@ -3,10 +3,9 @@ and forces against each other, balance, and what is refused."""
 import math
 import os
 
-from runs import (WORK, claim, epafi, finish, fresh, imbalance, refused, rows, scene, solved, steps,
-                  table)
-from written import (block, body, condition, contact, friction, listed, parameter,
-                     rigid, written)
+from runs import (WORK, changed, claim, epafi, finish, fresh, imbalance, read, refused, rows,
+                  scene, solved, steps, table)
+from written import friction, history, pad
 
 SCENE = scene("tilting-punch.xml")
 MOTION = "Bodies->punch->Motion->"
@@ -76,27 +75,18 @@ claim(all(abs(row["punch.force_y"] + P) < 1e-18 and row["punch.force_x"] == 0
 claim(imbalance(folder) < 1e-10, "block and punch balance, %.1e" % imbalance(folder))
 
 # a contact that is named like a rigid body
-with open(SCENE) as stream:
-    text = stream.read()
-named = os.path.join(WORK, "named.xml")
-with open(named, "w") as stream:
-    stream.write(text.replace('"face"', '"punch"'))
-folder = solve("named", file=named, settings=["Adaptivity->Strategy=None"])
-with open(os.path.join(folder, "steps.csv")) as stream:
-    head = stream.readline().strip().split(",")
+folder = solve("named", changed("named", SCENE, ('"face"', '"punch"')), ["Adaptivity->Strategy=None"])
+head = read(os.path.join(folder, "steps.csv")).split("\n")[0].split(",")
 claim(len(set(head)) == len(head) and "block:punch.force_y" in head and "punch.force_y" in head,
       "a contact named like the punch has its body's name before it in steps.csv")
 
 # one load, no path
 ONE = ["History->Times={1}", "History->Steps={1}", MOTION + "Force Y=-0.001", MOTION + "Moment=-0.0004"]
 once = solve("one step", settings=ONE)
-with open(SCENE) as file:
-    text = file.read()
+text = read(SCENE)
 begin = text.index('  <ParameterList name="History">')
 end = text.index('  <ParameterList name="Discretization">')
-with open(os.path.join(WORK, "no path.xml"), "w") as file:
-    file.write(text[:begin] + text[end:])
-alone = solve("no path", os.path.join(WORK, "no path.xml"), ONE[2:] + [
+alone = solve("no path", changed("no path", SCENE, (text[begin:end], "")), ONE[2:] + [
     "Adaptivity->Strategy=Adaptive h", "Adaptivity->Maximum Levels=3"])
 punch = [row for row in rows(alone, "bodies.csv") if row["body"] == "punch"]
 claim(abs(punch[0]["rotation"] / steps(once)[0]["punch.rotation"] - 1) < 1e-10,
@@ -105,30 +95,20 @@ claim(abs(punch[2]["rotation"] / tilt(0.4) - 1) < 1e-3 and imbalance(alone) < 1e
       "and after refinement")
 
 # a rough pad: what a force makes of it, given as its motion, needs the same force
-SOFT = body("soft", block(-4, -4, 4, 0), 1.0,
-            condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
-PATH = listed("History", parameter("Times", "Array(double)", "{1, 2, 3}"),
-              parameter("Steps", "Array(int)", "{2, 4, 4}"))
-
-
-def pad(name, **motion):
-    return written(name, [SOFT, rigid("pad", block(-1, 0, 1, 1), listed("Motion", *(
-        parameter(key.replace("_", " "), "string", value) for key, value in motion.items())))],
-        contact("rub", "soft:top", "pad:bottom", friction("0.4")), "Projected", more=PATH)
-
-
-pushed = solve("pushed", pad("pushed", Force_X="0.003*sin(pi/2*max(0, t - 1))",
-                             Force_Y="-0.01*min(t, 1)", Moment="0.001*max(0, t - 2)"))
+PATH = {"form": "Projected", "more": history([1, 2, 3], [2, 4, 4])}
+pushed = solve("pushed", pad("pushed", {
+    "Force X": "0.003*sin(pi/2*max(0, t - 1))", "Force Y": "-0.01*min(t, 1)",
+    "Moment": "0.001*max(0, t - 2)"}, friction(0.4), **PATH))
 # straight between the steps as they were: t counts them
 given = {}
 path = steps(pushed)
-for key, column in (("Displacement_X", "motion_x"), ("Displacement_Y", "motion_y"),
+for key, column in (("Displacement X", "motion_x"), ("Displacement Y", "motion_y"),
                     ("Rotation", "rotation")):
     text = "0"
     for row in reversed(path):
         text = "(t < %r ? %r : %s)" % (row["t"] + 1e-6, row["pad." + column], text)
     given[key] = text
-moved = solve("moved", pad("moved", **given))
+moved = solve("moved", pad("moved", given, friction(0.4), **PATH))
 size = max(abs(row["pad.force_y"]) for row in path)
 claim(max(abs(a["pad." + c] - b["pad." + c]) for a, b in zip(path, steps(moved))
           for c in ("force_x", "force_y", "moment")) < 1e-8 * size,
@@ -154,7 +134,7 @@ def unsolved(what, code, text):
 
 unsolved("a punch that is pulled off", *epafi(
     "run", SCENE, "--quiet", "--output", fresh("pulled"), "--set", MOTION + "Force Y=0.001*t"))
-unsolved("a pad that is pushed beyond friction", *epafi(
-    "run", pad("slides", Force_X="0.0041*t", Force_Y="-0.01*t"), "--quiet", "--output",
-    fresh("slides")))
+unsolved("a pad that is pushed beyond friction",
+         *epafi("run", pad("slides", {"Force X": "0.0041*t", "Force Y": "-0.01*t"}, friction(0.4),
+                           **PATH), "--quiet", "--output", fresh("slides")))
 finish()

@@ -4,7 +4,7 @@ import os
 import re
 import sys
 
-from runs import WORK, claim, epafi, finish, fresh, scene, table
+from runs import WORK, claim, finish, read, scene, solved, steps, write
 
 FINE = int(sys.argv[4])
 LENGTH, R, F, P = 3.25, 1000.0, 0.3, 3.141592653589793 / 3000
@@ -12,21 +12,14 @@ EXACT = FINE >= 50
 STEPS = int(LENGTH * FINE) * (2 if EXACT else 1)
 
 
-def solved(name, file, *settings):
-    folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder, "--threads", "1", *(
-        x for s in settings + (
-            "Discretization->Degree=%d" % (2 if EXACT else 1),
-            "Adaptivity->Maximum Degrees of Freedom=100000")
-        for x in ("--set", s)))
-    claim(code == 0, name + " is solved" + ("" if code == 0 else ": " + text[-300:]))
-    return [row for row in table(os.path.join(folder, "steps.csv"))]
+def path(name, file):
+    return steps(solved(name, file, "Discretization->Degree=%d" % (2 if EXACT else 1),
+                        "Adaptivity->Maximum Degrees of Freedom=100000",
+                        "Bodies->rail->Mesh->Elements per Edge={4, 3, 4, 10, %d, 10, 4, 3}" %
+                        (6.5 * FINE), "History->Steps={1, 4, %d}" % STEPS)[0])
 
 
-os.makedirs(WORK, exist_ok=True)
-MESH = "{4, 3, 4, 10, %d, 10, 4, 3}" % (6.5 * FINE)
-rolled = solved("rolled", scene("rolling.xml"), "Bodies->rail->Mesh->Elements per Edge=" + MESH,
-                "History->Steps={1, 4, %d}" % STEPS)
+rolled = path("rolled", scene("rolling.xml"))
 found = {round(row["t"] - 2, 9): row["slab.motion_x"] for row in rolled}
 
 
@@ -42,13 +35,13 @@ for s, exact in ((1, 0.470), (2, 0.397), (3, 0.3991)):
     claim(abs(off) < (1e-2 if EXACT else 5e-2),
           "creep behind %d half-widths: %.4f, off by %.1e" % (s, creep(s), off))
 off = creep(LENGTH - 0.05) / 0.4 - 1
-claim(abs(off) < (5e-2 if not EXACT else 4e-3 if FINE < 100 else 2e-3), "steady creep is Carter's but for %.1e" % off)
+claim(abs(off) < (5e-2 if not EXACT else 4e-3 if FINE < 100 else 2e-3),
+      "steady creep is Carter's but for %.1e" % off)
 claim(all(abs(row["roller.force_tangential"] / (0.64 * F * P) - 1) < 1e-9 for row in rolled[5:]),
       "the force is the given one")
 
 # the same rail under an obstacle that slides as the slab did
-with open(scene("rolling.xml")) as stream:
-    text = stream.read()
+text = read(scene("rolling.xml"))
 
 
 def points(key):
@@ -65,18 +58,15 @@ obstacle = """<ParameterList name="face"><Parameter name="Type" type="string" va
   <Parameter name="Coefficient" type="string" value="f"/></ParameterList></ParameterList>
   <ParameterList name="base">"""
 text = text.replace('<ParameterList name="base">', obstacle)
-text = re.sub(r'<ParameterList name="slab">.*?(?=\n  </ParameterList>\n  <ParameterList name="Contacts">)',
-              "", text, flags=re.S)
+text = re.sub(
+    r'<ParameterList name="slab">.*?(?=\n  </ParameterList>\n  <ParameterList name="Contacts">)',
+    "", text, flags=re.S)
 text = re.sub(r'<ParameterList name="Contacts">.*?(?=<ParameterList name="History">)', "", text,
               flags=re.S)
 text = text.replace('<ParameterList name="Bodies">', '<ParameterList name="Tables">%s%s'
                     '</ParameterList><ParameterList name="Bodies">' % (
                         points("slab.motion_x"), points("slab.motion_y")), 1)
-file = os.path.join(WORK, "replayed.xml")
-with open(file, "w") as stream:
-    stream.write(text)
-replayed = solved("replayed", file, "Bodies->rail->Mesh->Elements per Edge=" + MESH,
-                  "History->Steps={1, 4, %d}" % STEPS)
+replayed = path("replayed", write(os.path.join(WORK, "replayed.xml"), text))
 off = max(abs(a["roller.force_tangential"] - b["face.force_tangential"])
           for a, b in zip(rolled, replayed)) / (0.64 * F * P)
 claim(off < 1e-9, "replayed as Sliding: the same force to %.1e" % off)

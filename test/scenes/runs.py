@@ -5,21 +5,34 @@ scenes, a folder to write into.
 """
 import json
 import os
+import signal
 import subprocess
 import sys
+import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, table  # noqa: E402, F401
+from claims import absent, claim, finish, options, read, table, write  # noqa: E402, F401
 
 EPAFI, SCENES, WORK = sys.argv[1:4]
 RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
+os.makedirs(WORK, exist_ok=True)
 
 
-def epafi(*arguments):
+def epafi(*arguments, settings=(), cwd=None):
     """Exit code and what was printed, errors included."""
-    done = subprocess.run([EPAFI, *arguments], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, universal_newlines=True)
+    done = subprocess.run([EPAFI, *arguments, *options(settings)], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True, cwd=cwd)
     return done.returncode, done.stdout
+
+
+def stopped(ready, *arguments, how=signal.SIGKILL):
+    """Starts the program, ends it by a signal as soon as something is so; its exit code."""
+    process = subprocess.Popen([EPAFI, *arguments], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    while process.poll() is None and not ready():
+        time.sleep(0.001)
+    process.send_signal(how)
+    return process.wait()
 
 
 def scene(name):
@@ -27,12 +40,17 @@ def scene(name):
 
 
 def saved(name, scene, title="scene"):
-    """The file of a scene that is given as a dictionary, as YAML."""
-    os.makedirs(WORK, exist_ok=True)
-    path = os.path.join(WORK, name + ".yaml")
-    with open(path, "w") as stream:
-        json.dump({title: scene}, stream)
-    return path
+    """The file of a scene or a study that is given as a dictionary, as YAML."""
+    return write(os.path.join(WORK, name + ".yaml"), json.dumps({title: scene}))
+
+
+def changed(name, file, *changes):
+    """A copy of a scene's file in which texts are others: (before, after)."""
+    text = read(file)
+    for before, after in changes:
+        claim(before in text, "%s has %s" % (os.path.basename(file), before[:60]))
+        text = text.replace(before, after)
+    return write(os.path.join(WORK, name + os.path.splitext(file)[1]), text)
 
 
 def fresh(name):
@@ -40,28 +58,20 @@ def fresh(name):
     return absent(os.path.join(WORK, name))
 
 
-def run(file, name, settings=(), expect=0):
-    """Solves a scene; returns the rows of history.csv and of contact.csv."""
-    folder = fresh(name)
-    arguments = ["run", file, "--output", folder]
-    for setting in settings:
-        arguments += ["--set", setting]
-    code, text = epafi(*arguments)
-    if code != expect:
-        sys.exit("%s: exit code %d, expected %d\n%s" % (name, code, expect, text))
-    contact = os.path.join(folder, "contact.csv")
-    return table(os.path.join(folder, "history.csv")), (
-        table(contact) if os.path.exists(contact) else [])
-
-
 def solved(name, file, *settings, expect=0):
     """Claims that a scene ends with an exit code; the folder, and what was printed."""
     folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder,
-                       *(x for s in settings for x in ("--set", s)))
+    code, text = epafi("run", file, "--output", folder, settings=settings)
     claim(code == expect, "%s: exit code %d%s" % (
         name, code, "" if code == expect else " " + text[-400:]))
     return folder, text
+
+
+def run(file, name, settings=(), expect=0):
+    """Solves a scene; returns the rows of history.csv and of contact.csv."""
+    folder, _ = solved(name, file, *settings, expect=expect)
+    contact = os.path.exists(os.path.join(folder, "contact.csv"))
+    return rows(folder, "history.csv"), rows(folder) if contact else []
 
 
 def rows(folder, file="contact.csv"):
@@ -103,7 +113,7 @@ def never_falls(folder):
 def refused(what, file, *words, settings=(), command="run"):
     """Claims that a scene ends with exit code 1 and a message with these words."""
     code, text = epafi(command, file, *(["--output", fresh("bad")] if command == "run" else []),
-                       *(x for s in settings for x in ("--set", s)))
+                       settings=settings)
     claim(code == 1 and all(word in text for word in words),
           "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
 

@@ -8,7 +8,6 @@ import numpy
 
 from runs import WORK, claim, finish, run, scene, table
 
-os.makedirs(WORK, exist_ok=True)
 
 
 def read(name, settings):

@@ -2,34 +2,21 @@
 rough ground, energies, compressed operators, a restart."""
 import math
 import os
-import subprocess
-import time
 
-from runs import EPAFI, claim, epafi, finish, fresh, refused, rows, solved, table
-from written import (block, body, condition, contact, friction, listed, parameter, rigid,
-                     written)
+from runs import claim, epafi, finish, fresh, refused, rows, solved, stopped, table
+from written import block, body, contact, friction, history, listed, pad, rigid, written
 
-SOFT = body("soft", block(-4, -4, 4, 0), 1.0,
-            condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
 COMPONENTS = {"X": ("Displacement X", "Force X", "Stiffness X", "motion_x", "reaction_x", "load_x"),
               "Y": ("Displacement Y", "Force Y", "Stiffness Y", "motion_y", "reaction_y", "load_y"),
               "Rotation": ("Rotation", "Moment", "Stiffness Rotation", "rotation",
                            "reaction_moment", "load_moment")}
-PRESS = {"Displacement Y": "-0.05"}
-
-
-def pad(name, motion, more="", coefficient="0.4"):
-    kinds = {True: "double", False: "string"}
-    return written(name, [SOFT, rigid("pad", block(-1, 0, 1, 1), listed("Motion", parameter(
-        "Reference Point", "Array(double)", "{0, 0}"), *(
-            parameter(key, kinds[key.startswith("Stiffness")], value)
-            for key, value in motion.items())))],
-        contact("rub", "soft:top", "pad:bottom", friction(coefficient)), "Density", more=more)
+PRESS = {"Displacement Y": -0.05}
+ORIGIN = {"Reference Point": [0, 0]}
 
 
 def one(name, motion, *settings):
     """The pad's row without a path."""
-    folder, text = solved(name, pad(name, motion), *settings)
+    folder, text = solved(name, pad(name, {**ORIGIN, **motion}, friction(0.4)), *settings)
     claim("warning" not in text or name == "hangs" and "nothing loads" in text,
           name + ": nothing is warned of")
     return next(row for row in rows(folder, "bodies.csv") if row["body"] == "pad")
@@ -46,45 +33,46 @@ FORCES = ("contact_x", "contact_y", "contact_moment")
 for name, end, stiffness, others in (("X", 0.02, 0.7, PRESS), ("Y", -0.05, 0.3, {}),
                                      ("Rotation", 0.02, 0.5, PRESS)):
     moved, pushed, sprung, motion, reaction, load = COMPONENTS[name]
-    spring = {**others, moved: repr(end), sprung: repr(stiffness)}
+    spring = {**others, moved: end, sprung: stiffness}
     row = one("spring " + name, spring)
     force = row[reaction]
     claim(abs(force - stiffness * (end - row[motion])) < 1e-12 * abs(force) and
           abs(force) > 1e-3 * stiffness * abs(end),
           "%s: F = k (d - a): %.3e of %.3e" % (name, force, stiffness * end))
-    given = one("given " + name, {**others, moved: repr(row[motion])})
+    given = one("given " + name, {**others, moved: row[motion]})
     claim(apart(row, given, FORCES) < 1e-10, "the motion %s needs that force" % name)
-    under = one("under " + name, {**others, pushed: repr(force)})
+    under = one("under " + name, {**others, pushed: force})
     claim(abs(under[motion] / row[motion] - 1) < 1e-10 and apart(row, under, FORCES) < 1e-10,
           "the force %s makes that motion" % name)
-    ground = one("ground " + name, {**others, pushed: repr(stiffness * end), sprung: repr(stiffness)})
+    ground = one("ground " + name, {**others, pushed: stiffness * end, sprung: stiffness})
     claim(abs(ground[motion] / row[motion] - 1) < 1e-10 and
           abs(ground[load] - stiffness * end) < 1e-15 and
           abs(ground[reaction] + stiffness * ground[motion]) < 1e-12 * abs(force),
           "a spring to the ground beside a force k d, %s" % name)
     # 1/k of the way between the two limits
-    stiff = {k: one("stiff %s %g" % (name, k), {**others, moved: repr(end), sprung: repr(k)})
+    stiff = {k: one("stiff %s %g" % (name, k), {**others, moved: end, sprung: k})
              for k in (1e4, 1e9)}
-    limit = one("limit " + name, {**others, moved: repr(end)})
+    limit = one("limit " + name, {**others, moved: end})
     off = {k: apart(limit, row, FORCES) for k, row in stiff.items()}
     claim(0 < off[1e4] < 1e-3 and off[1e9] < 2e-5 * off[1e4] + 1e-11,
           "%s: stiff springs are as the motion given, %.1e and %.1e" % (name, *off.values()))
-    free = one("free " + name, {**others, pushed: repr(force)})
-    soft = {k: one("soft %s %g" % (name, k), {**others, pushed: repr(force), sprung: repr(k)})
+    free = one("free " + name, {**others, pushed: force})
+    soft = {k: one("soft %s %g" % (name, k), {**others, pushed: force, sprung: k})
             for k in (1e-4, 1e-9)}
-    far = one("far " + name, {**others, moved: repr(force / 1e-9 + free[motion]), sprung: "1e-9"})
+    far = one("far " + name, {**others, moved: force / 1e-9 + free[motion], sprung: 1e-9})
     off = {k: abs(row[motion] / free[motion] - 1) for k, row in soft.items()}
     claim(0 < off[1e-4] < 1e-2 and off[1e-9] < 2e-5 * off[1e-4] + 1e-11,
           "%s: soft springs are as the force given, %.1e and %.1e" % (name, *off.values()))
     claim(abs(far[motion] / free[motion] - 1) < 1e-10 and apart(free, far, FORCES) < 1e-10,
           "%s: a soft spring from far away is a force" % name)
 
-code, text = epafi("check", pad("checked", {"Stiffness X": "2", "Force Y": "-1"}))
-claim(code == 0 and "X by a spring, Y under a force, Rotation held" in text, "check says what drives the pad")
+code, text = epafi("check", pad("checked", {"Stiffness X": 2, "Force Y": -1}, friction(0.4)))
+claim(code == 0 and "X by a spring, Y under a force, Rotation held" in text,
+      "check says what drives the pad")
 
 # three springs hold a pad that is above the ground
-hang = one("hangs", {"Displacement Y": "1", "Stiffness X": "2", "Stiffness Y": "2",
-                     "Stiffness Rotation": "2", "Force Y": "-0.5"})
+hang = one("hangs", {"Displacement Y": 1, "Stiffness X": 2, "Stiffness Y": 2,
+                     "Stiffness Rotation": 2, "Force Y": -0.5})
 claim(abs(hang["motion_y"] - 0.75) < 1e-12 and abs(hang["reaction_y"] - 0.5) < 1e-12 and
       all(abs(hang[c]) < 1e-15 for c in FORCES), "springs alone hold a body")
 
@@ -92,15 +80,10 @@ claim(abs(hang["motion_y"] - 0.75) < 1e-12 and abs(hang["reaction_y"] - 0.5) < 1
 P, MU, PULL = 0.01, 0.4, "0.4*sin(pi/2*(t - 1))"
 
 
-def history(steps):
-    return listed("History", parameter("Times", "Array(double)", "{1, 4}"),
-                  parameter("Steps", "Array(int)", "{1, %d}" % steps))
-
-
 def block_on(stiffness, pull, steps=18):
     return pad("block %g" % stiffness, {
-        "Displacement X": "t < 1 ? 0 : " + pull, "Stiffness X": repr(stiffness),
-        "Force Y": "-%r*min(t, 1)" % P}, history(steps), repr(MU))
+        **ORIGIN, "Displacement X": "t < 1 ? 0 : " + pull, "Stiffness X": stiffness,
+        "Force Y": "-%r*min(t, 1)" % P}, friction(MU), more=history([1, 4], [1, steps]))
 
 
 for stiffness, pull in ((0.05, PULL), (1e3, PULL), (1e-9, "2e7*sin(pi/2*(t - 1))")):
@@ -157,11 +140,8 @@ FINE = ["--set", "Discretization->Mesh Size=0.08", "--quiet", "--threads", "1"]
 whole, parts = fresh("whole"), fresh("parts")
 file = block_on(0.05, PULL, 40)
 claim(epafi("run", file, *FINE, "--output", whole)[0] == 0, "a path of 41 steps")
-process = subprocess.Popen([EPAFI, "run", file, *FINE, "--output", parts])
-while process.poll() is None and not os.path.exists(os.path.join(parts, "solution.hdf")):
-    time.sleep(0.001)
-process.kill()
-process.wait()
+stopped(lambda: os.path.exists(os.path.join(parts, "solution.hdf")), "run", file, *FINE, "--output",
+        parts)
 known = len(table(os.path.join(parts, "steps.csv")))
 code, text = epafi("run", file, *FINE, "--restart", parts)
 claim(code == 0 and known < 41, "goes on behind step %d %s" % (known, text[-200:]))
@@ -171,8 +151,11 @@ claim(len(a) == len(b) == 41 and all(
     for x, y in zip(a, b) for key in a[0] if not isinstance(a[0][key], str)), "to the same end")
 
 
-refused("no stiffness", pad("zero", {"Stiffness X": "0"}), "Motion->Stiffness X", "> 0")
-refused("an elastic body", written("elastic", [body("soft", block(-4, -4, 4, 0), 1.0, mesh=listed(
-    "Motion", parameter("Stiffness X", "double", "1"))), rigid("pad", block(-1, 0, 1, 1))],
-    contact("rub", "soft:top", "pad:bottom")), "Bodies->soft->Motion->Stiffness X", "Rigid")
+refused("no stiffness", pad("zero", {"Stiffness X": 0}), "Motion->Stiffness X", "> 0")
+refused("an elastic body", written("elastic",
+                                   [body("soft", block(-4, -4, 4, 0), 1.0,
+                                         inside=listed("Motion", Stiffness_X=1)),
+                                    rigid("pad", block(-1, 0, 1, 1))],
+                                   contact("rub", "soft:top", "pad:bottom")),
+        "Bodies->soft->Motion->Stiffness X", "Rigid")
 finish()

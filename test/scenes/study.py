@@ -3,10 +3,9 @@ import math
 import os
 import shutil
 import signal
-import subprocess
 import time
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, saved, table
+from runs import SCENES, WORK, claim, epafi, finish, fresh, options, saved, stopped, table
 
 
 def settings(*words):
@@ -163,7 +162,7 @@ file_of = study("two", {"few": settings(*TWO, "Adaptivity->Maximum Levels=2")}, 
 folders = fresh("bodies"), fresh("bodies.run")
 code, text = epafi("study", file_of, "--output", folders[0], "--quiet", "--no-plot")
 few = os.path.join(folders[0], "few")
-more = [word for setting in TWO + ["Adaptivity->Maximum Levels=3"] for word in ("--set", setting)]
+more = options(TWO + ["Adaptivity->Maximum Levels=3"])
 two_blocks = os.path.join(SCENES, "two-blocks.xml")
 epafi("run", two_blocks, "--output", folders[1], *more)
 expected = table(os.path.join(folders[1], "bodies.csv"))
@@ -207,27 +206,32 @@ claim(code == 0 and "reference computed" in text, "nor a damaged one")
 
 # nor one that was interrupted, did not converge or failed: of these there is no file
 endless = study("endless", uniform_to(5), up_to(700000))
-stopped = fresh("endless")
-process = subprocess.Popen([EPAFI, "study", endless, "--output", stopped, "--no-plot"],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-while not os.path.exists(os.path.join(stopped, "used.xml")):
-    time.sleep(0.01)
-time.sleep(0.2)  # the reference is being computed
-process.send_signal(signal.SIGINT)
-claim(process.wait() == 130 and "used.xml" in os.listdir(stopped) and
-      "reference-coulomb.hdf" not in os.listdir(stopped),
-      "an interrupted reference is not kept: " + " ".join(sorted(os.listdir(stopped))))
+
+
+def computing():
+    """The reference is begun."""
+    begun = os.path.exists(os.path.join(parts, "used.xml"))
+    time.sleep(0.2 * begun)
+    return begun
+
+
+parts = fresh("endless")
+code = stopped(computing, "study", endless, "--output", parts, "--no-plot", how=signal.SIGINT)
+claim(code == 130 and "used.xml" in os.listdir(parts) and
+      "reference-coulomb.hdf" not in os.listdir(parts),
+      "an interrupted reference is not kept: " + " ".join(sorted(os.listdir(parts))))
 for name, reference in (("unconverged", (*HP, "Adaptivity->Maximum Levels=100", *FIXED_POINT)),
                         ("small", up_to(10))):
     file_of = study("reference " + name, uniform_to(2), reference)
     failing = fresh("reference " + name)
     code, text = epafi("study", file_of, "--output", failing, "--no-plot")
     rows = table(os.path.join(failing, "study.csv"))
-    claim(code == 3 and ": reference failed on level" in text and rows[0]["variant"] == "reference" and
-          rows[0]["status"] == "failed" and rows[0]["reason"] and len(rows) == 3 and rows[-1]["error"] == "" and
+    claim(code == 3 and ": reference failed on level" in text and
+          rows[0]["variant"] == "reference" and rows[0]["status"] == "failed" and
+          rows[0]["reason"] and len(rows) == 3 and rows[-1]["error"] == "" and
           "reference-coulomb.hdf" not in os.listdir(failing),
-          "a reference that fails (%s) is listed, the variants are solved: %s" % (
-              name, rows[0]["reason"]))
+          "a reference that fails (%s) is listed, the variants are solved: %s" %
+          (name, rows[0]["reason"]))
 
 # a variant's folder lies in the study's, whatever its name
 parent = fresh("parent")

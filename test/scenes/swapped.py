@@ -6,8 +6,8 @@ import os
 import re
 import sys
 
-from runs import WORK, claim, epafi, finish, fresh, scene, table
-from written import listed, parameter, with_moduli, with_sides_swapped, without_friction
+from runs import WORK, claim, epafi, finish, fresh, read, saved, scene, table, write
+from written import keys, listed, with_moduli, with_sides_swapped, without_friction
 
 # With an effectivity near 3 two errors that add up are a third of the sum.
 SHARE = 0.4
@@ -15,28 +15,20 @@ SHARE = 0.4
 DIRECTION = {"two-cylinders": 2e-3, "cylinder-on-block": 2e-3}
 
 
-def sets(*settings):
-    return parameter("Set", "Array(string)", "{%s}" % ", ".join(settings))
-
-
 def pair(name, text, levels):
     """A scene whose reference is the same with its sides swapped."""
-    with open(os.path.join(WORK, name + ".xml"), "w") as stream:
-        stream.write(text)
     between = re.findall(r'ParameterList name="([^"]*)">\s*<Parameter name="Between"[^{]*(\{[^}]*\})',
                          with_sides_swapped(text))
-    return listed(name, parameter("File", "string", name + ".xml"), listed("Reference", sets(
-        levels, *("Contacts->%s->Between=%s" % sides for sides in between))))
+    return listed(name, File=write(os.path.join(WORK, name + ".xml"), text), Reference={
+        "Set": [levels, *("Contacts->%s->Between=%s" % sides for sides in between)]})
 
 
 def compare(scenes, count):
     """The energy norm of the differences, on `count` levels of all."""
     levels = "Adaptivity->Maximum Levels=%d" % count
-    study = os.path.join(WORK, "study.xml")
-    with open(study, "w") as stream:
-        stream.write(listed("Swapped", listed("Scenes", *(
-            pair(name, text, levels) for name, text in scenes.items())),
-            listed("Variants", listed("first", sets(levels)))))
+    study = saved("study", keys(listed("Scenes", *(
+        pair(name, text, levels) for name, text in scenes.items())),
+        listed("Variants", first={"Set": [levels]})), "Swapped")
     folder = fresh("study")
     code, printed = epafi("study", study, "--output", folder, "--quiet", "--no-plot")
     claim(code == 0, "all are solved on %d levels %s" % (count, printed if code else ""))
@@ -52,14 +44,12 @@ def compare(scenes, count):
                   name, difference / both, row["error"]))
 
 
-os.makedirs(WORK, exist_ok=True)
 every = sys.argv[4:] == ["all"]
 scenes = {}
 for name in ("two-blocks", "cylinder-on-block", "dovetail", "incline", "press-fit",
              "ring-on-disc", "bonded-inclusion", "two-cylinders") if every else (
                  "two-blocks", "cylinder-on-block"):
-    with open(scene(name + ".xml")) as stream:
-        text = stream.read()
+    text = read(scene(name + ".xml"))
     for ratio in (1, 10, 1000, 0.001) if every else (1, 1000):
         scenes["%s, moduli 1 : %g" % (name, ratio)] = (
             text if ratio == 1 else with_moduli(text, ratio))
@@ -68,5 +58,6 @@ for name in ("two-blocks", "cylinder-on-block", "dovetail", "incline", "press-fi
             with_moduli(text, 1000))
 compare(scenes, 4)
 if every:
-    compare({name: text for name, text in scenes.items() if name.startswith(("two-blocks", "incline"))}, 8)
+    compare({name: text for name,
+             text in scenes.items() if name.startswith(("two-blocks", "incline"))}, 8)
 finish()

@@ -4,7 +4,7 @@ Where solutions are smooth both resolve them to rounding, which the claims ask f
 elements on the line, which the whole has not, so that elsewhere they agree within estimates."""
 import os
 
-from runs import WORK, claim, differ, epafi, finish, fresh, rows, saved, solved
+from runs import WORK, claim, differ, epafi, finish, fresh, rows, saved, solved, write
 
 DEGREE = 16
 STEEL = {"Young's Modulus": 1, "Poisson's Ratio": 0.3}
@@ -81,9 +81,8 @@ def punch(whole):
             "punch": {"Material": {"Rigid": True}, **stamp, "Motion": {"Force Y": "-0.02"}}}
 
 
-KINDS = {"energy": "strain load friction dissipated trapezoidal outside interface stored springs".split(),
-         "length": ["length"], "force": ["force", "load", "contact", "reaction", "body"],
-         "motion": ["motion", "rotation"], "pressure": ["pressure"]}
+KINDS = {
+    "energy": "strain load friction dissipated trapezoidal outside interface stored springs".split(), "length": ["length"], "force": ["force", "load", "contact", "reaction", "body"], "motion": ["motion", "rotation"], "pressure": ["pressure"]}
 
 
 def kind(column):
@@ -133,7 +132,8 @@ def compare(name, half, other, sharp=1e-9, tractions=1e-6):
                 if off >= worst.get(file, (0,))[0]:
                     worst[file] = (off, column)
     for file, (off, key) in sorted(worst.items()):
-        claim(off < (sharp if file in ("history.csv", "steps.csv", "bodies.csv") else tractions), "%s: %s within %.1e (%s)" % (name, file, off, key))
+        claim(off < (sharp if file in ("history.csv", "steps.csv", "bodies.csv") else tractions),
+              "%s: %s within %.1e (%s)" % (name, file, off, key))
 
 
 def pair(name, scene, *settings, sharp=1e-9, tractions=1e-6, **more):
@@ -192,23 +192,27 @@ claim(row["energy_springs"] > 1e-6 and differ(
 # sides that jumps at corners
 def fixed(whole):
     return {"block": {"Material": {**STEEL, "Density": 1}, **block(0, 1, whole, 2),
-                      "Boundary Conditions": {"top": {"Type": "Neumann", "Traction Y": "-0.01*(1 + x^2)"}},
+                      "Boundary Conditions": {
+                          "top": {"Type": "Neumann", "Traction Y": "-0.01*(1 + x^2)"}},
                       "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}
 
 
 half, whole = pair("fixed, with weight", fixed, sharp=1e-6, tractions=1e-3,
                    **{"Body Loads": {"Gravity Y": "-0.003", "Spin": "0.02"}})
 row = rows(half, "history.csv")[-1]
-claim(abs(row["reaction_y"] - 2 * (0.01 * 4 / 3 + 0.003 - 0.5 * 0.02**2)) < 1e-12, "Fix carries all of the weight and the spin")
+claim(abs(row["reaction_y"] - 2 * (0.01 * 4 / 3 + 0.003 - 0.5 * 0.02**2)) < 1e-12,
+      "Fix carries all of the weight and the spin")
 
 
 
 # no change of volume; heat, which does not cross the line
 def warm(whole):
-    return {"block": {"Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3, "Thermal Expansion": 1e-3},
-                      **block(0, 1, whole, 3), **FIXED, "Thermal Conditions": {
-                          "top": {"Temperature": "1 + cos(pi*x)"}, "bottom": {"Temperature": "0"}},
-                      "Boundary Conditions": {"bottom": {"Type": "Dirichlet", "Displacement Y": "0"}}}}
+    return {"block": {"Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3,
+                                   "Thermal Expansion": 1e-3}, **block(0, 1, whole, 3), **FIXED,
+                      "Thermal Conditions": {"top": {"Temperature": "1 + cos(pi*x)"},
+                                             "bottom": {"Temperature": "0"}},
+                      "Boundary Conditions": {
+                          "bottom": {"Type": "Dirichlet", "Displacement Y": "0"}}}}
 
 
 pair("incompressible", on_obstacle, "Bodies->block->Material->Poisson's Ratio=0.5", tractions=1e-5)
@@ -280,19 +284,18 @@ claim(other["operators"] == "compressed" and all(
       "compressed as dense")
 folder = solved("begun", name, *GRADED, "Adaptivity->Maximum Levels=3")[0]
 code, text = epafi("run", name, "--restart", folder, "--output", fresh("restarted"),
-                   *(x for s in GRADED for x in ("--set", s)))
+                   settings=GRADED)
 other = rows(os.path.join(WORK, "restarted"), "history.csv")
 claim(code == 0 and len(other) == 8 and all(
     differ(half[-1][c], other[-1][c]) < 1e-9 for c in ("energy_strain", "estimate", "force_normal")),
       "restarted at level 3")
 code, text = epafi("run", name, "--restart", folder, "--output", fresh("another"),
-                   *(x for s in GRADED[2:] + ["Geometry->Symmetry=None"] for x in ("--set", s)))
+                   settings=GRADED[2:] + ["Geometry->Symmetry=None"])
 claim(code == 1 and "Geometry->Symmetry differs" in text, "a restart is of the same symmetry")
 
 # points of the half that is not drawn
 points = os.path.join(WORK, "points.csv")
-with open(points, "w") as stream:
-    stream.write("0.3,0.4\n-0.3,0.4\n0,0.4\n1.1,0.4\n")
+write(points, "0.3,0.4\n-0.3,0.4\n0,0.4\n1.1,0.4\n")
 found = []
 for folder in folders:
     code, text = epafi("fields", folder, "--points", points)
@@ -303,8 +306,9 @@ claim(a["ux"] == -b["ux"] and a["sxy"] == -b["sxy"] and
       all(a[c] == b[c] for c in ("uy", "sxx", "syy", "szz", "von_mises")) and outside["ux"] == "",
       "a point of the other half has the image's fields")
 for place, points, sharp in (("off the line", (0, 1), 1e-6), ("on the line", (2,), 1e-3)):
-    worst = max(abs(found[0][k][c] - found[1][k][c]) / max(abs(p[d]) for p in found[1][:3] for d in group)
-                for k in points for group in (("ux", "uy"), ("sxx", "syy", "sxy")) for c in group)
+    worst = max(abs(found[0][k][c] - found[1][k][c]) / max(abs(p[d]) for p in found[1][:3] for
+                                                           d in group) for k in points for
+                group in (("ux", "uy"), ("sxx", "syy", "sxy")) for c in group)
     claim(worst < sharp, "fields %s within %.1e" % (place, worst))
 
 
@@ -330,7 +334,8 @@ refused("contact", two_blocks(False), "Contacts->joint", "upper:any",
         Contacts={"joint": {"Between": ["upper:any", "lower:top"]}})
 refused("across", changed(punch(False), "punch", "Motion", Displacement_X="0"),
         "Motion->Displacement X", "no motion across", Contacts=STAMP)
-refused("moment", changed(punch(False), "punch", "Motion", Moment="1"), "Motion->Moment", Contacts=STAMP)
+refused("moment", changed(punch(False), "punch", "Motion", Moment="1"), "Motion->Moment",
+        Contacts=STAMP)
 for load in ({"Gravity X": "1"}, {"Spin": "1", "Center": [0.5, 0]}, {"Angular Acceleration": "1"}):
     refused("load " + next(iter(load)), changed(on_obstacle(False), "block", "Material", Density=1),
             "Body Loads: of bodies that are symmetric", **{"Body Loads": load})
@@ -340,7 +345,8 @@ bulging["block"]["Geometry"] = {"Vertices": [[0, 0], [1, 0], [1, 1], [0, 1], [0,
                                 "Bulges": [0, 0, 0, 0, 0.2]}
 bulging["block"]["Mesh"] = {"Elements per Edge": [1] * 5}
 refused("bulge", bulging, "beyond the line of symmetry")
-bulging["block"]["Geometry"].update({"Edges": ["bottom", "symmetry", "top", "any", "any"], "Bulges": [0] * 5})
+bulging["block"]["Geometry"].update(
+    {"Edges": ["bottom", "symmetry", "top", "any", "any"], "Bulges": [0] * 5})
 refused("name", bulging, "'symmetry'", "take another name")
 code, text = epafi("check", file_of("good", on_obstacle(False), False), "--set", "Geometry->Symmetry=Z")
 claim(code == 1 and "Geometry->Symmetry" in text, text.strip())

@@ -2,13 +2,13 @@
 import os
 
 from runs import WORK, claim, differ, finish, largest, run, table
-from written import (block, body, condition, contact, friction, listed, mesh, parameter, rigid,
-                     tied, written)
+from written import (CLAMPED, TIED, block, body, condition, contact, friction, keys, listed, mesh,
+                     rigid, written)
 
 PULL = condition("top", "Neumann", Traction_Y="1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
-CLAMP = condition("left", "Dirichlet", Displacement_X="0", Displacement_Y="0")
-GIVEN = parameter("Interference", "string", "-0.002")
+CLAMP = condition("left", "Dirichlet", CLAMPED)
+GIVEN = keys(Interference=-0.002)
 
 
 def boundary(name, where):
@@ -20,9 +20,9 @@ def boundary(name, where):
 for form in ("None", "Projected", "Exact", "Density"):
     for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
         file = written("pulled", [
-            body("a", block(0, 0, 1, 1), 1.0, PULL, "{X, Rotation}", mesh(5, 2, 1), 0.0),
-            body("b", block(0, -1, 1, 0), 5.0, ROLLER, "{X}", mesh(7, 2, 3), 0.0)],
-            contact("c", *sides, tied() + GIVEN), form)
+            body("a", block(0, 0, 1, 1), 1.0, PULL, "X, Rotation", mesh(5, 2, 1), 0.0),
+            body("b", block(0, -1, 1, 0), 5.0, ROLLER, "X", mesh(7, 2, 3), 0.0)],
+            contact("c", *sides, TIED + GIVEN), form)
         points = run(file, "pulled")[1]
         claim(largest(p["lambda_n"] + 1 for p in points) < 1e-12,
               "constant tension, Form %s, first %s" % (form, sides[0]))
@@ -32,8 +32,8 @@ for form in ("None", "Projected", "Exact", "Density"):
 
 # cut in two and tied again
 LOAD = condition("right", "Neumann", Traction_X="0.1", Traction_Y="0.02*y")
-whole = run(written("whole", [body("w", block(0, -1, 2, 1), 1.0, CLAMP + LOAD, "",
-                                   mesh(8, 8, 3))], form="Density"), "whole")[0][0]
+whole = run(written("whole", [body("w", block(0, -1, 2, 1), 1.0, CLAMP + LOAD,
+                                   mesh=mesh(8, 8, 3))], form="Density"), "whole")[0][0]
 end = boundary("whole", "right")
 for form in ("Projected", "Density"):
     for above, below, bound in ((mesh(8, 4, 3), mesh(8, 4, 3), 2e-8),
@@ -41,9 +41,9 @@ for form in ("Projected", "Density"):
         energies = []
         for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
             file = written("halves", [
-                body("a", block(0, 0, 2, 1), 1.0, CLAMP + LOAD, "", above),
-                body("b", block(0, -1, 2, 0), 1.0, CLAMP + LOAD, "", below)],
-                contact("glue", *sides, tied()), form)
+                body("a", block(0, 0, 2, 1), 1.0, CLAMP + LOAD, mesh=above),
+                body("b", block(0, -1, 2, 0), 1.0, CLAMP + LOAD, mesh=below)],
+                contact("glue", *sides, TIED), form)
             row = run(file, "halves")[0][0]
             energies.append(row["energy_strain"])
             claim(differ(row["energy_strain"], whole["energy_strain"]) < bound,
@@ -56,16 +56,15 @@ for form in ("Projected", "Density"):
                   "and its displacements")
 
 # a coat on a block that slides on an obstacle
-FLOOR = condition("bottom", "Contact", Gap="0.01*x^2").replace(
-    "</ParameterList>", friction("0.3") + "</ParameterList>")
+FLOOR = condition("bottom", "Contact", friction("0.3"), Gap="0.01*x^2")
 PRESS = condition("top", "Neumann", Traction_X="0.004", Traction_Y="-0.02")
-one = run(written("one", [body("w", block(-1, 0, 1, 1.2), 1.0, FLOOR + PRESS, "",
-                               mesh(8, 4, 3))], form="Density"), "one")[0][0]
+one = run(written("one", [body("w", block(-1, 0, 1, 1.2), 1.0, FLOOR + PRESS,
+                               mesh=mesh(8, 4, 3))], form="Density"), "one")[0][0]
 for iteration in ("Newton", "Fixed Point", "Inexact Fixed Point"):
     row = run(written("coated", [
-        body("coat", block(-1, 0, 1, 0.2), 1.0, FLOOR, "", mesh(8, 1, 3)),
-        body("block", block(-1, 0.2, 1, 1.2), 1.0, PRESS, "", mesh(8, 4, 3))],
-        contact("glue", "coat:top", "block:bottom", tied()), "Density"), "coated",
+        body("coat", block(-1, 0, 1, 0.2), 1.0, FLOOR, mesh=mesh(8, 1, 3)),
+        body("block", block(-1, 0.2, 1, 1.2), 1.0, PRESS, mesh=mesh(8, 4, 3))],
+        contact("glue", "coat:top", "block:bottom", TIED), "Density"), "coated",
         ["Solver->Coulomb Iteration=" + iteration])[0][0]
     claim(differ(row["energy_strain"], one["energy_strain"]) < 1e-4 and
           differ(row["contact_length"] - 2, one["contact_length"]) < 1e-6 and
@@ -74,20 +73,17 @@ for iteration in ("Newton", "Fixed Point", "Inexact Fixed Point"):
 
 # tied to what is rigid: it follows
 file = written("carried", [
-    body("a", block(0, 0, 1, 0.5), 1.0, "", "", mesh(4, 2, 1)),
-    rigid("floor", block(-1, -1, 2, 0), listed(
-        "Motion", parameter("Rotation", "string", "0.01"),
-        parameter("Displacement X", "string", "0.02")))],
-    contact("c", "a:bottom", "floor:top", tied()), "Density")
+    body("a", block(0, 0, 1, 0.5), 1.0, mesh=mesh(4, 2, 1)),
+    rigid("floor", block(-1, -1, 2, 0), listed("Motion", Rotation=0.01, Displacement_X=0.02))],
+    contact("c", "a:bottom", "floor:top", TIED), "Density")
 points = run(file, "carried")[1]
 claim(largest(p["lambda_n"] for p in points) < 1e-12, "a body tied to a rigid one goes with it")
 claim(largest(row["ux"] - 0.02 + 0.01 * (row["y"] + 0.5)
               for row in boundary("carried", "a:top")) < 1e-12, "turned with it, too")
-GLUED = condition("bottom", "Contact", Gap="0.01").replace(
-    "</ParameterList>", tied() + "</ParameterList>")
+GLUED = condition("bottom", "Contact", TIED, Gap="0.01")
 HELD = condition("top", "Dirichlet", Displacement_Y="0")
-points = run(written("glued", [body("a", block(0, 0, 1, 0.5), 1.0, GLUED + HELD, "",
-                                    mesh(4, 2, 1), 0.0)], form="Density"), "glued")[1]
+points = run(written("glued", [body("a", block(0, 0, 1, 0.5), 1.0, GLUED + HELD,
+                                    mesh=mesh(4, 2, 1), ratio=0.0)], form="Density"), "glued")[1]
 claim(largest(p["lambda_n"] + 0.02 for p in points) < 1e-12,
       "glued to an obstacle at a distance: as far as that")
 finish()

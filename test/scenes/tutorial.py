@@ -6,13 +6,12 @@ import re
 import shlex
 import subprocess
 
-from runs import EPAFI, SCENES, claim, finish, fresh, table
+from runs import EPAFI, SCENES, claim, finish, fresh, read, table
 
 PAGE = os.path.join(SCENES, "..", "..", "doc", "tutorial.md")
 HERE = fresh("reader")
 os.makedirs(HERE)
-with open(PAGE, encoding="utf-8") as stream:
-    page = stream.read()
+page = read(PAGE)
 
 
 def follow(words):
@@ -22,8 +21,7 @@ def follow(words):
 
 
 def write(name, text):
-    with open(os.path.join(HERE, name), "w", encoding="utf-8") as stream:
-        stream.write(text)
+    write(os.path.join(HERE, name), text)
 
 
 def numbers(line):

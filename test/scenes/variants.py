@@ -2,7 +2,7 @@
 import os
 import xml.etree.ElementTree as xml
 
-from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run, scene
+from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run, scene, write
 
 
 def agree(file, count, key, values, tolerance):
@@ -57,10 +57,8 @@ def yaml(node, depth=0):
 
 for name in ("tresca", "coulomb"):
     root = xml.parse(scene(name + ".xml")).getroot()
-    os.makedirs(WORK, exist_ok=True)
     file = os.path.join(WORK, name + ".yaml")
-    with open(file, "w") as stream:
-        stream.write('"' + root.get("name") + '":\n' + yaml(root, 1))
+    write(file, '"' + root.get("name") + '":\n' + yaml(root, 1))
     one = run(scene(name + ".xml"), "from_xml", levels(2))
     other = run(file, "from_yaml", levels(2))
     claim(one[1] == other[1], name + ": contact.csv is the same from XML and YAML")

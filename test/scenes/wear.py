@@ -1,52 +1,25 @@
 """Wear along paths: closed forms, its balance, fretting, jumps over cycles; dense and compressed,
 in all bases, either side first."""
-import os
 
-from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
-from written import (block, body, condition, contact, friction, geometry, listed, parameter,
-                     rigid, wear, written)
+from runs import claim, differ, epafi, finish, fresh, rows, solved
+from written import (CLAMPED, NONE, TIED, WALLS, block, body, condition, confined, contact,
+                     friction, geometry, history, keys, listed, rigid, wear, written)
 
 E, NU = 1.0, 0.3
+TOP = "-0.01*min(t, 1)"
 MODULUS = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
 BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
-
-
-def slides(m):
-    return parameter("Sliding", "string", m)
-
-
-def history(times, steps):
-    return listed("History", parameter("Times", "Array(double)", "{%s}" % times),
-                  parameter("Steps", "Array(int)", "{%s}" % steps))
-
-
-# a unit block between frictionless walls, pushed onto a plane that slides by
-WALLS = (condition("left", "Dirichlet", Displacement_X="0") +
-         condition("right", "Dirichlet", Displacement_X="0"))
-
-
-def confined(name, law, steps, path, form="Density", basis=BASES[0]):
-    text = listed("confined", listed("Bodies", body(
-        "block", block(0, 0, 1, 1), E, WALLS + listed(
-            "bottom", parameter("Type", "string", "Contact"), law) +
-        condition("top", "Dirichlet", Displacement_Y="-0.01*min(t, 1)"))),
-        listed("Discretization", parameter("Mesh Size", "double", 0.5),
-               parameter("Degree", "int", 2), parameter("Multiplier", "string", basis),
-               listed("Stabilization", parameter("Form", "string", form))), history(path, steps))
-    os.makedirs(WORK, exist_ok=True)
-    file = os.path.join(WORK, name + ".xml")
-    with open(file, "w") as stream:
-        stream.write(text)
-    return file
 
 
 # steps in which k Δs M/H is 0.4, and one in which it is a million
 K = 2.0
 SLIDING = "max(0, t-1)*%r" % (0.4 / K / MODULUS)
 for basis in BASES:
-    for form in ("Density", "Projected"):  # None does not determine these multipliers
-        folder, _ = solved("confined %s %s" % (basis, form), confined(
-            "confined", wear(str(K)) + slides(SLIDING), "1, 5", "1, 6", form, basis))
+    # None determines these multipliers on one element, whose side has as many displacements
+    for form, size in (("Density", 0.5), ("Projected", 0.5), ("None", 1)):
+        folder, _ = solved("confined %s %s" % (basis, form),
+                           confined("confined", wear(K) + keys(Sliding=SLIDING), TOP, form, basis,
+                                    history([1, 6], [1, 5]), size))
         steps = rows(folder, "steps.csv")
         off = max(differ(row["bottom.force_normal"], 0.01 * MODULUS / 1.4**n)
                   for n, row in enumerate(steps))
@@ -55,12 +28,14 @@ for basis in BASES:
                            for p in points])
         claim(off < 5e-12, "confined block that wears, %s, %s: to %.1e" % (basis, form, off))
 folder, _ = solved("at once", confined(
-    "at once", wear(str(K)) + slides("max(0, t-1)*%r" % (1e6 / K / MODULUS)), "1, 1", "1, 2"))
+    "at once", wear(K) + keys(Sliding="max(0, t-1)*%r" % (1e6 / K / MODULUS)), TOP,
+    more=history([1, 2], [1, 1])))
 off = differ(rows(folder, "steps.csv")[-1]["bottom.force_normal"], 0.01 * MODULUS / (1 + 1e6))
 claim(off < 1e-9, "k Δs M/H = 1e6 in a step: to %.1e" % off)
 # jumps are more of the same step; half of it does not wear
 folder, _ = solved("jumped", confined(
-    "jumped", wear("x < 2 ? 0.2 : 0", "t < 1.5 ? 1 : 10") + slides(SLIDING), "1, 5", "1, 6"))
+    "jumped", wear("x < 2 ? 0.2 : 0", "t < 1.5 ? 1 : 10") + keys(Sliding=SLIDING), TOP,
+    more=history([1, 6], [1, 5])))
 steps = rows(folder, "steps.csv")
 off = max(differ(row["bottom.force_normal"], 0.01 * MODULUS / 1.4**n)
           for n, row in enumerate(steps))
@@ -72,18 +47,16 @@ claim(abs(coarse["energy_error"]) < 1e-12 * coarse["energy_outside"] and
       "energies balance with wear: %.1e" % coarse["energy_error"])
 
 # a half-plane's block under a rigid parabola that is pressed by a force and slides by
-def indented(name, law="", sliding="0.3*max(0, t-1)", size=0.25, degree=2, path="1, 3",
-             steps="1, 4", motion=None, form="Density", coefficient="0.4", jump="1", depth=4, more=""):
-    outline = [(-depth, -depth), (depth, -depth), (depth, 0), (1, 0), (-1, 0), (-depth, 0)]
-    soft = body("soft", geometry(outline, "{bottom, right, top, contact, top, left}"), 1.0,
-                condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
-    pad = rigid("pad", block(-1, 0, 1, 1), listed("Motion", *(
-        parameter(key, "string", value) for key, value in (
-            motion or {"Force Y": "-0.05*min(t, 1)"}).items())))
-    return written(name, [soft, pad], contact("rub", "soft:contact", "pad:bottom", (
-        parameter("Interference", "string", "-x^2/8") + law +
-        (slides(sliding) if sliding else "") + wear(coefficient, jump))), form, size, degree,
-        more=history(path, steps) + more)
+def indented(name, law=NONE, sliding="0.3*max(0, t-1)", size=0.25, path=([1, 3], [1, 4]),
+             motion=NONE, form="Density", coefficient=0.4, jump=1):
+    outline = [(-4, -4), (4, -4), (4, 0), (1, 0), (-1, 0), (-4, 0)]
+    soft = body("soft", geometry(outline, "bottom, right, top, contact, top, left"), 1.0,
+                condition("bottom", "Dirichlet", CLAMPED))
+    return written(name, [soft, rigid("pad", block(-1, 0, 1, 1), listed(
+        "Motion", motion or keys(Force_Y="-0.05*min(t, 1)")))], contact(
+            "rub", "soft:contact", "pad:bottom", law, wear(coefficient, jump),
+            keys(Sliding=sliding) if sliding else NONE, Interference="-x^2/8"), form, size,
+                   more=history(*path) if path else NONE)
 
 
 got = {}
@@ -113,19 +86,19 @@ def unbalanced(steps):
     return abs(steps[-1]["energy_error"] - steps[0]["energy_error"])
 
 
-folder, _ = solved("finer", indented("finer", steps="1, 8"))
+folder, _ = solved("finer", indented("finer", path=([1, 3], [1, 8])))
 coarse, fine = (unbalanced(steps) for steps in (got["dense"], rows(folder, "steps.csv")))
 claim(max(coarse, fine) < 1e-3 * got["dense"][-1]["energy_worn"],
       "energies balance but for what closes: %.1e, in twice as many steps %.1e" % (coarse, fine))
 
 # rubbing to and fro under Coulomb's law: what wears is k/f times friction's work
-SHAKEN = {"Force Y": "-0.05*min(t, 1)", "Displacement X": "0.003*sin(2*pi*max(0, t - 1))"}
-GROSS = {"Force Y": "-0.05*min(t, 1)", "Displacement X": "0.06*sin(2*pi*max(0, t - 1))"}
+SHAKEN = keys(Force_Y="-0.05*min(t, 1)", Displacement_X="0.003*sin(2*pi*max(0, t - 1))")
+GROSS = keys(Force_Y="-0.05*min(t, 1)", Displacement_X="0.06*sin(2*pi*max(0, t - 1))")
 for kind, motion in (("partial", SHAKEN), ("gross", GROSS)):
     for way, settings in (("dense", ()), ("compressed", ("Solver->Linear->Method=Compressed",))):
         folder, text = solved("%s slip %s" % (kind, way), indented(
-            kind, law=friction("0.5"), sliding="", motion=motion, coefficient="0.2", jump="2",
-            path="1, 3", steps="1, 16"), *settings)
+            kind, law=friction("0.5"), sliding="", motion=motion, coefficient=0.2, jump=2,
+            path=([1, 3], [1, 16])), *settings)
         last = got[way] = rows(folder, "steps.csv")
         off = differ(last[-1]["rub.worn_volume"], 2 * 0.2 / 0.5 * last[-1]["energy_dissipated"])
         newton = max(row["newton_iterations"] for row in last)
@@ -140,8 +113,8 @@ for kind, motion in (("partial", SHAKEN), ("gross", GROSS)):
     claim(off < 1e-7, "%s slip, compressed agrees to %.1e" % (kind, off))
 for basis in BASES:
     folder_of, _ = solved("partial slip %s" % basis, indented(
-        "partial", law=friction("0.5"), sliding="", motion=SHAKEN, coefficient="2", size=1 / 16,
-        path="1, 3", steps="1, 16"), "Discretization->Multiplier=" + basis)
+        "partial", law=friction("0.5"), sliding="", motion=SHAKEN, coefficient=2, size=1 / 16,
+        path=([1, 3], [1, 16])), "Discretization->Multiplier=" + basis)
     got[basis] = rows(folder_of, "steps.csv")[-1]["rub.worn_volume"]
 claim(all(differ(got[basis], got[BASES[0]]) < 0.05 for basis in BASES),
       "partial slip wears alike in all bases: %s" % [got[basis] for basis in BASES])
@@ -152,16 +125,15 @@ claim(max(p["worn_depth"] for p in points) > 0 and all(p["worn_depth"] > 0 for p
 
 # two blocks: either side may carry the pressure and what is worn
 def pressed(name, first, law):
-    lower = body("lower", block(-2, -1, 2, 0), 1.0, WALLS + condition(
-        "bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+    lower = body("lower", block(-2, -1, 2, 0), 1.0, WALLS + condition("bottom", "Dirichlet", CLAMPED))
     upper = body("upper", block(-2, 0, 2, 1), 3.0, WALLS + condition(
         "top", "Dirichlet", Displacement_X="0", Displacement_Y="-0.01*(1+0.5*cos(pi*x/2))*min(t, 1)"))
     sides = ("lower:top", "upper:bottom")
-    return written(name, [lower, upper], contact("rub", *sides[::first], law + slides(
-        "0.2*max(0, t-1)") + wear("1")), "Density", 0.25, 2, more=history("1, 2", "1, 4"))
+    return written(name, [lower, upper], contact("rub", *sides[::first], law + keys(Sliding=
+        "0.2*max(0, t-1)") + wear("1")), "Density", 0.25, 2, more=history([1, 2], [1, 4]))
 
 
-for kind, law in (("frictionless", ""), ("gross", friction("0.2"))):
+for kind, law in (("frictionless", NONE), ("gross", friction("0.2"))):
     last, estimate = {}, {}
     for first in (1, -1):
         folder, _ = solved("%s %+d" % (kind, first), pressed(kind, first, law))
@@ -179,17 +151,12 @@ def says(name, file, *words, code=1, command="check"):
     claim(got == code and all(word in text for word in words), "%s: %s" % (name, text.strip()[-150:]))
 
 
-TIED = listed("Friction", parameter("Law", "string", "Tied"))
 says("a bond", indented("bond", law=TIED), "Wear", "Tied")
-with open(indented("pathless")) as stream:
-    text = stream.read()
-with open(os.path.join(WORK, "pathless.xml"), "w") as stream:
-    stream.write(text.replace(history("1, 3", "1, 4"), ""))
-says("no path", os.path.join(WORK, "pathless.xml"), "'rub' wears", "History->Times")
-says("a jump", indented("jump", jump="0.5"), "Cycle Jump", "0.5")
+says("no path", indented("pathless", path=None), "'rub' wears", "History->Times")
+says("a jump", indented("jump", jump=0.5), "Cycle Jump", "0.5")
 says("growth", indented("growth", coefficient="-x"), "Wear->Coefficient", ">= 0")
 says("dual", indented("dual", form="None"), "Biorthogonal", command="run")
 says("a long jump", indented("long", law=friction("0.5"), sliding="", motion=SHAKEN,
-                             coefficient="0.2", jump="400", path="1, 1.1", steps="1, 1"),
+                             coefficient=0.2, jump=400, path=([1, 1.1], [1, 1])),
      "Cycle Jump", "0.3", code=0, command="run")
 finish()

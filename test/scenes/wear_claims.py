@@ -1,18 +1,17 @@
 """Worn half-planes against closed forms, meshes graded to 1e-8, a hundred cycles of fretting.  Some
 minutes."""
 import math
-import os
 
-from runs import claim, differ, epafi, finish, fresh, table
-from written import (block, body, condition, contact, friction, geometry, listed, parameter,
-                     rigid, wear, written)
+from runs import claim, differ, finish, rows, solved, steps
+from written import (CLAMPED, block, body, condition, contact, friction, geometry, history, keys,
+                     listed, rigid, wear, written)
 
 NU = 0.3
 STIFF = 1 / (1 - NU**2)  # E*, E = 1
 SAMPLES = 40
 
 
-def right_half(name, depth, nodes, law, force, path, steps, size, degree, gap="0"):
+def right_half(name, depth, nodes, law, force, path, size, degree, gap="0"):
     """Half of a block of 2 depth x depth, whose side up to the last node is in contact with a rigid
     slab that is pressed without turning; symmetry at x = 0."""
     far = [depth * 0.5**k for k in range(1, 14)]
@@ -23,28 +22,22 @@ def right_half(name, depth, nodes, law, force, path, steps, size, degree, gap="0
     names = ["bottom", "right"] + ["top"] * (1 + len(outside)) + ["contact"] * len(nodes) + [
         "left"] * (len(far) + 1)
     counts = [3, 3] + [3] * len(outside) + [6] + size[::-1] + [2] * len(far) + [1]
-    mesh = listed("Mesh", parameter("Elements per Edge", "Array(int)", "{%s}" % ", ".join(
-        map(str, counts))), parameter("Degree", "int", degree))
-    soft = body("soft", geometry(corners, "{%s}" % ", ".join(names)), 1.0,
+    soft = body("soft", geometry(corners, names), 1.0,
                 condition("bottom", "Dirichlet", Displacement_Y="0") +
-                condition("left", "Dirichlet", Displacement_X="0"), "", mesh)
-    slab = rigid("slab", block(0, 0, nodes[-1], 1), listed("Motion", parameter(
-        "Force Y", "string", "-%r*min(t, 1)" % (force / 2))))
+                condition("left", "Dirichlet", Displacement_X="0"),
+                mesh=listed("Mesh", Elements_per_Edge=counts, Degree=degree))
+    slab = rigid("slab", block(0, 0, nodes[-1], 1),
+                 listed("Motion", Force_Y="-%r*min(t, 1)" % (force / 2)))
     return written(name, [soft, slab], contact(
         "rub", "soft:contact", "slab:bottom",
-        parameter("Interference", "string", "-(%s)" % gap) + law), "Density", 1, degree,
-        more=listed("History", parameter("Times", "Array(double)", "{%s}" % path),
-                    parameter("Steps", "Array(int)", "{%s}" % steps)) +
-        listed("Output", parameter("Contact Samples per Element", "int", SAMPLES)))
+        law, Interference="-(%s)" % gap), "Density", 1, degree,
+        more=history(*path) + listed("Output", Contact_Samples_per_Element=SAMPLES))
 
 
-def solved(name, file, *settings):
-    folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder, "--threads", "1",
-                       *(x for s in settings for x in ("--set", s)))
-    claim(code == 0, "%s is solved%s" % (name, "" if code == 0 else ": " + text[-300:]))
-    return (sorted(table(os.path.join(folder, "contact.csv")), key=lambda p: p["x"]),
-            table(os.path.join(folder, "steps.csv")), folder)
+def worn(name, file):
+    """Points along the contact, rows of steps.csv."""
+    folder, _ = solved(name, file)
+    return sorted(rows(folder), key=lambda p: p["x"]), steps(folder)
 
 
 def at(points, x, key="lambda_n"):
@@ -58,9 +51,9 @@ EXACT = {0: 0.9053846337, 0.5: 0.9862452518, 0.9: 1.1150012662}
 FLAT = [0.5, 0.75, 0.9] + [1 - 0.1 * 0.5**k for k in range(1, 10)] + [1]
 found = {}
 for depth in (25, 50):
-    points, _, _ = solved("punch %d" % depth, right_half(
-        "punch", depth, FLAT, parameter("Sliding", "string", "max(0, t-1)") + wear(repr(1 / STIFF)),
-        1e-3, "1, 2", "1, 10", [2] * 13, 4))
+    points, _ = worn("punch %d" % depth, right_half(
+        "punch", depth, FLAT, keys(Sliding="max(0, t-1)") + wear(1 / STIFF),
+        1e-3, ([1, 2], [1, 10]), [2] * 13, 4))
     found[depth] = {x: at(points, x) / 0.5e-3 for x in EXACT}
 for x, exact in EXACT.items():
     value = (4 * found[50][x] - found[25][x]) / 3
@@ -72,16 +65,16 @@ R = 1000.0
 P = math.pi * STIFF / (4 * R)  # a_H = 1
 HERTZ = 2 * P / math.pi
 ROUND = {}
-for steps in (100, 200):
-    points, rows, _ = solved("cylinder %d" % steps, right_half(
-        "cylinder", 100, [1.2, 1.345, 1.355, 1.6, 2.4], parameter("Sliding", "string", "max(0, t-1)") +
-        wear(repr(1 / STIFF)), P, "1, 2", "1, %d" % steps, [120, 60, 50, 20, 8], 1, "x^2/%r" % (2 * R)))
-    last = rows[-1]
-    ROUND[steps] = (last["rub.contact_length"], at(points, 0) / HERTZ,
+for count in (100, 200):
+    points, path = worn("cylinder %d" % count, right_half(
+        "cylinder", 100, [1.2, 1.345, 1.355, 1.6, 2.4], keys(Sliding="max(0, t-1)") +
+        wear(1 / STIFF), P, ([1, 2], [1, count]), [120, 60, 50, 20, 8], 1, "x^2/%r" % (2 * R)))
+    last = path[-1]
+    ROUND[count] = (last["rub.contact_length"], at(points, 0) / HERTZ,
                     2 * R * at(points, 0, "worn_depth"))
     off = max(differ(row["rub.worn_volume"], 0.5 * P * (row["t"] - 1) / STIFF)
-              for row in rows[1:])
-    claim(off < 1e-12, "V = k P s in %d steps to %.1e" % (steps, off))
+              for row in path[1:])
+    claim(off < 1e-12, "V = k P s in %d steps to %.1e" % (count, off))
 # the front is steep, and its end in steps of elements
 for name, exact, close, one, two in zip(
         ("a/a_H", "p(0)/p_H", "2 R w(0)/a_H^2"), (1.34928471, 0.7434119, 0.8597296),
@@ -97,9 +90,9 @@ limit = ((1 - C**2)**0 * math.pi * STIFF * C / (2 * math.pi * R) +
 GRADED = [C * (1 - 0.5**k) for k in range(1, 9)] + [C] + [C * (1 + 0.5**k) for k in range(8, 2, -1)]
 values = []
 for distance in (1, 1e2, 1e4):
-    points, _, _ = solved("limit %g" % distance, right_half(
-        "limit", 100, GRADED + [1.6], parameter("Sliding", "string", "x > %r ? max(0, t-1) : 0" % C) +
-        wear(repr(distance / STIFF)), P, "1, 2", "1, 4", [10] + [2] * 14 + [30], 2,
+    points, _ = worn("limit %g" % distance, right_half(
+        "limit", 100, GRADED + [1.6], keys(Sliding="x > %r ? max(0, t-1) : 0" % C) +
+        wear(distance / STIFF), P, ([1, 2], [1, 4]), [10] + [2] * 14 + [30], 2,
         "x^2/%r" % (2 * R)))
     values.append(at(points, 0) / HERTZ)
 claim(abs(limit - 1.0642857) < 1e-6 and values == sorted(values) and
@@ -107,9 +100,9 @@ claim(abs(limit - 1.0642857) < 1e-6 and values == sorted(values) and
 
 # elements down to 1e-8 of the punch: k ds E*/h of a million in every step
 TINY = [0.5] + [1 - 10.0**-k for k in range(1, 9)] + [1]
-points, rows, _ = solved("graded", right_half(
-    "graded", 25, TINY, parameter("Sliding", "string", "max(0, t-1)") + wear(repr(0.1 / STIFF)),
-    1e-3, "1, 2", "1, 10", [4] + [2] * 9, 1))
+points, path = worn("graded", right_half(
+    "graded", 25, TINY, keys(Sliding="max(0, t-1)") + wear(0.1 / STIFF),
+    1e-3, ([1, 2], [1, 10]), [4] + [2] * 9, 1))
 
 
 def means(key):
@@ -124,32 +117,31 @@ rises = [b > a for a, b in zip(means("lambda_n"), means("lambda_n")[1:])]
 turns = sum(a != b for a, b in zip(rises, rises[1:]))
 claim(turns <= 1 and means("worn_depth") == sorted(means("worn_depth")),
       "k ds E*/h = 1e6: the depth rises to the edge, the pressure turns %d times; Newton's worst "
-      "count %d" % (turns, max(row["newton_iterations"] for row in rows)))
+      "count %d" % (turns, max(row["newton_iterations"] for row in path)))
 
 
 # a hundred cycles of partial slip, and ten that stand for ten each, behind the first one
 def cycles(name, count, jump):
-    return solved(name, right_sided(name, "0.0015*sin(2*pi*max(0, t-1))", "1, %d" % (count + 1),
-                                    "1, %d" % (8 * count), wear("2", "t > 2 ? %d : 1" % jump)))
+    return worn(name, right_sided(name, "0.0015*sin(2*pi*max(0, t-1))",
+                                  ([1, count + 1], [1, 8 * count]),
+                                  wear(2, "t > 2 ? %d : 1" % jump)))
 
 
-def right_sided(name, to_and_fro, path, steps, law):
+def right_sided(name, to_and_fro, path, law):
     """A block on which a rigid parabola is pressed and shaken."""
     outline = [(-4, -4), (4, -4), (4, 0), (0.4, 0), (-0.4, 0), (-4, 0)]
-    soft = body("soft", geometry(outline, "{bottom, right, top, contact, top, left}"), 1.0,
-                condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"), "",
-                listed("Mesh", parameter("Elements per Edge", "Array(int)", "{2, 2, 6, 24, 6, 2}"),
-                       parameter("Degree", "int", 1)))
-    pad = rigid("pad", block(-0.4, 0, 0.4, 1), listed("Motion", parameter(
-        "Force Y", "string", "-0.002*min(t, 1)"), parameter("Displacement X", "string", to_and_fro)))
-    return written(name, [soft, pad], contact("rub", "soft:contact", "pad:bottom", parameter(
-        "Interference", "string", "-x^2/100") + friction("0.6") + law), "Density", 1, 1,
-        more=listed("History", parameter("Times", "Array(double)", "{%s}" % path),
-                    parameter("Steps", "Array(int)", "{%s}" % steps)))
+    soft = body("soft", geometry(outline, "bottom, right, top, contact, top, left"), 1.0,
+                condition("bottom", "Dirichlet", CLAMPED), "",
+                listed("Mesh", Elements_per_Edge=[2, 2, 6, 24, 6, 2], Degree=1))
+    pad = rigid("pad", block(-0.4, 0, 0.4, 1),
+                listed("Motion", Force_Y="-0.002*min(t, 1)", Displacement_X=to_and_fro))
+    return written(name, [soft, pad],
+                   contact("rub", "soft:contact", "pad:bottom", friction("0.6"), law,
+                           Interference="-x^2/100"), "Density", 1, 1, more=history(*path))
 
 
-one, rows_of_one, _ = cycles("cycles", 101, 1)
-ten, rows_of_ten, _ = cycles("jumps", 11, 10)
+one, rows_of_one = cycles("cycles", 101, 1)
+ten, rows_of_ten = cycles("jumps", 11, 10)
 first, last, jumped = rows_of_one[8], rows_of_one[-1], rows_of_ten[-1]
 claim(last["cycles"] == jumped["cycles"] == 102 and
       0 < first["rub.slip_length"] < first["rub.contact_length"], "a hundred cycles of partial slip")

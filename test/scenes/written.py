@@ -1,34 +1,42 @@
-"""Scenes of several bodies as text.  Standard library only."""
+"""Scenes of several bodies as dictionaries.  Standard library only."""
 import math
-import os
 import re
 
-from runs import WORK
-
-SIDES = "{bottom, right, top, left}"
+from runs import saved
 
 
-def parameter(name, kind, value):
-    return '<Parameter name="%s" type="%s" value="%s"/>' % (
-        name, kind, str(value).replace("&", "&amp;").replace("<", "&lt;"))
+class Keys(dict):
+    """Keys of a scene and what they hold; they add up."""
+
+    def __add__(self, other):
+        return Keys({**self, **other})
 
 
-def listed(name, *items):
-    return '<ParameterList name="%s">%s</ParameterList>' % (name, "".join(items))
+NONE = Keys()
+
+
+def keys(*parts, **values):
+    """keys(Displacement_X=1) is {"Displacement X": 1}, behind what the parts hold."""
+    return sum(parts, NONE) + {key.replace("_", " "): value for key, value in values.items()}
+
+
+def listed(name, *parts, **values):
+    return Keys({name: keys(*parts, **values)})
+
+
+def names(text):
+    """Of a list, or of a text with commas."""
+    return text.split(", ") if isinstance(text, str) else list(text)
 
 
 def loop(corners, sides, bulges=(), hole=""):
     """The outer loop of an outline, or a hole."""
-    numbers = ", ".join("%.17g" % c for corner in corners for c in corner)
-    return (parameter(hole + "Vertices", "TwoDArray(double)",
-                      "%dx2:{%s}" % (len(corners), numbers)) +
-            parameter(hole + "Edges", "Array(string)", sides) +
-            (parameter(hole + "Bulges", "Array(double)",
-                       "{%s}" % ", ".join("%.17g" % b for b in bulges)) if bulges else ""))
+    return Keys({hole + "Vertices": list(corners), hole + "Edges": names(sides),
+                 **({hole + "Bulges": list(bulges)} if bulges else {})})
 
 
-def geometry(corners, sides=SIDES, bulges=(), holes=""):
-    return listed("Geometry", loop(corners, sides, bulges) + holes)
+def geometry(corners, sides="bottom, right, top, left", bulges=(), holes=NONE):
+    return listed("Geometry", loop(corners, sides, bulges), holes)
 
 
 def circle(radius, x=0, y=0):
@@ -43,68 +51,86 @@ def block(left, bottom, right, top):
     return [(left, bottom), (right, bottom), (right, top), (left, top)]
 
 
-def condition(boundary, kind, **functions):
-    return listed(boundary, parameter("Type", "string", kind),
-                  *(parameter(key.replace("_", " "), "string", value)
-                    for key, value in functions.items()))
+def condition(boundary, kind, *parts, **functions):
+    return listed(boundary, keys(Type=kind), *parts, **functions)
 
 
-def body(name, outline, modulus, conditions="", fix="", mesh="", ratio=0.3):
-    """An outline: corners of a polygon, or a whole Geometry."""
-    return listed(name,
-                  listed("Material", parameter("Young's Modulus", "double", repr(modulus)),
-                         parameter("Poisson's Ratio", "double", repr(ratio))),
-                  outline if isinstance(outline, str) else geometry(outline),
-                  listed("Boundary Conditions", conditions),
-                  listed("Rigid Motions", parameter("Fix", "Array(string)", fix))
-                  if fix else "", mesh)
+CLAMPED = keys(Displacement_X=0, Displacement_Y=0)
+
+
+def body(name, outline, modulus, conditions=NONE, fix="", mesh=NONE, ratio=0.3, inside=NONE,
+         **material):
+    """An outline: corners of a polygon, or a whole Geometry.  inside: further lists."""
+    return listed(name, listed("Material",
+                               Keys({"Young's Modulus": modulus, "Poisson's Ratio": ratio}),
+                               **material), outline if isinstance(outline, dict) else
+                  geometry(outline), listed("Boundary Conditions", conditions),
+                  listed("Rigid Motions", Fix=names(fix)) if fix else NONE, mesh, inside)
+
+
+def with_more(whole, *lists, **material):
+    """A body with further lists and more of its Material said."""
+    (name, own), = whole.items()
+    return listed(name, own, *lists, Material={**own["Material"], **keys(**material)})
 
 
 def mesh(across, up, degree):
-    return listed("Mesh", parameter("Elements per Edge", "Array(int)",
-                                    "{%d, %d, %d, %d}" % (across, up, across, up)),
-                  parameter("Degree", "int", degree))
+    return listed("Mesh", Elements_per_Edge=[across, up, across, up], Degree=degree)
 
 
-def rigid(name, corners, motion=""):
-    return listed(name, listed("Material", parameter("Rigid", "bool", "true")),
-                  geometry(corners), motion)
+def rigid(name, corners, *parts, **material):
+    return listed(name, listed("Material", Rigid=True, **material), geometry(corners), *parts)
 
 
 def friction(coefficient):
-    return listed("Friction", parameter("Law", "string", "Coulomb"),
-                  parameter("Coefficient", "string", coefficient))
+    return listed("Friction", Law="Coulomb", Coefficient=coefficient)
 
 
-def tied():
-    return listed("Friction", parameter("Law", "string", "Tied"))
+TIED = listed("Friction", Law="Tied")
 
 
-def contact(name, first, second, more=""):
-    return listed(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)),
-                  more)
+def contact(name, first, second, *parts, **values):
+    return listed(name, keys(Between=[first, second]), *parts, **values)
 
 
-# without stabilisation a basis that is stable by itself
-BIORTHOGONAL = parameter("Multiplier", "string", "Biorthogonal")
+def wear(coefficient, jump=1):
+    return listed("Wear", Coefficient=coefficient, Cycle_Jump=jump)
 
 
-def wear(coefficient, jump="1"):
-    return listed("Wear", parameter("Coefficient", "string", coefficient),
-                  parameter("Cycle Jump", "string", jump))
+def history(times, steps):
+    return listed("History", Times=times, Steps=steps)
 
 
-def written(name, bodies, contacts="", form="None", size=0.25, degree=2, more=""):
-    os.makedirs(WORK, exist_ok=True)
-    path = os.path.join(WORK, name + ".xml")
-    with open(path, "w") as file:
-        file.write(listed(name, listed("Bodies", *bodies), listed("Contacts", contacts),
-                          listed("Discretization", parameter("Mesh Size", "double", size),
-                                 parameter("Degree", "int", degree),
-                                 BIORTHOGONAL if form == "None" else listed(
-                                     "Stabilization", parameter("Form", "string", form))),
-                          more))
-    return path
+def points_at(points):
+    return listed("Output", Interior_Points=list(points))
+
+
+def written(name, bodies, contacts=NONE, form="None", size=0.25, degree=2, more=NONE, **discretization):
+    """Its file.  Without stabilisation the basis is one that is stable by itself."""
+    stable = {"Multiplier": "Biorthogonal"} if form == "None" else {}
+    return saved(name, keys(
+        listed("Bodies", *bodies), listed("Contacts", contacts) if contacts else NONE,
+        listed("Discretization", Mesh_Size=size, Degree=degree, **{
+            **stable, "Stabilization": {} if form == "None" else {"Form": form}, **discretization}),
+        more), name)
+
+
+WALLS = (condition("left", "Dirichlet", Displacement_X=0) +
+         condition("right", "Dirichlet", Displacement_X=0))
+
+
+def confined(name, law, top, form="Density", basis="Gauss-Legendre-Lagrange", more=NONE, size=0.5):
+    """A unit block, E = 1, nu = 0.3, between frictionless walls, pushed onto a plane."""
+    return written(name, [body("block", block(0, 0, 1, 1), 1.0, WALLS + condition(
+        "bottom", "Contact", law) + condition("top", "Dirichlet", Displacement_Y=top))], NONE, form,
+                   size, 2, more, Multiplier=basis)
+
+
+def pad(name, motion, *law, form="Density", size=0.25, more=NONE):
+    """A rigid pad on a soft block."""
+    soft = body("soft", block(-4, -4, 4, 0), 1.0, condition("bottom", "Dirichlet", CLAMPED))
+    return written(name, [soft, rigid("pad", block(-1, 0, 1, 1), listed("Motion", Keys(motion)))],
+                   contact("rub", "soft:top", "pad:bottom", *law), form, size, more=more)
 
 
 def with_sides_swapped(text):

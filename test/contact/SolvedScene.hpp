@@ -40,6 +40,7 @@ class SolvedScene {
     return {space_, stiffness_,      system_.body(0), conditions_,
             units_, solution_.state, displacement_};
   }
+  const contact::ContactSystem& system() const { return system_; }
   const bem::Lame& lame() const { return lame_; }
   const bem::Vector& density() const { return density_; }
   const contact::Report& report() const { return solution_.report; }
