@@ -38,17 +38,20 @@ EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
     store(to[j].log.lane, half * legendre.l[j] + (j == 0 ? 2 * half * logOfHalf : 0));
   if (need == Need::Log)
     return;
-  if (need == Need::Moments)
-    store(to[terms - 1].log.lane, Pack{});
+  if (need == Need::Moments) {
+    store(to[logs].log.lane, Pack{});
+    to[logs].phase.store({});
+  }
   const Pack b = (2 * half) * x.b;
   for (int j = 0; j < terms; ++j) {
     const ComplexPack c = legendre.at(j);
     to[j].overConj.store(tangent * c);
     if (cubics)
       to[j].cubic.store((tangent * square) * legendre.cubic(x, j));
-    if (need != Need::Sums)
-      to[j].phase.store(square *
-                        ComplexPack{(j == 0 ? 2 * half : 0) + b * c.im, -b * c.re});
+    if (j >= logs)
+      continue;
+    const ComplexPack phase{(j == 0 ? 2 * half : 0) + b * c.im, -b * c.re};
+    to[j].phase.store(need == Need::Moments ? phase : square * phase);
   }
 }
 

@@ -13,8 +13,9 @@ namespace epafi::bem {
 /// (ArcRule).                                               [doc/theory/operators.md]
 class ElementPotential {
  public:
-  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: log of
-  /// the last polynomial is left out.
+  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: log and
+  /// phase of the last polynomial are left out, and phases of polynomials are divided by τ², τ the
+  /// tangent at the middle.
   enum class Need { Sums, Moments, Log, All };
 
   /// \param terms number of Legendre polynomials of the densities, at most 26
@@ -52,28 +53,43 @@ class ElementPotential {
     Pack flow{};  ///< ∫ P_j (w·n_y)/|w|² ds, with log
   };
   EPAFI_INLINE Values of(int j) const {
-    Values sum;
-    for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
-      const KernelLanes& own = (*this)[k];
-      const double share = rule_ ? rule_->legendre(k, j) : 1;
-      if (need_ != Need::Sums)
-        sum.log += share * load(own.log.lane);
-      if (need_ == Need::Log)
-        continue;
-      const ComplexPack overConj = share * own.overConj.load();
-      sum.overConj = sum.overConj + overConj;
-      if (need_ != Need::Moments)
-        sum.cubic = sum.cubic + share * own.cubic.load();
-      if (need_ == Need::Sums)
-        continue;
-      const Complex n = normal(k);
-      sum.phase = sum.phase + share * own.phase.load();
-      sum.flow += n.real() * overConj.re + n.imag() * overConj.im;
+    if (!rule_)
+      return ofCarrier(j);
+    Values sum{};
+    for (int k = 0; k < size(); ++k) {
+      const double share = rule_->legendre(k, j);
+      const Values own = ofCarrier(k);
+      sum.overConj = sum.overConj + share * own.overConj;
+      sum.cubic = sum.cubic + share * own.cubic;
+      sum.phase = sum.phase + share * own.phase;
+      sum.log += share * own.log;
+      sum.flow += share * own.flow;
     }
+    const Complex tangent = asComplex(curve_.frame().tangent);
+    if (need_ == Need::Moments)
+      sum.phase = std::conj(tangent * tangent) * sum.phase;
     return sum;
   }
 
  private:
+  EPAFI_INLINE Values ofCarrier(int k) const {
+    const KernelLanes& own = (*this)[k];
+    Values values{};
+    if (need_ != Need::Sums)
+      values.log = load(own.log.lane);
+    if (need_ == Need::Log)
+      return values;
+    values.overConj = own.overConj.load();
+    if (need_ != Need::Moments)
+      values.cubic = own.cubic.load();
+    if (need_ == Need::Sums)
+      return values;
+    values.phase = own.phase.load();
+    const Complex n = normal(k);
+    values.flow = n.real() * values.overConj.re + n.imag() * values.overConj.im;
+    return values;
+  }
+
   const Curve& curve_;
   int terms_;
   Need need_;

@@ -98,13 +98,12 @@ struct Integration {
   }
 
   EPAFI_INLINE void addAll(const ComplexPack& normal, const Pack* weighted) const {
-    const Complex tangent = asComplex(y.curve.frame().tangent);
-    const Complex back = 0.5 / y.half * std::conj(tangent * tangent);
+    const double scale = 0.5 / y.half;
     for (int j = 0; j <= y.densities; ++j) {
       const ElementPotential::Values of = potential.of(j);
-      const ComplexPack phase = back * of.phase;
-      sums.addInner({(1 / y.half) * of.log, -phase.im, (j == 0 ? 1.0 : 0.0) - phase.re,
-                     of.flow, -(normal.re * of.overConj.re + normal.im * of.overConj.im)},
+      sums.addInner({2 * scale * of.log, -scale * of.phase.im,
+                     (j == 0 ? 1.0 : 0.0) - scale * of.phase.re, of.flow,
+                     -(normal.re * of.overConj.re + normal.im * of.overConj.im)},
                     x.densities, y.densities, j, weighted);
     }
   }
