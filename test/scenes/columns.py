@@ -7,7 +7,7 @@ import os
 import re
 import sys
 
-from runs import WORK, claim, epafi, finish, fresh, run, scene, write
+from runs import WORK, claim, epafi, finish, fresh, run, saved, scene
 
 with open(sys.argv[4], encoding="utf-8") as stream:
     parts = re.split(r"^## ", stream.read(), flags=re.M)[1:]
@@ -23,13 +23,8 @@ run(scene("two-blocks.xml"), "bodies", ONE)
 run(scene("fretting.xml"), "path", ["History->Times={1, 2}", "History->Steps=1"])
 run(scene("patch.xml"), "patch", ONE)
 epafi("fields", os.path.join(WORK, "patch"), "--grid", "2,2")
-study = os.path.join(WORK, "study.xml")
-write(study, """<ParameterList name="S">
-  <ParameterList name="Scenes"><ParameterList name="s">
-    <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
-  <ParameterList name="Variants"><ParameterList name="v">
-    <Parameter name="Set" type="Array(string)" value="{%s}"/></ParameterList></ParameterList>
-</ParameterList>""" % (os.path.abspath(scene("patch.xml")), ONE[0]))
+study = saved("study", {"Scenes": {"s": {"File": os.path.abspath(scene("patch.xml"))}},
+                        "Variants": {"v": {"Set": ONE}}})
 claim(epafi("study", study, "--quiet", "--no-plot", "--output", fresh("study"))[0] == 0, "a study")
 
 met = set()

@@ -5,9 +5,9 @@ Fourth argument: the page that the tables are written to, doc/benchmarks/paths.m
 import math
 import sys
 
-from halves import F, P, P0, after, error, half, loading, loads, path, rms, stick
+from halves import F, P, P0, after, error, half, loading, loads, loop, path, rms, stick
 from runs import claim, finish, never_falls, points, scene, solved, steps, write
-from written import contact, friction, history, keys, loop, written
+from written import contact, friction, history, keys, written
 
 LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
 PARABOLA = keys(Interference="-x^2/200")

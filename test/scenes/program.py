@@ -8,43 +8,36 @@ import time
 
 import h5py
 
-from runs import (EPAFI, WORK, claim, epafi, finish, fresh, levels, options, run, scene, stopped,
-                  table, write)
+from runs import (EPAFI, WORK, claim, epafi, fails, finish, fresh, levels, options, run, scene,
+                  stopped, table, write)
 
 TRESCA = scene("tresca.xml")
 ONE = ["--set", "Adaptivity->Strategy=None"]
 
 
-def refused(sentence, words, *arguments, code=1):
-    """The program ends with a code and a message that has all these words."""
-    got, text = epafi(*arguments)
-    claim(got == code and all(word in text for word in words),
-          "%s (exit %d: %s)" % (sentence, got, text.strip().split("\n")[0][:150]))
-
-
-refused("an unknown command names the nearest", ["'run'"], "runn")
-refused("an unknown option names the nearest", ["'--output'"], "run", TRESCA, "--outptu", "x")
-refused("no command shows the usage", ["epafi run"])
-refused("no scene", ["scene"], "run")
-refused("two scenes", ["one"], "run", TRESCA, TRESCA)
-refused("threads are whole numbers", ["--threads"], "run", TRESCA, "--threads", "2x")
+fails("an unknown command names the nearest", ["'run'"], "runn")
+fails("an unknown option names the nearest", ["'--output'"], "run", TRESCA, "--outptu", "x")
+fails("no command shows the usage", ["epafi run"])
+fails("no scene", ["scene"], "run")
+fails("two scenes", ["one"], "run", TRESCA, TRESCA)
+fails("threads are whole numbers", ["--threads"], "run", TRESCA, "--threads", "2x")
 for command in ("run", "fields"):
-    refused("epafi %s: the stacks of so many threads would take all of the memory" % command,
+    fails("epafi %s: the stacks of so many threads would take all of the memory" % command,
             ["--threads", "4096"], command, TRESCA, "--threads", "100000")
-refused("a value is missing", ["--set"], "run", TRESCA, "--set")
-refused("a switch takes no value", ["--force"], "run", TRESCA, "--force=yes")
-refused("a missing file", ["nowhere.xml"], "run", os.path.join(WORK, "nowhere.xml"))
-refused("an unknown key names the nearest", ["'Strategy'"], "run", TRESCA, "--set",
+fails("a value is missing", ["--set"], "run", TRESCA, "--set")
+fails("a switch takes no value", ["--force"], "run", TRESCA, "--force=yes")
+fails("a missing file", ["nowhere.xml"], "run", os.path.join(WORK, "nowhere.xml"))
+fails("an unknown key names the nearest", ["'Strategy'"], "run", TRESCA, "--set",
         "Adaptivity->Strateg=None")
-refused("a wrong type", ["Maximum Levels"], "run", TRESCA, "--set",
+fails("a wrong type", ["Maximum Levels"], "run", TRESCA, "--set",
         "Adaptivity->Maximum Levels=many")
-refused("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TRESCA,
+fails("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TRESCA,
         "--output", fresh("cap"), "--set", "Adaptivity->Maximum Degrees of Freedom=10")
-refused("behind -- a word is no option", ["no such file", "--scene.xml"], "run", "--",
+fails("behind -- a word is no option", ["no such file", "--scene.xml"], "run", "--",
         "--scene.xml")
-refused("a format of one command's help", ["--format"], "help", "run", "--format", "man")
-refused("help is no failure", ["epafi check"], "--help", code=0)
-refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
+fails("a format of one command's help", ["--format"], "help", "run", "--format", "man")
+fails("help is no failure", ["epafi check"], "--help", code=0)
+fails("the version names the BLAS core", ["BLAS core"], "version", code=0)
 for command in ("parameters", "schema", "help"):
     with open("/dev/full", "w") as full:
         done = subprocess.run([EPAFI, command], stdout=full, stderr=subprocess.PIPE,
@@ -94,7 +87,7 @@ code, text = epafi("run", TRESCA, "--output", folder, *ONE)
 claim(code == 0 and os.path.exists(os.path.join(folder, "history.csv")), "parents are made")
 keep = os.path.join(folder, "notes.txt")
 open(keep, "w").close()
-refused("an earlier run is not overwritten", ["--force"], "run", TRESCA, "--output", folder,
+fails("an earlier run is not overwritten", ["--force"], "run", TRESCA, "--output", folder,
         *ONE)
 claim(sorted(os.listdir(folder)) == ["boundary.csv", "contact.csv", "history.csv",
                                      "interior.csv", "notes.txt", "solution.hdf",
@@ -107,7 +100,7 @@ claim(code == 0 and sorted(os.listdir(folder)) == ["contact.csv", "history.csv",
                                                    "timings.txt", "used.xml"],
       "--force deletes the program's own files only; Fields = false leaves fields out: " +
       " ".join(sorted(os.listdir(folder))))
-refused("a file is no folder", ["is a file"], "run", TRESCA, "--output", keep, *ONE)
+fails("a file is no folder", ["is a file"], "run", TRESCA, "--output", keep, *ONE)
 
 
 def content(folder):
@@ -148,7 +141,7 @@ with open(os.path.join(folder, "history.csv")) as stream:
 os.remove(os.path.join(folder, "solution.hdf"))
 for name in ("contact.csv", "boundary.csv", "interior.csv"):
     os.remove(os.path.join(folder, name))
-refused("a history with a row is a run", ["--force"], "run", TRESCA, "--output", folder, *ONE)
+fails("a history with a row is a run", ["--force"], "run", TRESCA, "--output", folder, *ONE)
 write(os.path.join(folder, "history.csv"), head)
 code, text = epafi("run", TRESCA, "--output", folder, *ONE)
 claim(code == 0, "one without a row is none")
@@ -172,7 +165,7 @@ claim(history[-1]["status"] == "not converged" and len(contact) > 0,
       "what did not converge is written and said")
 claim(0 < max(row["newton_iterations"] for row in history) <= 45,
       "one step allowed: other methods make 20 in all, steps of the load as many")
-refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--output",
+fails("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--output",
         fresh("indefinite"), "--set", "Discretization->Stabilization->Gamma0=10", "--set",
         "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)
 
@@ -197,7 +190,7 @@ def interrupted(sentence, name, command, ready, codes, heard=True):
     while time.time() < deadline and not ready(folder):
         time.sleep(0.02)
     time.sleep(0.5)
-    refused("a folder that another run writes into", ["another run"], "run", TRESCA, "--output",
+    fails("a folder that another run writes into", ["another run"], "run", TRESCA, "--output",
             folder, "--force", *ONE)
     began = time.time()
     process.send_signal(signal.SIGINT)

@@ -110,12 +110,17 @@ def never_falls(folder):
             os.path.basename(folder), column, work[-1]))
 
 
+def fails(sentence, words, *arguments, code=1, settings=()):
+    """Claims that the program ends with a code and a message that has all these words."""
+    got, text = epafi(*arguments, settings=settings)
+    claim(got == code and all(word in text for word in words), "%s: exit %d and %s; got %d, %s" % (
+        sentence, code, list(words), got, text.strip()[-200:]))
+
+
 def refused(what, file, *words, settings=(), command="run"):
     """Claims that a scene ends with exit code 1 and a message with these words."""
-    code, text = epafi(command, file, *(["--output", fresh("bad")] if command == "run" else []),
-                       settings=settings)
-    claim(code == 1 and all(word in text for word in words),
-          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
+    fails(what, words, command, file, *(["--output", fresh("bad")] if command == "run" else []),
+          settings=settings)
 
 
 def whole(contact):
