@@ -6,7 +6,7 @@ import re
 import shlex
 import subprocess
 
-from runs import EPAFI, SCENES, claim, finish, fresh, read, table
+from runs import EPAFI, SCENES, claim, finish, fresh, read, table, write
 
 PAGE = os.path.join(SCENES, "..", "..", "doc", "tutorial.md")
 HERE = fresh("reader")
@@ -20,7 +20,7 @@ def follow(words):
     return done.returncode, done.stdout
 
 
-def write(name, text):
+def put(name, text):
     write(os.path.join(HERE, name), text)
 
 
@@ -45,8 +45,8 @@ def same_rows(*folders):
         for a, b in zip(first, second) for key in ("dof", "energy_strain", "force_normal"))
 
 
-write("block.xml", "".join(re.findall(r"```xml\n(.*?)```", page, re.S)))
-write("mine.csv", "0,0.5\n0.5,0.25\n")
+put("block.xml", "".join(re.findall(r"```xml\n(.*?)```", page, re.S)))
+put("mine.csv", "0,0.5\n0.5,0.25\n")
 answers = re.findall(r"```text\n(.*?)```", page, re.S)
 commands = re.findall(r"^    (?:build/bin/epafi|\./run) ([^\n]*?\S)(?:  .*)?$", page, re.M)
 for line in commands:
@@ -63,12 +63,12 @@ for line in commands:
         claim(len(said) > 4 and alike(said, shown), "and run:\n" + text)
 claim(len(commands) >= 9, "%d commands" % len(commands))
 
-write("block.yaml", "".join(re.findall(r"```yaml\n(.*?)```", page, re.S)))
+put("block.yaml", "".join(re.findall(r"```yaml\n(.*?)```", page, re.S)))
 code, text = follow(["run", "block.yaml", "--output", "yaml.out"])
 claim(code == 0 and same_rows("block.out", "yaml.out"), "YAML says the same: " + text[-80:])
 study, = re.findall(r"^    <ParameterList name=\"Friction of the block\">.*?^    </ParameterList>$",
                     page, re.S | re.M)
-write("friction.xml", study)
+put("friction.xml", study)
 code, text = follow(["study", "friction.xml"])
 claim(code == 0 and "pictures ./friction.out: sweep sweep_forces sweep_contact" in text,
       "the study: " + text[-80:])
