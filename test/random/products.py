@@ -184,6 +184,8 @@ class Products:
         if child(mesh, "Elements per Edge") is not None:
             put(mesh, "Hole 1 Elements per Edge", "Array(int)", "{%s}" % ", ".join(
                 str(draw.randint(2, 3)) for _ in range(count)))
+        limit = child(child(self.root, "Adaptivity"), "Maximum Degrees of Freedom")
+        limit.set("value", str(int(limit.get("value")) + 100))  # a first mesh may need it
         kind = draw.choice(("free", "pressure", "plug"))
         self.features.append("hole (%s)" % kind)
         if kind == "free":
