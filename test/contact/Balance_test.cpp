@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(Refinement, endsWhereCorrectionsDoNotShrink) {
 }
 
 /// A wedge of 5 degrees in contact up to its tip.
-TEUCHOS_UNIT_TEST(Definiteness, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused) {
+TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused) {
   const bem::Lame lame({1, 0.3, false});
   const bem::Loop wedge{{{0, 0}, {1, 0}, {1, 0.0875}}, {"bottom", "left", "top"}};
   const bem::Space space(bem::makeMesh(test::outlineOf(wedge), {8, 2, 8}, 1));

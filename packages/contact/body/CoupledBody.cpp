@@ -202,10 +202,10 @@ class CoupledBody final : public StabilisedBody {
                  rowsAt(free_, holding_->functionals.copy()), 1),
         "the stiffness matrix");
   } catch (const bem::NumericalError& error) {
-    throw bem::NumericalError(error.what(),
-                              "; rounding has taken its digits, as it does in "
-                              "bodies slender by more than "
-                              "1 : 1000: look at the outline");
+    throw bem::NumericalError(
+        error.what(),
+        "; rounding has taken its digits, as it does in bodies slender by more than "
+        "1 : 1000: look at the outline");
   }
 
   // S - S^, a panel of X at a time, which saves memory
@@ -225,9 +225,8 @@ class CoupledBody final : public StabilisedBody {
   Tractions tractions_;
   const Matrix* columns_;  ///< R
   BalancedStiffness balanced_;
-  std::vector<Index>
-      free_;  ///< displacements that are not clamped, and the factor of them
-  bem::CholeskyFactor factor_;
+  std::vector<Index> free_;     ///< displacements that are not clamped
+  bem::CholeskyFactor factor_;  ///< of A there
 };
 
 /// Of the forms that insert S u; else null.
@@ -262,9 +261,9 @@ double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>&
 
 IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
     : bem::NumericalError(
-          "the stabilised stiffness S - S^ is not positive "
-          "definite: Discretization->Stabilization->",
-          "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+          "the stabilised stiffness S - S^ is not positive definite: "
+          "Discretization->Stabilization->Gamma0 = ",
+          used, " is too large for this mesh; below ", limit,
           " it is definite, and a quarter of that is safe"),
       gamma0(used),
       limitGamma0(limit) {}
@@ -279,8 +278,7 @@ std::unique_ptr<const StabilisedBody> makeCoupledBody(
           ? response == nullptr || response->densities != coupling.compliance.densities
           : response != nullptr)
     throw bem::InputError(
-        "the stiffness was made for another stabilisation "
-        "than the contact problem: take "
+        "the stiffness was made for another stabilisation than the contact problem: take "
         "it from contact::makeStiffness");
   try {
     return std::make_unique<const CoupledBody>(input, holding, coupling, tractions);
