@@ -1,7 +1,6 @@
 #include "drivers/commands/Recorder.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/ContactTable.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/PrintedTable.hpp"
@@ -109,7 +108,7 @@ void Recorder::takeStep(const SolvedLevel& level) {
   Solved solved = solvedOf(level);
   if (scene_.output.fields)
     stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
-                            made(boundaryVtu(*solved.grid)));
+                            made(vtuText(solved.grid->grid())));
   if (isKnown(level.level))
     return;
   solved_ = std::move(solved);

@@ -122,6 +122,24 @@ void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int num
 
 }  // namespace
 
+VtkGrid BoundaryLines::grid() const {
+  return {points,
+          ends,
+          2,
+          "Vectors=\"displacement\"",
+          {{"displacement", &displacement, 3},
+           {"traction", &traction, 3},
+           {"lambda_n", &pressure},
+           {"lambda_t", &shear},
+           {"gap", &gap},
+           {"contact", &contact},
+           {"friction", &friction}},
+          {{"element", &element},
+           {"degree", &degree},
+           {"boundary", &boundary},
+           {"body", &body}}};
+}
+
 BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level) {
   BoundaryLines grid;
   int boundaries = 0;

@@ -2,6 +2,7 @@
 
 #include "contact/results/ContactFields.hpp"
 #include "contact/results/Summary.hpp"
+#include "drivers/output/VtkGrid.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -31,6 +32,9 @@ struct BoundaryLines {
   std::vector<int> degree;
   std::vector<int> boundary;  ///< index into namesOfBoundaries
   std::vector<int> body;
+
+  /// For steps/<k>/boundary.vtu and solution.hdf.  Refers to this.
+  VtkGrid grid() const;
 };
 
 /// The boundaries of all bodies in the order of the scene, rigid bodies last with edges

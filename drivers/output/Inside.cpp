@@ -64,7 +64,7 @@ InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
   const double place = std::clamp(t, -1 + end, 1 - end);
   const bem::Vec2 inward = -1 * element.curve.normal(place);
   const bem::Vec2 x = element.curve.point(place) + (skin * element.half) * inward;
-  InsideValue value = at({b, mesh(b).outline().physical(x)});
+  InsideValue value = at({{b, mesh(b).outline().physical(x)}}).front();
   bem::Vec2 u = displacements_[b].at(e, t);
   if (inside_[b])
     u = u + inside_[b]->displacement(mesh(b), e, t);
@@ -110,24 +110,20 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
 
 std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
                              const std::vector<InsideValue>& values) const {
-  const std::vector<std::string> names = {
-      "x",         "y",    "ux",  "uy",          "sxx",         "syy",        "sxy",
-      "von_mises", "body", "szz", "principal_1", "principal_2", "temperature"};
+  std::vector<std::string> names = {"x", "y"};
+  for (const InsideField& field : insideFields)
+    names.emplace_back(field.name);
+  constexpr std::ptrdiff_t body = 8;
+  names.insert(names.begin() + body, "body");
   std::string csv = csvLine(names);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const InsideValue& v = values[i];
-    if (points[i].body == size()) {
-      std::vector<std::string> cells(names.size());
-      cells[0] = exactly(points[i].x.x);
-      cells[1] = exactly(points[i].x.y);
-      csv += csvLine(cells);
-      continue;
-    }
-    csv += csvLine(
-        {exactly(points[i].x.x), exactly(points[i].x.y), exactly(v.displacement.x),
-         exactly(v.displacement.y), exactly(v.xx), exactly(v.yy), exactly(v.xy),
-         exactly(v.vonMises), scene_.bodies[points[i].body].name, exactly(v.zz),
-         exactly(v.principal1), exactly(v.principal2), exactly(v.temperature)});
+    const bool outside = points[i].body == size();
+    InsideValue value = values[i];
+    std::vector<std::string> cells = {exactly(points[i].x.x), exactly(points[i].x.y)};
+    for (const InsideField& field : insideFields)
+      cells.push_back(outside ? "" : exactly(field.of(value)));
+    cells.insert(cells.begin() + body, outside ? "" : scene_.bodies[points[i].body].name);
+    csv += csvLine(cells);
   }
   return csv;
 }

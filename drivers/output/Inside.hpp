@@ -22,6 +22,25 @@ struct InsideValue {
   double temperature = 0;  ///< above the stress-free state [temperature]
 };
 
+/// The numbers of a value by their names in files: the scalar fields of fields.vtu, and in
+/// this order the columns of fields.csv and interior.csv.
+struct InsideField {
+  const char* name;
+  double& (*of)(InsideValue& value);
+};
+inline constexpr InsideField insideFields[] = {
+    {"ux", [](InsideValue& v) -> double& { return v.displacement.x; }},
+    {"uy", [](InsideValue& v) -> double& { return v.displacement.y; }},
+    {"sxx", [](InsideValue& v) -> double& { return v.xx; }},
+    {"syy", [](InsideValue& v) -> double& { return v.yy; }},
+    {"sxy", [](InsideValue& v) -> double& { return v.xy; }},
+    {"von_mises", [](InsideValue& v) -> double& { return v.vonMises; }},
+    {"szz", [](InsideValue& v) -> double& { return v.zz; }},
+    {"principal_1", [](InsideValue& v) -> double& { return v.principal1; }},
+    {"principal_2", [](InsideValue& v) -> double& { return v.principal2; }},
+    {"temperature", [](InsideValue& v) -> double& { return v.temperature; }},
+};
+
 /// A point inside a body, in the user's coordinates.  Bodies may overlap in the
 /// undeformed state, so that the point alone does not determine its body.
 struct InsidePoint {
@@ -39,9 +58,6 @@ class BodyInsides {
   std::size_t size() const { return spaces_.size(); }
   const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 
-  InsideValue at(const InsidePoint& point) const {
-    return at(std::vector{point}).front();
-  }
   /// At t in [-1, 1] on element e of body b; stresses just inside the boundary and not at
   /// the ends of the element, where they have logarithmic singularities.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
@@ -51,8 +67,8 @@ class BodyInsides {
 
   /// Computed in parallel; eight points of a body take as long as one.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
-  /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2,temperature: a row
-  /// per point; outside of all bodies only x and y are given.
+  /// x, y, the columns of insideFields and, behind von_mises, body: a row per point;
+  /// outside of all bodies only x and y are given.
   std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 

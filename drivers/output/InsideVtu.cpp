@@ -1,34 +1,17 @@
 #include "drivers/output/InsideVtu.hpp"
 
 #include "bem/base/Parallel.hpp"
-#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Triangulation.hpp"
+#include "drivers/output/VtkGrid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace epafi::drivers {
 
 namespace {
-
-struct Field {
-  const char* name;
-  double (*of)(const InsideValue& value);
-};
-
-constexpr Field fields[] = {
-    {"ux", [](const InsideValue& v) { return v.displacement.x; }},
-    {"uy", [](const InsideValue& v) { return v.displacement.y; }},
-    {"sxx", [](const InsideValue& v) { return v.xx; }},
-    {"syy", [](const InsideValue& v) { return v.yy; }},
-    {"sxy", [](const InsideValue& v) { return v.xy; }},
-    {"szz", [](const InsideValue& v) { return v.zz; }},
-    {"von_mises", [](const InsideValue& v) { return v.vonMises; }},
-    {"principal_1", [](const InsideValue& v) { return v.principal1; }},
-    {"principal_2", [](const InsideValue& v) { return v.principal2; }},
-    {"temperature", [](const InsideValue& v) { return v.temperature; }},
-};
 
 /// A point of the boundary: element and t in [-1, 1].
 struct Foot {
@@ -52,15 +35,10 @@ Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
   return foot;
 }
 
-InsideValue mean(const InsideValue& a, const InsideValue& b) {
-  InsideValue m;
-  m.displacement = 0.5 * (a.displacement + b.displacement);
-  for (const auto part :
-       {&InsideValue::xx, &InsideValue::yy, &InsideValue::xy, &InsideValue::zz,
-        &InsideValue::vonMises, &InsideValue::principal1, &InsideValue::principal2,
-        &InsideValue::temperature})
-    m.*part = 0.5 * (a.*part + b.*part);
-  return m;
+InsideValue mean(InsideValue a, InsideValue b) {
+  for (const InsideField& field : insideFields)
+    field.of(a) = 0.5 * (field.of(a) + field.of(b));
+  return a;
 }
 
 InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
@@ -113,43 +91,34 @@ FilledBodies fill(const BodyInsides& insides) {
 }
 
 std::string vtuFile(const FilledBodies& bodies) {
-  const std::size_t points = bodies.points.size();
-  const std::size_t cells = bodies.corners.size();
-  VtuGrid vtu{points, cells, R"(Scalars="von_mises" Vectors="displacement")"};
-  std::vector<double> displacements;
   std::vector<double> places;
   std::vector<int> body;
-  for (std::size_t i = 0; i < points; ++i) {
-    const bem::Vec2 u = bodies.values[i].displacement;
-    const auto& [b, x] = bodies.points[i];
-    displacements.insert(displacements.end(), {u.x, u.y, 0});
+  for (const auto& [b, x] : bodies.points) {
     places.insert(places.end(), {x.x, x.y, 0});
     body.push_back(static_cast<int>(b));
   }
-  vtu.pointData = {dataArray("displacement", displacements, 3)};
-  for (const Field& field : fields) {
-    std::vector<double> values;
-    for (const InsideValue& value : bodies.values)
-      values.push_back(field.of(value));
-    vtu.pointData.push_back(dataArray(field.name, values));
+  std::vector<double> displacements;
+  std::array<std::vector<double>, std::size(insideFields)> fields;
+  for (InsideValue value : bodies.values) {
+    displacements.insert(displacements.end(),
+                         {value.displacement.x, value.displacement.y, 0});
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      fields[k].push_back(insideFields[k].of(value));
   }
-  vtu.pointData.push_back(dataArray("body", body));
-  vtu.places = {dataArray("Points", places, 3)};
-  std::vector<long long> ends;
-  std::vector<long long> offsets;
-  for (const auto& corners : bodies.corners) {
-    ends.insert(ends.end(), corners.begin(), corners.end());
-    offsets.push_back(static_cast<long long>(ends.size()));
-  }
-  constexpr unsigned char triangle = 5;  // VTK_TRIANGLE
-  vtu.topology = {dataArray("connectivity", ends), dataArray("offsets", offsets),
-                  dataArray("types", std::vector<unsigned char>(cells, triangle))};
-  return vtuText(vtu);
+  std::vector<VtkArray> arrays = {{"displacement", &displacements, 3}};
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    arrays.push_back({insideFields[k].name, &fields[k]});
+  arrays.push_back({"body", &body});
+  std::vector<long long> corners;
+  for (const auto& triangle : bodies.corners)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return vtuText(
+      {places, corners, 3, R"(Scalars="von_mises" Vectors="displacement")", arrays});
 }
 
 std::vector<std::string> fieldNames() {
   std::vector<std::string> names;
-  for (const Field& field : fields)
+  for (const InsideField& field : insideFields)
     names.emplace_back(field.name);
   return names;
 }

@@ -1,7 +1,6 @@
 #include "drivers/output/SolutionFile.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Hdf5File.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -103,7 +102,7 @@ std::string solutionFile(const Scene& scene, const Checkpoint& checkpoint,
   for (const std::string& name : namesOfBoundaries(scene))
     names += name + "\n";
   Hdf5Writer writer;
-  writeVtkHdf(grid, writer);
+  writeVtkHdf(grid.grid(), writer);
   writeCheckpoint(checkpoint, writer);
   writer.text(group + "/boundaries", names);
   return writer.bytes();
