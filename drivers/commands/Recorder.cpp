@@ -1,7 +1,6 @@
 #include "drivers/commands/Recorder.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"

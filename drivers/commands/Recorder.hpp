@@ -1,7 +1,7 @@
 #pragma once
 
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
-#include "drivers/output/PathContactTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/RunTables.hpp"
 #include "drivers/process/PhaseTimer.hpp"

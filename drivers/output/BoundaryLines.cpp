@@ -173,19 +173,23 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
 }
 
 std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
-  std::string csv = csvLine(
-      {"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
+  std::string csv;
   const std::vector<std::string> names = namesOfBoundaries(scene);
   const auto addPoint = [&](std::size_t line, long long point) {
-    std::vector<std::string> cells;
-    for (const auto* field : {&grid.points, &grid.displacement, &grid.traction})
-      for (const long long component : {0, 1})
-        cells.push_back(exactly((*field)[3 * point + component]));
-    cells.push_back(names[grid.boundary[line]]);
-    cells.push_back(std::to_string(grid.element[line]));
-    cells.push_back(std::to_string(grid.degree[line]));
-    cells.push_back(scene.bodies[grid.body[line]].name);
-    csv += csvLine(cells);
+    const auto at = [&](const std::vector<double>& field, int component) {
+      return exactly(field[3 * point + component]);
+    };
+    addRow({{"x", at(grid.points, 0)},
+            {"y", at(grid.points, 1)},
+            {"ux", at(grid.displacement, 0)},
+            {"uy", at(grid.displacement, 1)},
+            {"tx", at(grid.traction, 0)},
+            {"ty", at(grid.traction, 1)},
+            {"boundary", names[grid.boundary[line]]},
+            {"element", number(grid.element[line])},
+            {"degree", number(grid.degree[line])},
+            {"body", scene.bodies[grid.body[line]].name}},
+           csv);
   };
   const std::size_t lines = grid.element.size();
   const auto deforms = [&](std::size_t line) {

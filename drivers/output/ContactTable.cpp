@@ -1,11 +1,19 @@
 #include "drivers/output/ContactTable.hpp"
 
+#include "bem/space/LocalField.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace epafi::drivers {
 
 namespace {
+
+using contact::ContactPoint;
+using Element = contact::ContactFields::Element;
 
 /// Arc length along a contact boundary.  It starts at 0 on each chain of consecutive
 /// elements of one contact.
@@ -14,7 +22,7 @@ class ArcLength {
   ArcLength(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
 
   /// Elements must come in the order of the multiplier; t in [-1, 1].  Returns a length.
-  double at(const contact::MultiplierSpace::ContactElement& element, double t) {
+  double at(const Element& element, double t) {
     if (&element != last_) {
       const bool follows = last_ != nullptr &&
                            mesh_[last_->element].next == element.element &&
@@ -28,56 +36,123 @@ class ArcLength {
  private:
   const bem::Mesh& mesh_;
   double length_;
-  const contact::MultiplierSpace::ContactElement* last_ = nullptr;
+  const Element* last_ = nullptr;
   double start_ = 0;
 };
 
-}  // namespace
+double stressAlong(const contact::Solved& solved, const bem::Material& material,
+                   int element, double t, double pressure) {
+  const bem::Element& on = solved.space.mesh()[element];
+  const bem::LocalField field = bem::localField(
+      solved.space, solved.displacement,
+      bem::Vector(static_cast<std::size_t>(solved.space.densities())), element);
+  const bem::Complex slope = bem::evaluate(field.slope, on.degree - 1, t);
+  const double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
+  const double nu = material.poissonsRatio;
+  const double e = material.youngsModulus;
+  double ofInside = 0;
+  if (const contact::BodyLoadSolution& inside = solved.conditions.inside) {
+    const bem::Vec2 along = on.curve.tangent(t);
+    const auto stress = inside->stress(solved.space.mesh().scaledPoint(element, t));
+    ofInside = solved.units.stress * dot(stress.on(along), along);
+    pressure +=
+        solved.units.stress * dot(stress.on(on.curve.normal(t)), on.curve.normal(t));
+  }
+  return ofInside + (material.planeStress
+                         ? e * strain - nu * pressure
+                         : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure);
+}
 
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
-                       const MoreContactColumns& more) {
-  std::vector<std::string> names = {"boundary", "element",      "x",       "y",
-                                    "lambda_n", "lambda_t",     "u_n",     "u_t",
-                                    "gap",      "bound",        "contact", "friction",
-                                    "body",     "contact_name", "s"};
-  names.insert(names.end(), more.names.begin(), more.names.end());
-  names.insert(names.end(), {"normal_closing", "pressure", "shear"});
-  std::string csv = csvLine(names);
+/// \param more  columns of a point t of a body's element on a path; empty: none
+std::string tableOf(
+    const Scene& scene, const std::vector<contact::Solved>& bodies,
+    const std::function<CsvRow(std::size_t body, const Element& element, double t,
+                               const ContactPoint& point)>& more) {
+  std::string csv;
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const contact::ContactFields fields(bodies[b]);
     const bem::Vector continuous = fields.continuous();
     ArcLength arc(bodies[b].space.mesh(), bodies[b].units.length);
-    for (const auto& element : fields.elements())
+    for (const Element& element : fields.elements())
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
-        const contact::ContactPoint p = fields.at(element, t);
+        const ContactPoint p = fields.at(element, t);
         const std::string& name = element.condition->name;
-        std::vector<std::string> cells = {scene.boundaryName(b, *element.boundary),
-                                          std::to_string(element.element),
-                                          exactly(p.place.x),
-                                          exactly(p.place.y),
-                                          exactly(p.pressure),
-                                          exactly(p.shear),
-                                          exactly(p.normal),
-                                          exactly(p.tangential),
-                                          exactly(p.gap),
-                                          exactly(p.bound),
-                                          p.closed ? "1" : "0",
-                                          std::to_string(numberOf(p.friction)),
-                                          scene.bodies[b].name,
-                                          name.empty() ? *element.boundary : name,
-                                          exactly(arc.at(element, t))};
-        if (more.cells)
-          for (std::string& cell : more.cells(b, element, t, p))
-            cells.push_back(std::move(cell));
+        CsvRow row = {{"boundary", scene.boundaryName(b, *element.boundary)},
+                      {"element", number(element.element)},
+                      {"x", exactly(p.place.x)},
+                      {"y", exactly(p.place.y)},
+                      {"lambda_n", exactly(p.pressure)},
+                      {"lambda_t", exactly(p.shear)},
+                      {"u_n", exactly(p.normal)},
+                      {"u_t", exactly(p.tangential)},
+                      {"gap", exactly(p.gap)},
+                      {"bound", exactly(p.bound)},
+                      {"contact", number(p.closed)},
+                      {"friction", number(numberOf(p.friction))},
+                      {"body", scene.bodies[b].name},
+                      {"contact_name", name.empty() ? *element.boundary : name},
+                      {"s", exactly(arc.at(element, t))}};
+        if (more)
+          append(row, more(b, element, t, p));
         const auto stress = fields.inUnits(continuous, element, t);
-        cells.insert(cells.end(), {exactly(p.closing), exactly(stress.normal),
-                                   exactly(stress.tangential)});
-        csv += csvLine(cells);
+        append(row, {{"normal_closing", exactly(p.closing)},
+                     {"pressure", exactly(stress.normal)},
+                     {"shear", exactly(stress.tangential)}});
+        addRow(row, csv);
       }
   }
   return csv;
+}
+
+}  // namespace
+
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies) {
+  return tableOf(scene, bodies, {});
+}
+
+std::string PathContact::next(const SolvedLevel& level) {
+  const PathStep& step = level.path->last();
+  const bool isFirst = traces_.empty();
+  std::vector<bem::Vector> densities;
+  std::size_t elements = 0;
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const contact::MultiplierSpace& multiplier = level.bodies[b].problem.multiplier();
+    densities.push_back(contact::frictionWorkDensity(level.bodies[b].space.mesh(),
+                                                     multiplier, step.frictionWork[b]));
+    elements += multiplier.elements().size();
+  }
+  traces_.resize(elements * static_cast<std::size_t>(scene_->output.contactSamples));
+  auto trace = traces_.begin();
+  return tableOf(
+      *scene_, level.bodies,
+      [&](std::size_t b, const Element& element, double t,
+          const ContactPoint& point) -> CsvRow {
+        Trace& here = *trace++;
+        const contact::Solved& solved = level.bodies[b];
+        const double stress = stressAlong(solved, scene_->bodies[b].material,
+                                          element.element, t, point.pressure);
+        const double slip = point.tangential - point.sliding;
+        if (isFirst)
+          here.first = here.least = here.most = slip;
+        here.least = std::min(here.least, slip);
+        here.most = std::max(here.most, slip);
+        here.shear = std::max(here.shear, std::abs(point.shear));
+        here.tension = std::max(here.tension, stress);
+        const double amplitude = (here.most - here.least) / 2;
+        const double work =
+            solved.units.stress * solved.units.length *
+            solved.problem.multiplier().at(densities[b], element, t).tangential;
+        return {{"slip", exactly(slip - here.first)},
+                {"work", exactly(work)},
+                {"slip_amplitude", exactly(amplitude)},
+                {"stress_t", exactly(stress)},
+                {"ruiz_1", exactly(here.shear * amplitude)},
+                {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
+                {"worn_depth", exactly(point.worn)},
+                {"slip_distance", exactly(point.distance)}};
+      });
 }
 
 }  // namespace epafi::drivers

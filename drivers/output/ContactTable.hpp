@@ -1,25 +1,45 @@
 #pragma once
 
-#include "contact/results/ContactFields.hpp"
-#include "drivers/scene/Scene.hpp"
+#include "drivers/run/Path.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
-/// Additional columns of contact.csv, and their cells at a point.
-struct MoreContactColumns {
-  std::vector<std::string> names;
-  std::function<std::vector<std::string>(std::size_t body,
-                                         const contact::ContactFields::Element& element,
-                                         double t, const contact::ContactPoint& point)>
-      cells;
-};
-
 /// contact.csv: on each contact element the points t = -1 + (2k+1)/samples, k < samples.
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
-                       const MoreContactColumns& more = {});
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies);
+
+/// contact.csv for the steps of a path on one mesh, with columns for the history of each
+/// point:                                                 [doc/theory/paths.md, Fretting]
+///
+///   slip            uₜ - given sliding, since the end of the first step
+///   work            work of friction per length of surface [stress length]
+///   slip_amplitude  half of the range of the slip since the end of the first step
+///   stress_t        normal stress along the surface, E/(1-ν²) uₜ' - ν/(1-ν) λₙ in plane strain
+///   ruiz_1          largest |λₜ| times slip_amplitude
+///   ruiz_2          largest tensile stress_t times ruiz_1
+///   worn_depth      worn depth
+///   slip_distance   Σ |slip| while closed
+class PathContact {
+ public:
+  explicit PathContact(const Scene& scene) : scene_(&scene) {}  ///< must outlive it
+
+  /// contact.csv of the next step.  Call it once per step, in the order of the path.
+  std::string next(const SolvedLevel& level);
+
+ private:
+  /// History of a point.
+  struct Trace {
+    double first = 0;  ///< slip at the end of the first step
+    double least = 0;
+    double most = 0;
+    double shear = 0;    ///< largest |λₜ|
+    double tension = 0;  ///< largest tensile stress_t, or 0
+  };
+
+  const Scene* scene_;
+  std::vector<Trace> traces_;
+};
 
 }  // namespace epafi::drivers

@@ -41,6 +41,22 @@ std::string csvLine(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
+void addRow(const CsvRow& row, std::string& table) {
+  const bool isFirst = table.empty();
+  for (const auto& [name, cell] : row)
+    if (isFirst)
+      table += (table.empty() ? "" : ",") + std::string(name);
+  for (const auto& [name, cell] : row) {
+    table += &cell == &row.front().second ? (isFirst ? "\n" : "") : ",";
+    add(cell, table);
+  }
+  table += '\n';
+}
+
+void append(CsvRow& row, const CsvRow& more) {
+  row.insert(row.end(), more.begin(), more.end());
+}
+
 std::vector<std::string> csvCells(const std::string& line) {
   std::vector<std::string> cells(1);
   bool inQuotes = false;

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace epafi::drivers {
@@ -62,6 +63,12 @@ std::string csvRow(const Column<Row> (&columns)[count], const Row& row) {
   addCells(columns, row, cells);
   return csvLine(cells);
 }
+
+/// The cells of a row with the names of their columns.
+using CsvRow = std::vector<std::pair<const char*, std::string>>;
+/// Adds a row to a table, with a line of names before the first one.
+void addRow(const CsvRow& row, std::string& table);
+void append(CsvRow& row, const CsvRow& more);
 
 /// The cells of a line of csvLine, with or without the line end.
 std::vector<std::string> csvCells(const std::string& line);

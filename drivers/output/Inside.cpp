@@ -110,20 +110,17 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
 
 std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
                              const std::vector<InsideValue>& values) const {
-  std::vector<std::string> names = {"x", "y"};
-  for (const InsideField& field : insideFields)
-    names.emplace_back(field.name);
-  constexpr std::ptrdiff_t body = 8;
-  names.insert(names.begin() + body, "body");
-  std::string csv = csvLine(names);
+  std::string csv;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool outside = points[i].body == size();
     InsideValue value = values[i];
-    std::vector<std::string> cells = {exactly(points[i].x.x), exactly(points[i].x.y)};
-    for (const InsideField& field : insideFields)
-      cells.push_back(outside ? "" : exactly(field.of(value)));
-    cells.insert(cells.begin() + body, outside ? "" : scene_.bodies[points[i].body].name);
-    csv += csvLine(cells);
+    CsvRow row = {{"x", exactly(points[i].x.x)}, {"y", exactly(points[i].x.y)}};
+    for (const InsideField& field : insideFields) {
+      row.emplace_back(field.name, outside ? "" : exactly(field.of(value)));
+      if (&field.of(value) == &value.vonMises)
+        row.emplace_back("body", outside ? "" : scene_.bodies[points[i].body].name);
+    }
+    addRow(row, csv);
   }
   return csv;
 }
