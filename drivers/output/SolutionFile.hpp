@@ -1,7 +1,6 @@
 #pragma once
 
 #include "drivers/output/BoundaryLines.hpp"
-#include "drivers/output/SolutionArrays.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <string>
