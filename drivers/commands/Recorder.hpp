@@ -1,9 +1,9 @@
 #pragma once
 
 #include "drivers/output/ContactTable.hpp"
+#include "drivers/output/HistoryTables.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
-#include "drivers/output/RunTables.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/process/ProgressLine.hpp"
 
@@ -65,7 +65,7 @@ class Recorder {
   const ProgressLine& progress_;
   std::ostream& table_;
   std::function<void(const Level&)> written_;
-  RunTables tables_;
+  HistoryTables tables_;
   // of the level that is solved now
   std::vector<File> stepFiles_;
   std::vector<double> times_;

@@ -3,10 +3,10 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/ContactTable.hpp"
+#include "drivers/output/HistoryTables.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
-#include "drivers/output/RunTables.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
@@ -40,23 +40,6 @@ std::string fileName(const std::string& name) {
   return result;
 }
 
-/// CPU seconds since construction without those spent in excluded work.
-class VariantClock {
- public:
-  double seconds() const { return cpuSeconds() - start_ - excluded_; }
-
-  template <class Work>
-  void exclude(const Work& work) {
-    const double before = cpuSeconds();
-    work();
-    excluded_ += cpuSeconds() - before;
-  }
-
- private:
-  double start_ = cpuSeconds();
-  double excluded_ = 0;
-};
-
 /// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
 double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
   double smallest = 1;
@@ -72,7 +55,7 @@ double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
 }
 
 /// All of a level at once, with its steps.
-void addTo(RunTables& tables, const SolvedLevel& level, const LevelRow& row) {
+void addTo(HistoryTables& tables, const SolvedLevel& level, const LevelRow& row) {
   if (level.path != nullptr)
     for (const auto& step : level.path->steps)
       tables.addStep(step->row);
@@ -138,7 +121,7 @@ class StudyRun {
   bool compute(const StudiedScene& scene, const std::string& name) {
     const Variant reference{"reference", *scene.reference};
     PhaseTimer timer = makeTimer();
-    RunTables tables(reference.scene);
+    HistoryTables tables(reference.scene);
     std::string last;
     int solved = 0;
     const bool whole = attempt(scene, reference, solved, [&] {
@@ -182,10 +165,10 @@ class StudyRun {
     out_ << scene.name << ": " << variant.name << "\n" << std::flush;
     const std::string name = folderOf(scene, variant);
     OutputFolder own(folder_.path() + "/" + name, EarlierRun::Delete);
-    RunTables tables(variant.scene);
+    HistoryTables tables(variant.scene);
     own.write("used.xml", tables.used);
     PhaseTimer timer = makeTimer();
-    VariantClock clock;
+    double unwatched = cpuSeconds();  // before the variant, and in what is not its work
     int solved = 0;
     std::vector<std::string> ofScene;
     std::vector<std::string> ofLevel;  // the last
@@ -193,15 +176,15 @@ class StudyRun {
       ofScene = warningsOf(variant.scene);
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
-        row.secondsTotal = clock.seconds();
-        clock.exclude([&] {
-          addTo(tables, level, row);
-          ++solved;
-          note(scene, variant, reference, level, row, name);
-          writeFiles(variant, level, tables, own);
-          ofLevel = warningsOf(variant.scene, level);
-          progress_.clear();
-        });
+        const double now = cpuSeconds();
+        row.secondsTotal = now - unwatched;
+        addTo(tables, level, row);
+        ++solved;
+        note(scene, variant, reference, level, row, name);
+        writeFiles(variant, level, tables, own);
+        ofLevel = warningsOf(variant.scene, level);
+        progress_.clear();
+        unwatched += cpuSeconds() - now;
         if (row.report.status != contact::Status::Converged)
           ++unsolved_;  // it is the last level
       });
@@ -253,7 +236,7 @@ class StudyRun {
 
   /// Of sweeps, which may have hundreds of values, only contact.csv and steps.csv.
   void writeFiles(const Variant& variant, const SolvedLevel& level,
-                  const RunTables& tables, OutputFolder& folder) const {
+                  const HistoryTables& tables, OutputFolder& folder) const {
     const Scene& scene = variant.scene;
     if (scene.hasContact())
       folder.write("contact.csv", contactCsv(scene, level.bodies));

@@ -1,7 +1,7 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/RunTables.hpp"
+#include "drivers/output/HistoryTables.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"

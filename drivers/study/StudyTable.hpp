@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/RunTables.hpp"
+#include "drivers/output/HistoryTables.hpp"
 #include "drivers/study/Study.hpp"
 #include "drivers/study/TrueError.hpp"
 

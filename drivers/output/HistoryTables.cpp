@@ -1,4 +1,4 @@
-#include "drivers/output/RunTables.hpp"
+#include "drivers/output/HistoryTables.hpp"
 
 #include "drivers/output/Csv.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -124,18 +124,19 @@ constexpr Column<StepRow> stepColumns[] = {
     {"energy_springs", step<&StepRow::energySprings>},
 };
 
+template <auto... members>
+constexpr auto ofContact = cellOf<ContactRow, &ContactRow::summary, members...>;
+
 constexpr Column<ContactRow> contactColumns[] = {
-    {"force_x", [](const ContactRow& c) { return number(c.summary.contact.x); }},
-    {"force_y", [](const ContactRow& c) { return number(c.summary.contact.y); }},
-    {"force_normal", [](const ContactRow& c) { return number(c.summary.forceNormal); }},
-    {"force_tangential",
-     [](const ContactRow& c) { return number(c.summary.forceTangential); }},
-    {"contact_length",
-     [](const ContactRow& c) { return number(c.summary.contactLength); }},
-    {"slip_length", [](const ContactRow& c) { return number(c.summary.slipLength); }},
-    {"energy_dissipated", [](const ContactRow& c) { return number(c.dissipated); }},
-    {"worn_volume", [](const ContactRow& c) { return number(c.summary.wornVolume); }},
-    {"pressure_max", [](const ContactRow& c) { return number(c.summary.pressureMax); }},
+    {"force_x", ofContact<&Summary::contact, &Resultant::x>},
+    {"force_y", ofContact<&Summary::contact, &Resultant::y>},
+    {"force_normal", ofContact<&Summary::forceNormal>},
+    {"force_tangential", ofContact<&Summary::forceTangential>},
+    {"contact_length", ofContact<&Summary::contactLength>},
+    {"slip_length", ofContact<&Summary::slipLength>},
+    {"energy_dissipated", cellOf<ContactRow, &ContactRow::dissipated>},
+    {"worn_volume", ofContact<&Summary::wornVolume>},
+    {"pressure_max", ofContact<&Summary::pressureMax>},
 };
 
 /// Motion of a rigid body, and the forces that move or hold it.
@@ -289,7 +290,8 @@ std::vector<double> dissipatedOf(const std::string& steps, int level) {
   return work;
 }
 
-RunTables::RunTables(const Scene& scene_, const std::optional<Checkpoint>& earlier)
+HistoryTables::HistoryTables(const Scene& scene_,
+                             const std::optional<Checkpoint>& earlier)
     : scene(scene_),
       used(usedXml(scene)),
       history(earlier ? earlier->history : historyHead()),
@@ -298,19 +300,19 @@ RunTables::RunTables(const Scene& scene_, const std::optional<Checkpoint>& earli
              : earlier && !earlier->bodies.empty() ? earlier->bodies
                                                    : bodiesHead()) {}
 
-void RunTables::addStep(const StepRow& row) {
+void HistoryTables::addStep(const StepRow& row) {
   steps += (steps.empty() ? stepsHead(row) : "") + stepsLine(row);
   bodies += bodiesLines(scene, row.level, row.step, row.bodies, row.rigid);
 }
 
-void RunTables::addLevel(const SolvedLevel& level, const LevelRow& row) {
+void HistoryTables::addLevel(const SolvedLevel& level, const LevelRow& row) {
   history += csvLine(historyCells(row));
   if (level.path == nullptr)
     bodies += bodiesLines(scene, row.level, 0, row.bodies, row.rigid);
 }
 
-std::string RunTables::solution(const Level& level, const LevelRow& row,
-                                const BoundaryLines& grid) const {
+std::string HistoryTables::solution(const Level& level, const LevelRow& row,
+                                    const BoundaryLines& grid) const {
   return solutionFile(
       scene, {level, used, history, steps, bodies, row.secondsTotal, row.secondsWall},
       grid);

@@ -35,9 +35,10 @@ std::vector<double> dissipatedOf(const std::string& steps, int level);
 std::string bodiesHead();
 
 /// The tables of a run up to now, as text.
-struct RunTables {
+struct HistoryTables {
   /// `earlier`: the checkpoint that the run continues.
-  explicit RunTables(const Scene& scene, const std::optional<Checkpoint>& earlier = {});
+  explicit HistoryTables(const Scene& scene,
+                         const std::optional<Checkpoint>& earlier = {});
 
   void addStep(const StepRow& row);
   /// Call it after addStep for the steps of the level.
