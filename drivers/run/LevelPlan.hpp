@@ -15,9 +15,10 @@ struct Plan {
   /// Memory of dense operators [MiB] if they may replace compressed ones that fail: Method
   /// "Automatic", and they fit.
   std::optional<double> denseInstead{};
-  /// Advice on another Method or Form; empty: none.
+  /// Advice on another Method or Form, or another remark for history.csv; may be empty.
   std::string advice{};
-  double allowed = 0;  ///< Maximum Memory, else the free memory [MiB]
+  double allowed = 0;                ///< Maximum Memory, else the free memory [MiB]
+  bool insteadOfCompressed = false;  ///< have compressed operators failed?
 };
 
 /// Largest number of multipliers of all bodies for which D is formed with compressed

@@ -1,21 +1,152 @@
 #include "drivers/run/SolveLevel.hpp"
 
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "bem/operators/ExactRotation.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/solve/DefectCorrection.hpp"
-#include "contact/system/ContactSystem.hpp"
-#include "drivers/run/LevelEstimate.hpp"
-#include "drivers/run/LevelRow.hpp"
+#include "drivers/process/Resources.hpp"
 #include "drivers/run/Path.hpp"
-#include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
-#include "drivers/run/Stiffness.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/run/Whole.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epafi::drivers {
 
 namespace {
+
+/// The Steklov-Poincaré operators of all bodies, factored, as dense matrices or compressed.
+/// \param krylov solves with V; null: its factor does
+/// \throws bem::NumericalError if a factorisation breaks down
+std::vector<bem::SteklovPoincare> makeStiffness(
+    const Scene& scene, const BodySpaces& spaces, const std::vector<bem::Lame>& lames,
+    bool compressed, const bem::SingleLayerSolver* krylov,
+    const bem::Processes& processes, PhaseTimer& timer) {
+  if (compressed)
+    return timer.run(Phase::Factorization, [&] {
+      return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
+                                              scene.units(), processes,
+                                              scene.linear.compression);
+    });
+  std::vector<bem::Operators> operators = timer.run(Phase::Assembly, [&] {
+    std::vector<bem::Operators> all;
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      all.push_back(bem::withExactRotation(
+          bem::assembleOperators(
+              spaces.space(b), lames[b],
+              contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
+          spaces.space(b)));
+    return all;
+  });
+  return timer.run(Phase::Factorization, [&] {
+    std::vector<bem::SteklovPoincare> all;
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      const bem::LocalCompliance compliance =
+          contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
+                                     scene.stabilization, lames[b], scene.units());
+      all.push_back(
+          krylov != nullptr
+              ? bem::SteklovPoincare(std::move(operators[b]), *krylov, compliance)
+              : bem::SteklovPoincare(std::move(operators[b]), compliance));
+    }
+    return all;
+  });
+}
+
+/// Indicators of one body in each state; of a half cut by symmetry as of the whole.
+std::vector<adaptivity::Indicators> indicatorsOf(
+    const Ground& ground, const std::vector<const SolvedBodies*>& states, std::size_t b) {
+  std::vector<adaptivity::Estimated> ofBody;
+  ofBody.reserve(states.size());
+  for (const SolvedBodies* solved : states)
+    ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
+  std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
+      ofBody, ground.lames[b], ground.scene.adaptivity.estimator, ground.processes);
+  for (adaptivity::Indicators& one : all)
+    for (adaptivity::Contributions& squares : one.squares)
+      for (double& square : squares)
+        square *= ground.scene.symmetry.copies();
+  return all;
+}
+
+/// See Level::relativeEstimate.
+double relative(const bem::Vector& estimates, const bem::Vector& strainEnergies) {
+  const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
+  double result = 0;
+  for (std::size_t k = 0; k < estimates.size(); ++k)
+    if (estimates[k] > 0)
+      result = std::max(result, estimates[k] / std::sqrt(2 * std::max(strainEnergies[k],
+                                                                      largest / 100)));
+  return result;
+}
+
+/// Estimates the error of some states on one mesh: the steps of a path, or one load.
+///
+/// Sets the level's indicators, of each element those of the state in which they are largest,
+/// and its relative estimate.
+/// \param strainEnergies of each state, in the user's units
+/// \returns the error estimate of each state
+bem::Vector estimateErrors(const Ground& ground,
+                           const std::vector<const SolvedBodies*>& states,
+                           const bem::Vector& strainEnergies, Level& level) {
+  bem::Vector estimates(states.size(), 0.0);
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const std::vector<adaptivity::Indicators> all = indicatorsOf(ground, states, b);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      estimates[k] = std::hypot(estimates[k], all[k].estimate());
+    level.bodies[b].indicators = adaptivity::largest(all);
+  }
+  level.relativeEstimate =
+      ground.processes.broadcast({relative(estimates, strainEnergies)}).front();
+  return estimates;
+}
+
+/// The smallest gamma0 of a body with stabilised contact; zero if there is none.
+double gamma0Of(const contact::ContactSystem& system) {
+  double smallest = 0;
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const double own = system.body(b).gamma0();
+    if (own > 0 && (smallest == 0 || own < smallest))
+      smallest = own;
+  }
+  return smallest;
+}
+
+/// The row of history.csv, without what its caller knows: size, operators, note, report,
+/// friction's work and the worst step.
+LevelRow makeRow(const Ground& ground, const Level& level,
+                 const contact::ContactSystem& system, const SolvedBodies& solved) {
+  LevelRow row;
+  row.level = level.number;
+  row.gamma0 = gamma0Of(system);
+  row.defect = solved.at().defect;
+  row.bodies = contact::summarizeAll(solved.bodies());
+  row.rigid = solved.rigidRows();
+  row.summary = wholeOf(ground.scene.symmetry, contact::sumOf(row.bodies));
+  row.bodies = wholeBodies(ground.scene, std::move(row.bodies));
+  row.energyInterface = solved.interfaceEnergy();
+  row.reason = level.reason;
+  row.estimate = level.estimate();
+  row.relativeEstimate = level.relativeEstimate;
+  row.worstEstimate = row.estimate;
+  row.squares = level.squares();
+  return row;
+}
+
+/// CPU seconds of the level's phases, elapsed seconds and memory until now, the largest of
+/// all processes.
+void addTimes(const bem::Processes& processes, const PhaseTimer& timer, LevelRow& row) {
+  const auto& phases = timer.levelSeconds();
+  bem::Vector cost(phases.begin(), phases.end());
+  cost.insert(cost.end(), {cpuSeconds(), timer.wallSeconds(), peakMemory()});
+  cost = largestOverRanks(processes, cost);
+  std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
+  row.secondsTotal = cost[phaseCount];
+  row.secondsWall = cost[phaseCount + 1];
+  row.memory = cost[phaseCount + 2];
+}
 
 /// The solved equations of a level: of one load, or of the steps of a path.
 struct Solutions {
@@ -70,9 +201,13 @@ Level finish(const Ground& ground, const contact::ContactSystem& system,
   timer.run(Phase::Results, [&] {
     const SolvedBodies& last = *solutions.states.back();
     LevelRow row = makeRow(ground, level, system, last);
-    row.size = begun.size;
-    row.operators = begun.operators();
-    row.note = begun.note;
+    row.size = ground.spaces.totalSize();
+    row.size.memory = begun.plan.memory;
+    if (begun.plan.compressed)
+      row.operators = "compressed";
+    else if (begun.plan.insteadOfCompressed)
+      row.operators = denseInstead;
+    row.note = begun.plan.advice;
     row.energyFriction = solutions.frictionWork;
     row.report = solutions.report;
     if (solutions.path != nullptr) {
@@ -146,8 +281,8 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const auto stiffness =
-      makeStiffness(scene, spaces, begun.plan.compressed, krylov, processes, begun.timer);
+  const auto stiffness = makeStiffness(scene, spaces, lames, begun.plan.compressed,
+                                       krylov, processes, begun.timer);
   const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;

@@ -12,17 +12,10 @@ namespace epafi::drivers {
 
 /// A level that is about to be solved.
 struct NewLevel {
-  const Size& size;
   const Plan& plan;
   PhaseTimer& timer;
   const std::function<void(const SolvedLevel&)>& handOut;      ///< see solveLevels
   const std::function<void(const SolvedLevel&)>& handOutStep;  ///< likewise; may be empty
-  std::string note{};                                          ///< remark for history.csv
-  bool insteadOfCompressed = false;  ///< have compressed operators failed?
-
-  const char* operators() const {
-    return plan.compressed ? "compressed" : insteadOfCompressed ? denseInstead : "dense";
-  }
 };
 
 /// A level that was handed out, or the reason why dense operators have to solve it instead.
