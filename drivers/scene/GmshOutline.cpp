@@ -1,7 +1,6 @@
 #include "drivers/scene/GmshOutline.hpp"
 
-#include "bem/base/Error.hpp"
-#include "drivers/scene/GmshMesh.hpp"
+#include "drivers/scene/GmshSections.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -13,13 +12,226 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
+using bem::message;
 using bem::Vec2;
+using Sections = GmshSections;
 using Tag = NodeTag;
+
+struct Node {
+  bem::Vec2 place;
+  double z = 0;
+};
+
+/// A line element of first or second order on a physical curve.
+struct Line {
+  Tag from = 0;
+  Tag to = 0;
+  Tag middle = 0;  ///< 0 for a line of first order
+  Tag group = 0;
+  int fileLine = 0;
+};
+
+/// The boundaries in a .msh file: nodes, physical curves and the line elements on them.
+struct Mesh {
+  std::map<Tag, std::string> names;        ///< of the physical curves
+  std::map<Tag, std::vector<Tag>> groups;  ///< of the curves
+  std::map<Tag, Node> nodes;
+  std::vector<Line> lines;
+};
+
+void readFormat(Sections& file) {
+  file.need("the format");
+  const std::string version = file.word("the format's version");
+  const Tag type = file.whole("the file type");
+  if (version != "4.1")
+    file.fail(message("format ", version, " is not read, only 4.1; export it again by ",
+                      "gmsh OLD.msh -save -format msh41 -o NEW.msh"));
+  file.setType(type);
+}
+
+void readNames(Sections& file, Mesh& mesh) {
+  file.need("the number of physical names");
+  for (Tag n = file.count("the number of physical names"); n > 0; --n) {
+    file.need("a physical name");
+    const Tag dimension = file.whole("a dimension");
+    const Tag tag = file.whole("a physical tag");
+    const std::string name = file.word("a physical name");
+    if (dimension == 1)
+      mesh.names[tag] = name;
+  }
+}
+
+/// A physical tag; Gmsh writes it negative for reversed curves.
+Tag physical(Sections& file) {
+  const Tag tag = file.whole("a physical tag");
+  return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
+}
+
+/// Reads the rest of a point or curve behind its tag: bounding box, then physical groups.
+std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
+  for (int i = 0; i < reals; ++i)
+    file.real("a bounding box");
+  std::vector<Tag> groups;
+  for (Tag g = file.count("the number of physical tags"); g > 0; --g)
+    groups.push_back(physical(file));
+  return groups;
+}
+
+/// Reads points and curves; the rest of the section is skipped.
+void readEntities(Sections& file, Mesh& mesh) {
+  file.need("the numbers of entities");
+  const Tag points = file.count("the number of points");
+  const Tag curves = file.count("the number of curves");
+  for (const char* what : {"the number of surfaces", "the number of volumes"})
+    file.count(what);
+  for (Tag n = 0; n < points; ++n) {
+    file.need("a point");
+    file.whole("a point's tag");
+    groupsOfEntity(file, 3);
+  }
+  for (Tag n = 0; n < curves; ++n) {
+    file.need("a curve");
+    const Tag tag = file.whole("a curve's tag");
+    mesh.groups[tag] = groupsOfEntity(file, 6);
+    for (Tag ends = file.count("the number of end points"); ends > 0; --ends)
+      file.whole("a point's tag");
+  }
+}
+
+/// Returns the number of blocks and skips the other numbers of the line.
+Tag countBlocks(Sections& file, const char* what) {
+  file.need(what);
+  const Tag blocks = file.count("the number of blocks");
+  for (int i = 0; i < 3; ++i)
+    file.count(what);
+  return blocks;
+}
+
+void readNodes(Sections& file, Mesh& mesh) {
+  for (Tag blocks = countBlocks(file, "the numbers of nodes"); blocks > 0; --blocks) {
+    file.need("a block of nodes");
+    const Tag dimension = file.whole("a dimension");
+    file.whole("an entity's tag");
+    const bool parametric = file.whole("'parametric'") != 0;
+    const Tag count = file.count("the number of nodes");
+    std::vector<Tag> tags;
+    for (Tag n = 0; n < count; ++n) {
+      file.need("a node's tag");
+      tags.push_back(file.count("a node's tag"));
+    }
+    for (const Tag tag : tags) {
+      file.need("a node");
+      const double x = file.real("x");
+      const double y = file.real("y");
+      const double z = file.real("z");
+      for (Tag i = 0; parametric && i < std::min<Tag>(dimension, 3); ++i)
+        file.real("a parameter");
+      if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
+        file.fail(message("node ", tag, " is given twice"));
+    }
+  }
+}
+
+bool isOfHigherOrder(Tag type) {
+  return (26 <= type && type <= 28) || (62 <= type && type <= 66);
+}
+
+Tag groupOf(const Sections& file, const Mesh& mesh, Tag curve) {
+  const auto found = mesh.groups.find(curve);
+  if (found == mesh.groups.end() || found->second.empty())
+    return 0;
+  if (found->second.size() > 1)
+    file.fail(message("curve ", curve, " belongs to ", found->second.size(),
+                      " physical groups; an edge has one name"));
+  return found->second.front();
+}
+
+/// Reads a block of line elements on a curve.
+void readLines(Sections& file, Mesh& mesh, Tag type, Tag group, Tag count) {
+  constexpr Tag segment = 1;
+  constexpr Tag secondOrder = 8;
+  for (Tag n = 0; n < count; ++n) {
+    file.need("an element");
+    file.count("an element's number");
+    if (isOfHigherOrder(type))
+      file.fail(
+          "a line element of third or higher order; write straight ones or arcs "
+          "(Mesh.ElementOrder = 1 or 2)");
+    if (type != segment && type != secondOrder)
+      file.fail(message("an element of type ", type, " on a curve"));
+    Line line;
+    line.from = file.count("a node's tag");
+    line.to = file.count("a node's tag");
+    if (type == secondOrder)
+      line.middle = file.count("a node's tag");
+    line.group = group;
+    line.fileLine = file.number();
+    if (group != 0)
+      mesh.lines.push_back(line);
+  }
+}
+
+/// Reads points and lines; the elements in the plane behind them are skipped.
+void readElements(Sections& file, Mesh& mesh) {
+  for (Tag blocks = countBlocks(file, "the numbers of elements"); blocks > 0; --blocks) {
+    file.need("a block of elements");
+    const Tag dimension = file.whole("a dimension");
+    const Tag entity = file.whole("an entity's tag");
+    const Tag type = file.whole("an element's type");
+    const Tag count = file.count("the number of elements");
+    if (dimension == 1) {
+      readLines(file, mesh, type, groupOf(file, mesh, entity), count);
+      continue;
+    }
+    if (dimension > 1 && file.isBinary())
+      return;  // Gmsh writes them behind all lines
+    for (Tag n = 0; n < count; ++n) {
+      file.need("an element");
+      file.count("an element's number");
+      file.count("a node's tag");
+    }
+  }
+}
+
+/// Elements other than lines of a physical group are skipped.
+Mesh readMesh(const std::string& text) {
+  struct Section {
+    const char* name;
+    void (*read)(Sections& file, Mesh& mesh);
+  };
+  constexpr Section numbers[] = {
+      {"Entities", readEntities}, {"Nodes", readNodes}, {"Elements", readElements}};
+  Sections file(text);
+  Mesh mesh;
+  if (!file.next() || !file.is("$MeshFormat"))
+    throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
+  readFormat(file);
+  bool elements = false;
+  while (file.next()) {
+    if (file.is("$PhysicalNames"))
+      readNames(file, mesh);
+    for (const Section& section : numbers)
+      if (file.is(message("$", section.name).c_str())) {
+        file.beginNumbers();
+        section.read(file, mesh);
+        file.endNumbers(message("$End", section.name));
+        elements = elements || section.read == readElements;
+        break;
+      }
+  }
+  if (!elements)
+    throw InputError("line ", file.number(), ": the file has no $Elements");
+  if (mesh.lines.empty())
+    throw InputError(
+        "no line element belongs to a physical group; name the boundary's curves "
+        "(Physical Curve(\"name\") = {...};)");
+  return mesh;
+}
 
 /// Three points are on a straight line if it turns by less than this [radian].
 constexpr double straight = 1e-9;
 
-std::vector<Tag> nodesOf(const GmshLine& line) {
+std::vector<Tag> nodesOf(const Line& line) {
   std::vector<Tag> nodes = {line.from, line.to};
   if (line.middle != 0)
     nodes.push_back(line.middle);
@@ -27,11 +239,11 @@ std::vector<Tag> nodesOf(const GmshLine& line) {
 }
 
 /// \throws bem::InputError unless all nodes of the lines exist and have the same z.
-void checkNodes(const GmshMesh& mesh) {
+void checkNodes(const Mesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   double size = 0;
-  for (const GmshLine& line : mesh.lines)
+  for (const Line& line : mesh.lines)
     for (const Tag tag : nodesOf(line)) {
       const auto node = mesh.nodes.find(tag);
       if (node == mesh.nodes.end())
@@ -46,13 +258,13 @@ void checkNodes(const GmshMesh& mesh) {
                      " to ", most);
 }
 
-std::string nameOf(const GmshMesh& mesh, Tag group) {
+std::string nameOf(const Mesh& mesh, Tag group) {
   const auto name = mesh.names.find(group);
   return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
 
 /// tan(angle/4) of the arc through the nodes of a line: its two chords turn by angle/2.
-double bulgeOf(const GmshMesh& mesh, const GmshLine& line) {
+double bulgeOf(const Mesh& mesh, const Line& line) {
   if (line.middle == 0)
     return 0;
   const Vec2 middle = mesh.nodes.at(line.middle).place;
@@ -70,14 +282,14 @@ double bulgeOf(const GmshMesh& mesh, const GmshLine& line) {
 }  // namespace
 
 bem::Loops readGmsh(const std::string& text) {
-  const GmshMesh mesh = readGmshMesh(text);
+  const Mesh mesh = readMesh(text);
   checkNodes(mesh);
   OutlinePieces outline;
   outline.advice =
       "all of its curves need a physical group (lines without one are not read)";
   for (const auto& [tag, node] : mesh.nodes)
     outline.nodes[tag] = node.place;
-  for (const GmshLine& line : mesh.lines)
+  for (const Line& line : mesh.lines)
     outline.pieces.push_back({line.from, line.to, bulgeOf(mesh, line),
                               nameOf(mesh, line.group), line.fileLine});
   return chained(outline);
