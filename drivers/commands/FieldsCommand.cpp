@@ -90,11 +90,6 @@ std::optional<double> trimmedNumber(const std::string& text) {
   return numberIn<double>(trimmed(text));
 }
 
-/// The point, assigned to the first body that contains it.
-InsidePoint pointAt(const SavedRun& run, bem::Vec2 x) {
-  return {run.scene().bodyAt(x), x};
-}
-
 bool isInside(const InsidePoint& point, const SavedRun& run) {
   return point.body < run.scene().bodies.size();
 }
@@ -105,9 +100,8 @@ struct Box {
 };
 
 Box windowOf(const std::string& text) {
-  std::istringstream pieces(text);
   std::vector<double> ends;
-  for (std::string piece; std::getline(pieces, piece, ',');)
+  for (const std::string& piece : csvCells(text))
     ends.push_back(
         trimmedNumber(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]) ||
@@ -138,7 +132,7 @@ Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
     for (int i = 0; i < nx; ++i) {
       const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
                         box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
-      const InsidePoint point = pointAt(run, x);
+      const InsidePoint point{run.scene().bodyAt(x), x};
       if (isInside(point, run))
         points.push_back(point);
     }
@@ -287,38 +281,6 @@ void writeSeries(const std::string& folder, std::ostream& out) {
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
 }
 
-void evaluate(const Given& given, std::ostream& out) {
-  const std::string& folder = given.argument;
-  const std::string step = given.value("--step", "");
-  const bool all = step == everyStep;
-  if (all && (!given.has("--vtk") || given.has("--output")))
-    throw InputError("fields: --step all writes --vtk files into DIR, without --output");
-  if (given.has("--vtk"))
-    for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
-      if (given.has(other))
-        throw InputError("fields: --vtk covers the whole inside; ", other,
-                         " belongs to the csv");
-  if (all) {
-    writeSeries(folder, out);
-    return;
-  }
-  const SavedRun run(folder, step);
-  if (given.has("--vtk")) {
-    const std::string file = given.value("--output", folder + "/fields.vtu");
-    const FilledBodies filled = fill(run.insides());
-    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, run), out);
-    return;
-  }
-  const Points points = chosenPoints(given, run);
-  if (points.empty())
-    throw InputError("fields: --grid: none of its points lies inside a body; take more",
-                     given.has("--window") ? ", or another --window" : "");
-  const std::vector<InsideValue> values = run.insides().at(points);
-  const std::string file = given.value("--output", folder + "/fields.csv");
-  deliver(file, run.insides().csv(points, values), summary(file, points, values, run),
-          out);
-}
-
 }  // namespace
 
 void writeInside(const std::string& folder, const std::string& step) {
@@ -347,7 +309,35 @@ void writeWindow(const std::string& folder, const std::string& step,
 void checkWindow(const std::string& window) { windowOf(window); }
 
 int fieldsCommand(const Given& given, std::ostream& out) {
-  evaluate(given, out);
+  const std::string& folder = given.argument;
+  const std::string step = given.value("--step", "");
+  const bool all = step == everyStep;
+  if (all && (!given.has("--vtk") || given.has("--output")))
+    throw InputError("fields: --step all writes --vtk files into DIR, without --output");
+  if (given.has("--vtk"))
+    for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
+      if (given.has(other))
+        throw InputError("fields: --vtk covers the whole inside; ", other,
+                         " belongs to the csv");
+  if (all) {
+    writeSeries(folder, out);
+    return 0;
+  }
+  const SavedRun run(folder, step);
+  if (given.has("--vtk")) {
+    const std::string file = given.value("--output", folder + "/fields.vtu");
+    const FilledBodies filled = fill(run.insides());
+    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, run), out);
+    return 0;
+  }
+  const Points points = chosenPoints(given, run);
+  if (points.empty())
+    throw InputError("fields: --grid: none of its points lies inside a body; take more",
+                     given.has("--window") ? ", or another --window" : "");
+  const std::vector<InsideValue> values = run.insides().at(points);
+  const std::string file = given.value("--output", folder + "/fields.csv");
+  deliver(file, run.insides().csv(points, values), summary(file, points, values, run),
+          out);
   return 0;
 }
 
