@@ -5,6 +5,7 @@
 #include "contact/results/Summary.hpp"
 #include "contact/solve/Report.hpp"
 #include "drivers/process/PhaseTimer.hpp"
+#include "drivers/scene/Scene.hpp"
 
 #include <array>
 #include <string>
@@ -102,6 +103,18 @@ struct RigidRow {
   contact::Resultant contact;   ///< of all contacts
   contact::Resultant inside;    ///< of body loads; the sum of all four is zero
 };
+
+/// Results of the whole scene from those of the half (Geometry->Symmetry): twice the
+/// components along the line, zero across it and for moments.  Without symmetry
+/// unchanged.
+contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half);
+
+/// The same for one body, if the line cuts it; else unchanged.
+contact::Summary wholeOf(const Symmetry& symmetry, const bem::Outline& outline,
+                         const contact::Summary& drawn);
+std::vector<contact::Summary> wholeBodies(const Scene& scene,
+                                          std::vector<contact::Summary> drawn);
+RigidRow wholeOf(const Symmetry& symmetry, const bem::Outline& outline, RigidRow drawn);
 
 /// LevelRow::operators if compressed operators failed.
 constexpr const char* denseInstead = "dense instead";

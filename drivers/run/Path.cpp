@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 #include "drivers/run/Solver.hpp"
-#include "drivers/run/Whole.hpp"
 
 #include <algorithm>
 #include <cmath>

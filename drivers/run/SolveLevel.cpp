@@ -8,7 +8,6 @@
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
-#include "drivers/run/Whole.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "drivers/run/SolvedBodies.hpp"
 
 #include "contact/equation/ContactState.hpp"
-#include "drivers/run/Whole.hpp"
 
 #include <numeric>
 
