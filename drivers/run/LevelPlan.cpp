@@ -145,7 +145,7 @@ int formedUpTo(int steps) { return std::min(500 * (1 + steps), 3000); }
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore) {
   using Operators = LinearMethod::Operators;
-  const Operators wanted = linearMethods().at(scene.linear.method).operators;
+  const Operators wanted = linearMethods().at(scene.solver.linear.method).operators;
   const int processes = ranks.processes().count();
   const std::vector<BodySize> sizes = sizesOf(spaces);
   const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);

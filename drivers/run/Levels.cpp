@@ -39,7 +39,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::optional<Level>& earlier,
                     const std::function<void(const SolvedLevel&)>& handOutStep) {
   const bem::Processes& processes = ranks.processes();
-  const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
+  const auto krylov =
+      linearMethods().at(scene.solver.linear.method).solver(ranks, scene.solver.linear);
   bool advised = false;  // once
   double allowed = 0;    // memory, as it was found
   std::string missing = earlier ? missingTo(scene, *earlier) : "";

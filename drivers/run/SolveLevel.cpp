@@ -27,7 +27,7 @@ std::vector<bem::SteklovPoincare> makeStiffness(
     return timer.run(Phase::Factorization, [&] {
       return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
                                               scene.units(), processes,
-                                              scene.linear.compression);
+                                              scene.solver.linear.compression);
     });
   std::vector<bem::Operators> operators = timer.run(Phase::Assembly, [&] {
     std::vector<bem::Operators> all;

@@ -19,7 +19,7 @@ using bem::Vector;
 /// solve(solver) with what the options are assembled to for a problem; `memory`: see
 /// contact::NoxNewton; the timer's watch is told of long paths of pivots.
 template <class Solve>
-contact::Solution assembled(const contact::Problem& problem, const Scene::Solver& options,
+contact::Solution assembled(const contact::Problem& problem, const SolverOptions& options,
                             contact::FactorMemory* memory, PhaseTimer& timer,
                             const Solve& solve) {
   const contact::NoxNewton newton(options.nox, memory);

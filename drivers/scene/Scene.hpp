@@ -1,18 +1,14 @@
 #pragma once
 
-#include "adaptivity/estimate/ResidualEstimator.hpp"
-#include "adaptivity/mark/Strategy.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/opposite/RigidDrives.hpp"
 #include "contact/results/Summary.hpp"
-#include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/History.hpp"
-#include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/Options.hpp"
 #include "drivers/scene/Part.hpp"
-#include "drivers/scene/RunOptions.hpp"
 #include "drivers/scene/Symmetry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -98,33 +94,8 @@ struct Scene {
   std::string multiplier;
   contact::Stabilization stabilization;
 
-  /// Options of the nonlinear solver, see solve().
-  struct Solver {
-    contact::ContactSolverOptions contact;
-    contact::CoulombOptions coulomb;
-    /// Parameters for NOX in every run; null: the defaults of Epafi.
-    std::shared_ptr<const Teuchos::ParameterList> nox;
-
-    void keys(bem::Keys& keys) {
-      coulomb.keys(keys);
-      contact.keys(keys);
-    }
-  } solver;
-
-  LinearOptions linear;
-
-  struct Adaptivity {
-    adaptivity::StrategyOptions strategy;
-    adaptivity::EstimatorOptions estimator;
-    RunLimits limits;
-
-    void keys(bem::Keys& keys) {
-      strategy.keys(keys);
-      estimator.keys(keys);
-      limits.keys(keys);
-    }
-  } adaptivity;
-
+  SolverOptions solver;
+  AdaptivityOptions adaptivity;
   OutputOptions output;
 
   /// The prescribed motions and loads of the rigid bodies at a time, scaled.

@@ -32,16 +32,6 @@ void checkAnyBody(const ParameterList& list) {
     throw InputError("Bodies: no body is given; at least one is needed");
 }
 
-Scene::Solver readSolver(const ParameterList& list) {
-  auto solver = bem::parsed<Scene::Solver>(list);
-  if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
-    const auto nox = std::make_shared<ParameterList>(list.sublist("NOX"));
-    nox->setName("Solver->NOX");
-    solver.nox = nox;
-  }
-  return solver;
-}
-
 /// Has a boundary of a body no displacement, no load and no contact as opposite side?
 bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
   const contact::Conditions& conditions = scene.bodies[b].conditions;
@@ -97,7 +87,7 @@ void pinIncompressible(std::size_t b, Scene& scene) {
 }
 
 void checkLinear(const Scene& scene) {
-  const LinearMethod& method = linearMethods().at(scene.linear.method);
+  const LinearMethod& method = linearMethods().at(scene.solver.linear.method);
   const std::string reason = contact::whyNotCompressed(scene.stabilization);
   if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
     throw InputError("Solver->Linear->Method = ", method.name, ": ", reason,
@@ -117,8 +107,8 @@ ParameterList withStrategy(ParameterList scene) {
   return scene;
 }
 
-Scene::Adaptivity readAdaptivity(const ParameterList& list) {
-  auto adaptivity = bem::parsed<Scene::Adaptivity>(list);
+AdaptivityOptions readAdaptivity(const ParameterList& list) {
+  auto adaptivity = bem::parsed<AdaptivityOptions>(list);
   if (adaptivity.limits.tolerance && adaptivity.estimator.weights != "Energy")
     throw InputError(
         "Adaptivity->Tolerance: is a part of the energy norm, and so needs Weights = "
@@ -227,10 +217,9 @@ Scene build(const std::string& file, const RawScene& raw) {
     scene.stabilization.form = contact::Stabilization::Form::None;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     pinIncompressible(b, scene);
-  scene.solver = readSolver(used.sublist("Solver"));
+  scene.solver = parseSolver(used.sublist("Solver"));
   readHistory(used, scene);
   scene.drivesAt(scene.endOfPath());  // evaluate once, so that errors are reported now
-  scene.linear = bem::parsed<LinearOptions>(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);

@@ -250,12 +250,12 @@ void addSettings(Table& table) {
           "stabilisation of the mixed method"),
       bem::rowsOf<contact::Stabilization>());
   add(table, Row("Solver", Kind::List, "how the nonlinear problem is solved"),
-      bem::rowsOf<Scene::Solver>());
+      bem::rowsOf<SolverOptions>());
   append(table, {contact::noxRow()}, "Solver");
   add(table, Row("Solver->Linear", Kind::List, "how linear systems are solved"),
       bem::rowsOf<LinearOptions>());
   add(table, Row("Adaptivity", Kind::List, "from one level to the next"),
-      bem::rowsOf<Scene::Adaptivity>());
+      bem::rowsOf<AdaptivityOptions>());
   add(table, Row("Output", Kind::List, "what is written"), bem::rowsOf<OutputOptions>());
   append(table, {Row("Versions", Kind::Free,
                      "written into used.xml, ignored when it is read again")});

@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(Scene, saysWhatTheFileSays) {
 
 TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   const drivers::Scene scene = read(SceneText());
-  const drivers::Scene::Solver solver;
+  const drivers::SolverOptions solver;
   TEST_EQUALITY(scene.solver.coulomb.iteration, solver.coulomb.iteration);
   TEST_EQUALITY(scene.solver.contact.tolerance, solver.contact.tolerance);
   TEST_EQUALITY(scene.solver.contact.maximumIterations, solver.contact.maximumIterations);

@@ -1,11 +1,60 @@
 #pragma once
 
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "adaptivity/mark/Strategy.hpp"
+#include "bem/base/Family.hpp"
 #include "bem/base/Keys.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+class Ranks;
+
+/// Options for solving linear systems.
+struct LinearOptions {
+  std::string method = "Automatic";  ///< a name in linearMethods()
+  bem::BelosOptions belos;
+  bem::Compression compression;
+
+  void keys(bem::Keys& keys);
+};
+
+/// A method that solves systems with the boundary operators.
+struct LinearMethod {
+  /// Form of the operators: dense matrices, compressed operators, or the cheaper of both.
+  enum class Operators { Dense, Compressed, Cheaper };
+
+  const char* name = nullptr;
+  const char* meaning = nullptr;
+  /// A null pointer means Cholesky factorization.
+  std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
+      const Ranks& ranks, const LinearOptions& options) = nullptr;
+  Operators operators = Operators::Dense;
+};
+
+/// All methods; a program may add others before it reads its first scene.
+bem::Family<LinearMethod>& linearMethods();
+
+/// The list Solver, see solve().
+struct SolverOptions {
+  contact::ContactSolverOptions contact;
+  contact::CoulombOptions coulomb;
+  /// Parameters for NOX in every run; null: the defaults of Epafi.
+  std::shared_ptr<const Teuchos::ParameterList> nox;
+  LinearOptions linear;
+
+  void keys(bem::Keys& keys);  ///< without the lists NOX and Linear
+};
+/// Reads the validated list.
+SolverOptions parseSolver(const Teuchos::ParameterList& list);
 
 /// Limits that end a run.
 struct RunLimits {
@@ -36,7 +85,20 @@ struct RunLimits {
   }
 };
 
-/// Files of a level beside the tables.
+/// The list Adaptivity.
+struct AdaptivityOptions {
+  adaptivity::StrategyOptions strategy;
+  adaptivity::EstimatorOptions estimator;
+  RunLimits limits;
+
+  void keys(bem::Keys& keys) {
+    strategy.keys(keys);
+    estimator.keys(keys);
+    limits.keys(keys);
+  }
+};
+
+/// The list Output: files of a level beside the tables.
 struct OutputOptions {
   int contactSamples = 8;  ///< points per element
   std::vector<bem::Vec2> interiorPoints;

@@ -1,6 +1,8 @@
-#include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/Options.hpp"
 
 #include "drivers/process/Ranks.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 namespace epafi::drivers {
 
@@ -41,6 +43,22 @@ void LinearOptions::keys(bem::Keys& keys) {
   belos.keys(keys);
   keys.add(&compression.tolerance, "Compression Tolerance", "1", {1e-13, 1e-4},
            "Compressed: of what groups of elements do to others");
+}
+
+void SolverOptions::keys(bem::Keys& keys) {
+  coulomb.keys(keys);
+  contact.keys(keys);
+}
+
+SolverOptions parseSolver(const Teuchos::ParameterList& list) {
+  auto solver = bem::parsed<SolverOptions>(list);
+  solver.linear = bem::parsed<LinearOptions>(list.sublist("Linear"));
+  if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
+    const auto nox = std::make_shared<Teuchos::ParameterList>(list.sublist("NOX"));
+    nox->setName("Solver->NOX");
+    solver.nox = nox;
+  }
+  return solver;
 }
 
 }  // namespace epafi::drivers
