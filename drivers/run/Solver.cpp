@@ -16,23 +16,24 @@ namespace {
 
 using bem::Vector;
 
-/// solve(solver) with what the options are assembled to for a problem; `memory`: see
-/// contact::NoxNewton; the timer's watch is told of long paths of pivots.
-template <class Solve>
-contact::Solution assembled(const contact::Problem& problem, const SolverOptions& options,
-                            contact::FactorMemory* memory, PhaseTimer& timer,
-                            const Solve& solve) {
+/// By what the options are assembled to for the problem; `memory`: see contact::NoxNewton;
+/// the timer's watch is told of long paths of pivots.
+SolvedProblem solveFrom(const contact::State& start, const Scene& scene,
+                        const contact::ContactSystem& system,
+                        contact::FactorMemory* memory, PhaseTimer& timer) {
+  const SolverOptions& options = scene.solver;
+  const contact::Problem& problem = system.numbers();
   const contact::NoxNewton newton(options.nox, memory);
   const contact::ContactSolver fixed(newton, options.contact, [&](int pivots, int most) {
     timer.tell(bem::message(nameOf(Phase::Newton), ", complementary pivoting: ", pivots,
                             " of at most ", most, " changes"));
   });
-  const bool follows = problem.boundDependsOnPressure();
-  const auto coulomb = follows ? contact::makeCoulomb(fixed, options.coulomb) : nullptr;
-  const contact::NonlinearSolver* solver = &fixed;
-  if (follows)
-    solver = coulomb.get();
-  return solve(*solver);
+  contact::Solution solution =
+      problem.boundDependsOnPressure()
+          ? contact::makeCoulomb(fixed, options.coulomb)->solve(problem, start)
+          : fixed.solve(problem, start);
+  const std::string reason = reasonOf(solution.report, scene);
+  return {std::move(solution), reason};
 }
 
 constexpr std::ptrdiff_t scalars = 5;
@@ -87,12 +88,9 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const bem::Processes& processes, PhaseTimer& timer) {
   return onFirstRank(system, processes, [&]() -> SolvedProblem {
     try {
-      contact::Solution solution = assembled(
-          system.numbers(), scene.solver, nullptr, timer,
-          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
-      const std::string reason = reasonOf(solution.report, scene) +
-                                 changingPlaces(solution.report, scene, system, spaces);
-      return {std::move(solution), reason};
+      SolvedProblem solved = solveFrom(start, scene, system, nullptr, timer);
+      solved.reason += changingPlaces(solved.solution.report, scene, system, spaces);
+      return solved;
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
     }
@@ -107,11 +105,7 @@ SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
-      contact::Solution solution = assembled(
-          system.numbers(), scene.solver, &memory, timer,
-          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
-      const std::string reason = reasonOf(solution.report, scene);
-      return {std::move(solution), reason};
+      return solveFrom(start, scene, system, &memory, timer);
     } catch (const contact::NoBalance& error) {
       return {{}, withAdvice(error, unresisted(scene, spaces, system))};
     } catch (const bem::NumericalError& error) {

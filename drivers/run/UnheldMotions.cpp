@@ -172,70 +172,62 @@ struct Balance {
   FreeMotions free;
 };
 
-class BalanceOf {
- public:
-  BalanceOf(const Scene& scene, const BodySpaces& spaces,
-            const std::vector<contact::Conditions>& conditions, double t)
-      : scene_(scene),
-        spaces_(spaces),
-        numbering_(contact::numberingOf(spaces.sides())),
-        opposite_(contact::oppositeCouplings(spaces.sides(), numbering_)) {
-    const bem::Units units = scene.units();
-    result_.free.resize(spaces.size());
-    contact::Problem& numbers = result_.numbers;
-    numbers.normals = numbering_.normals();
-    const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering_);
-    double size = drives.loadSize();
-    for (std::size_t b = 0; b < spaces.size(); ++b) {
-      const contact::MultiplierSpace multiplier =
-          spaces.multiplier(b).under(conditions[b]);
-      const contact::Obstacle obstacle = contact::makeObstacle(
-          spaces.space(b).mesh(), multiplier, *spaces.opposite(b), units);
-      for (const contact::Tangential& tangential : obstacle.tangentials)
-        numbers.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
-      const contact::Holding holding =
-          contact::makeHolding(spaces.space(b), conditions[b], units);
-      size += obstacle.largestPenetration + holding.loads.size();
-      addElastic(b, holding);
-    }
-    drives.addFreeMotions(columns_);
-    drives.addForces(numbers);
-    numbers.stress = size > 0 ? size : 1;
-    numbers.rigid =
-        bem::Matrix(numbering_.size(), static_cast<bem::Index>(columns_.size()));
-    for (std::size_t k = 0; k < columns_.size(); ++k)
-      std::copy(columns_[k].begin(), columns_[k].end(),
-                numbers.rigid.column(static_cast<bem::Index>(k)));
+/// The columns of a body's free rigid motions: what contacts feel of them.
+std::vector<Vector> columnsOf(const Scene& scene, const BodySpaces& spaces, std::size_t b,
+                              const FreeMotions& free,
+                              const contact::Numbering& numbering,
+                              const contact::TraceCoupling& opposite) {
+  contact::Stabilization none;  // rigid motions have no tractions
+  none.form = contact::Stabilization::Form::None;
+  const contact::Coupling own = contact::makeCoupling(
+      spaces.space(b), spaces.multiplier(b), none, scene.lame(b), scene.units());
+  std::vector<Vector> columns;
+  for (const Vector& u : free[b]) {
+    const Vector moved = own.trace.apply(u);
+    columns.push_back(opposite.rests.empty() ? Vector(numbering.size())
+                                             : opposite.apply(u));
+    for (bem::Index i = 0; i < numbering.sizeOf(b); ++i)
+      columns.back()[numbering(b, i)] += moved[i];
   }
+  return columns;
+}
 
-  Balance take() { return std::move(result_); }
-
- private:
-  void addElastic(std::size_t b, const contact::Holding& holding) {
-    contact::Stabilization none;  // rigid motions have no tractions
-    none.form = contact::Stabilization::Form::None;
-    const contact::Coupling own = contact::makeCoupling(
-        spaces_.space(b), spaces_.multiplier(b), none, scene_.lame(b), scene_.units());
+Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
+                  const std::vector<contact::Conditions>& conditions, double t) {
+  const contact::Numbering numbering = contact::numberingOf(spaces.sides());
+  const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
+  const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
+  Balance balance{{}, FreeMotions(spaces.size())};
+  contact::Problem& numbers = balance.numbers;
+  numbers.normals = numbering.normals();
+  std::vector<Vector> columns;
+  double size = drives.loadSize();
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const contact::MultiplierSpace multiplier = spaces.multiplier(b).under(conditions[b]);
+    const contact::Obstacle obstacle = contact::makeObstacle(
+        spaces.space(b).mesh(), multiplier, *spaces.opposite(b), scene.units());
+    for (const contact::Tangential& tangential : obstacle.tangentials)
+      numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
+    const contact::Holding holding =
+        contact::makeHolding(spaces.space(b), conditions[b], scene.units());
+    size += obstacle.largestPenetration + holding.loads.size();
     for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
-      const Vector u = bem::columnOf(holding.allowed, k);
-      const Vector moved = own.trace.apply(u);
-      Vector column =
-          opposite_[b].rests.empty() ? Vector(numbering_.size()) : opposite_[b].apply(u);
-      for (bem::Index i = 0; i < numbering_.sizeOf(b); ++i)
-        column[numbering_(b, i)] += moved[i];
-      columns_.push_back(std::move(column));
-      result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
-      result_.free[b].push_back(u);
+      balance.free[b].push_back(bem::columnOf(holding.allowed, k));
+      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), holding.loads.load));
     }
+    for (Vector& column :
+         columnsOf(scene, spaces, b, balance.free, numbering, opposite[b]))
+      columns.push_back(std::move(column));
   }
-
-  const Scene& scene_;
-  const BodySpaces& spaces_;
-  contact::Numbering numbering_;
-  std::vector<contact::TraceCoupling> opposite_;
-  std::vector<Vector> columns_;
-  Balance result_;
-};
+  drives.addFreeMotions(columns);
+  drives.addForces(numbers);
+  numbers.stress = size > 0 ? size : 1;
+  numbers.rigid = bem::Matrix(numbering.size(), static_cast<bem::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    std::copy(columns[k].begin(), columns[k].end(),
+              numbers.rigid.column(static_cast<bem::Index>(k)));
+  return balance;
+}
 
 }  // namespace
 
@@ -250,7 +242,7 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
 
 void checkBalance(const Scene& scene, const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
-  const Balance balance = BalanceOf(scene, spaces, conditions, t).take();
+  const Balance balance = balanceOf(scene, spaces, conditions, t);
   requireResistance(scene, balance.numbers.rigid, balance.free);
   const std::string motion = unresisted(scene, spaces, balance.numbers, balance.free);
   if (!motion.empty())
