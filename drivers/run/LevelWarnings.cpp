@@ -187,9 +187,8 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
             ? "contact closes between the points of the mesh alone (eta_penetration), "
               "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
             : "contact never closes: nothing presses a body onto what it could meet; "
-              "look "
-              "at the signs of loads (tractions pull along x and y), at the gap, and at a "
-              "finer first mesh");
+              "look at the signs of loads (tractions pull along x and y), at the gap, "
+              "and at a finer first mesh");
   if (isSolved)
     findLostDigits(scene, level, warnings);
   if (isSolved)
