@@ -39,8 +39,7 @@ claim(len(X) == 12 and len(Y) == 7, "its points are the middles of cells")
 # differences around a point: strain from displacement, divergence from stress
 x, y, h = X[4], Y[3], 1e-3 * (X[1] - X[0])
 points = os.path.join(WORK, "points.csv")
-with open(points, "w") as stream:
-    stream.write("x,y\n")
+with open(points, "w", encoding="utf-8-sig") as stream:  # with a byte order mark
     for dx, dy in ((0, 0), (h, 0), (-h, 0), (0, h), (0, -h)):
         stream.write("%.17g,%.17g\n" % (x + dx, y + dy))
 middle, right, left, up, down = fields(folder, "--points", points)
