@@ -18,6 +18,9 @@ def checked(what, code, words, bodies, contacts=NONE, more=NONE, absent=()):
           not any(word in text for word in absent),
           "%s: exit %d, %s" % (what, done, text.strip().splitlines()[-1]))
     claim(code == 0 or "checked.yaml: " in text, "%s: names the file" % what)
+    if "nothing resists" in words:
+        done, same = epafi("run", file, "--force")
+        claim(done == 1 and text in same, what + ": so does a run: " + same[-150:])
 
 
 def lower(height=5, conditions=CLAMP, left=0, right=40):
