@@ -61,6 +61,9 @@ checked("a rigid punch", 1, ["'punch:"], [lower(), rigid("punch", block(10, 3, 3
 # bodies that nothing holds
 checked("a free motion", 1, ["Bodies->upper", "nothing resists"],
         [lower(), upper(5, 10, 30, fix="Rotation")], LAP)
+checked("a body under one that is held", 1, ["Bodies->lower", "nothing resists"],
+        [lower(conditions=NONE), upper(5, 10, 30, fix="X, Rotation")],
+        contact("lap", "upper:bottom", "lower:top", friction("0.3")))
 checked("a body beside the others", 1, ["Bodies->third", "nothing resists"],
         [lower(), upper(5, 10, 30), body("third", block(70, 0, 80, 5), 1.0)], LAP)
 checked("a punch that is free", 1, ["Bodies->punch", "nothing resists"],
