@@ -192,6 +192,8 @@ for sentence, words, arguments in [
         ("a series of no path", "no History", ["fields", folder, "--vtk", "--step", "all"]),
         ("an unknown boundary", "'block:" + boundary, ["fields", folder, "--along",
                                                        "block:bottm", "--depth", "1"]),
+        ("a boundary without its body", "mean 'block:" + boundary, [
+            "fields", folder, "--along", boundary, "--depth", "1"]),
         ("a depth of 0", "> 0", ["fields", folder, "--along", "block:" + boundary,
                                  "--depth", "0"]),
         ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),
