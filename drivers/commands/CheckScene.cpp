@@ -54,7 +54,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
   try {
     checkBalance(scene, spaces, conditions, t);
   } catch (const bem::InputError& error) {  // a warning may explain it
-    std::string words = scene.file + ": " + error.what();
+    std::string words = error.what();
     for (const std::string& warning : warningsOf(scene))
       words += "\nwarning: " + warning;
     throw bem::InputError(words);
@@ -191,7 +191,7 @@ std::string sceneCsv(const Scene& scene) {
 }
 
 std::string checkScene(const Scene& scene) {
-  evaluateAll(scene);
+  naming(scene.file, [&] { evaluateAll(scene); });
   std::ostringstream text;
   text << scene.title << " (" << scene.file << ")\n";
   for (const Body& body : scene.bodies) {

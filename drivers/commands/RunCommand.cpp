@@ -172,7 +172,9 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
     throwIfInterrupted();
     progress.show(phase);
   });
-  const auto outcome = solveAndRecord(scene, beginning.earlier, ranks, timer, recorder);
+  const auto outcome = naming(scene.file, [&] {
+    return solveAndRecord(scene, beginning.earlier, ranks, timer, recorder);
+  });
   progress.clear();
 
   const bool converged = outcome.status == contact::Status::Converged;

@@ -57,7 +57,8 @@ struct Level {
 
   /// Estimated error over the energy norm of the solution, (2 energyStrain)^½.  On a path
   /// the largest of all steps, with norms of at least a tenth of the largest norm (steps
-  /// without loads have norm zero).  Infinite if the norm is zero and the error is not.
+  /// without loads have norm zero).  Infinite if the norm is zero and the error is not;
+  /// zero if both are the rounding of a motion without strain.
   double relativeEstimate = 0;
 
   /// All solved steps, at the end of a path; before, see SolvedLevel::path.

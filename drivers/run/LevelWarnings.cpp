@@ -142,6 +142,12 @@ bool isDeformed(const SolvedLevel& level) {
       });
 }
 
+/// Do sides overlap, by more than rounding, between the points that keep them apart?
+bool isMissed(const Scene& scene, const Level& level) {
+  adaptivity::Contributions squares = level.squares();
+  return of(squares, adaptivity::Source::Penetration) > 1e-24 * scene.energy();
+}
+
 struct Extent {
   double energy = 0;
   double contact = 0;
@@ -177,8 +183,12 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
   const bool isSolved = level.row.report.converged();
   if (isSolved && scene.hasContact() && extent.contact == 0)
     warnings.emplace_back(
-        "contact never closes: nothing presses a body onto what it could meet; look at "
-        "the signs of loads (tractions pull along x and y) and at the gap");
+        isMissed(scene, level.level)
+            ? "contact closes between the points of the mesh alone (eta_penetration), "
+              "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
+            : "contact never closes: nothing presses a body onto what it could meet; "
+              "look at the signs of loads (tractions pull along x and y), at the gap, "
+              "and at a finer first mesh");
   if (isSolved)
     findLostDigits(scene, level, warnings);
   if (isSolved)

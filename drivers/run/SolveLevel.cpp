@@ -70,14 +70,27 @@ std::vector<adaptivity::Indicators> indicatorsOf(
   return all;
 }
 
+/// Squared energy norms below which rounding has all digits: those of a motion without strain.
+double roundingOf(const Scene& scene, const SolvedBodies& solved) {
+  double motion = 0;
+  for (const bem::Vector& displacement : solved.placement().displacements)
+    for (const double u : displacement)
+      motion = std::max(motion, std::abs(u));
+  return 1e-24 * scene.energy() * motion * motion;
+}
+
 /// See Level::relativeEstimate.
-double relative(const bem::Vector& estimates, const bem::Vector& strainEnergies) {
+double relative(const Scene& scene, const std::vector<const SolvedBodies*>& states,
+                const bem::Vector& estimates, const bem::Vector& strainEnergies) {
   const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
   double result = 0;
-  for (std::size_t k = 0; k < estimates.size(); ++k)
-    if (estimates[k] > 0)
-      result = std::max(result, estimates[k] / std::sqrt(2 * std::max(strainEnergies[k],
-                                                                      largest / 100)));
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    const double square = estimates[k] * estimates[k];
+    // rounding may leave an energy below zero
+    const double norm = 2 * std::max({strainEnergies[k], largest / 100, 0.0});
+    if (std::max(square, norm) > roundingOf(scene, *states[k]))
+      result = std::max(result, estimates[k] / std::sqrt(norm));
+  }
   return result;
 }
 
@@ -98,7 +111,9 @@ bem::Vector estimateErrors(const Ground& ground,
     level.bodies[b].indicators = adaptivity::largest(all);
   }
   level.relativeEstimate =
-      ground.processes.broadcast({relative(estimates, strainEnergies)}).front();
+      ground.processes
+          .broadcast({relative(ground.scene, states, estimates, strainEnergies)})
+          .front();
   return estimates;
 }
 

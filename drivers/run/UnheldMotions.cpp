@@ -54,29 +54,38 @@ void requireResistance(const Scene& scene, const bem::Matrix& motions,
     largest = std::max(largest, std::sqrt(bem::dot(column, column)));
   }
   std::vector<Vector> basis;
-  bem::Index k = 0;
-  const auto resist = [&](const std::string& name, const char* advice) {
-    Vector rest = bem::columnOf(motions, k++);
+  const auto resist = [&](bem::Index k, const std::string& name, const char* advice) {
+    Vector rest = bem::columnOf(motions, k);
     orthogonalise(basis, rest);
     const double size = std::sqrt(bem::dot(rest, rest));
     if (!(size > rounding * largest))
-      throw bem::InputError("Bodies->", name,
-                            ": can move as a rigid body in a way that nothing resists; ",
-                            advice);
+      throw bem::InputError(
+          "Bodies->", name,
+          ": can move as a rigid body, alone or with what it touches, in a "
+          "way that nothing resists; ",
+          advice);
     for (double& x : rest)
       x /= size;
     basis.push_back(std::move(rest));
   };
-  for (std::size_t b = 0; b < free.size(); ++b)
+  bem::Index k = 0;
+  std::vector<std::pair<std::size_t, bem::Index>> order;  // body, and its first column
+  for (std::size_t b = 0; b < free.size(); k += static_cast<bem::Index>(free[b++].size()))
+    order.emplace_back(b, k);
+  // of bodies that move together the one with the fewest holds is named
+  std::stable_sort(order.begin(), order.end(), [&](const auto& one, const auto& other) {
+    return free[one.first].size() < free[other.first].size();
+  });
+  for (const auto& [b, column] : order)
     for (std::size_t own = 0; own < free[b].size(); ++own)
-      resist(scene.bodies[b].name,
+      resist(column + static_cast<bem::Index>(own), scene.bodies[b].name,
              "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
   for (const RigidBody& body : scene.rigid)
     for (const RigidBody::Component& component : body.components)
       if (component.stiffness > 0)
         ++k;
       else if (component.free)
-        resist(body.name,
+        resist(k++, body.name,
                "give it a Displacement or a Rotation instead of a Force or a Moment, or "
                "a Stiffness, contact or friction");
 }

@@ -44,7 +44,7 @@ SideOfBody readSide(const std::string& text, const std::string& path,
   const std::size_t index = found - names.begin();
   side.rigid = index >= scene.bodies.size();
   side.body = side.rigid ? index - scene.bodies.size() : index;
-  checkNamed(side.boundary, path, scene.outlineOf(side));
+  checkNamed(side.boundary, path + ": '" + text + "'", scene.outlineOf(side));
   return side;
 }
 

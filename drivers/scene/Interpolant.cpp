@@ -104,16 +104,23 @@ void check(const std::vector<double>& x, const std::vector<double>& values,
   }
 }
 
-/// The numbers in a line; # begins a comment.  `isText`: the line contains anything else.
+/// The numbers in a line, in quotes or not; # begins a comment.  `isText`: the line contains
+/// anything else.
 std::vector<double> numbersOf(std::string line, bool& isText) {
   line.erase(std::find(line.begin(), line.end(), '#'), line.end());
   std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+      line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '"'; },
+      ' ');
   std::istringstream words(line);
   std::vector<double> numbers;
-  for (double number = 0; words >> number;)
-    numbers.push_back(number);
-  isText = !words.eof();
+  for (std::string word; words >> word;) {
+    std::istringstream whole(word);
+    double number = 0;
+    if (whole >> number && whole.eof())
+      numbers.push_back(number);
+    else
+      isText = true;
+  }
   return numbers;
 }
 

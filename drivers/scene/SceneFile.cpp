@@ -176,17 +176,22 @@ void checkReadable(const std::string& file) {
     throw InputError("cannot be read: ", std::strerror(errno));
 }
 
-std::string readText(const std::string& file) {
-  checkReadable(file);
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 namespace {
+
+/// Removes the byte order mark that editors on Windows write.
+std::string withoutMark(const std::string& text) {
+  const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
+  const bool zeros = text.substr(0, 4).find('\0') != std::string::npos;
+  if (begins("\xFF\xFE") || begins("\xFE\xFF") || zeros)
+    throw InputError(
+        "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
+  return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
 
 /// \throws bem::InputError with the line of the first byte that is not valid UTF-8.
 void checkEncoding(const std::string& text) {
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+    throw InputError("byte ", zero, " is zero; a scene is text");
   for (auto at = text.begin(); at != text.end();) {
     const auto start = at;
     if (boost::locale::utf::utf_traits<char>::decode(at, text.end()) >
@@ -196,23 +201,17 @@ void checkEncoding(const std::string& text) {
   }
 }
 
-/// Removes the byte order mark that editors on Windows write.
-std::string withoutMark(const std::string& text) {
-  const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
-  const bool zeros = text.substr(0, 4).find('\0') != std::string::npos;
-  if (begins("\xFF\xFE") || begins("\xFE\xFF") || zeros)
-    throw InputError(
-        "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
-  if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
-    throw InputError("byte ", zero, " is zero; a scene is text");
-  checkEncoding(text);
-  return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
-}
-
 }  // namespace
 
-RawScene rawScene(const std::string& marked, const std::string& file) {
-  const std::string text = withoutMark(marked);
+std::string readText(const std::string& file) {
+  checkReadable(file);
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return withoutMark(text.str());
+}
+
+RawScene rawScene(const std::string& text, const std::string& file) {
+  checkEncoding(text);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("the file is empty");
   const std::filesystem::path path(file);

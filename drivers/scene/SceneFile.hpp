@@ -20,7 +20,7 @@ std::string xmlText(std::string text);
 ///   readable; without the name of the file.
 void checkReadable(const std::string& file);
 
-/// The content of a file.  \throws as checkReadable.
+/// The content of a file without a byte order mark.  \throws as checkReadable, and for UTF-16.
 std::string readText(const std::string& file);
 
 /// Reads XML, or YAML if the name of the file ends in .yaml or .yml.  The title is the

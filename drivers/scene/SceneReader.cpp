@@ -243,19 +243,6 @@ void putBackTexts(const ParameterList& given, ParameterList& used) {
   }
 }
 
-/// Adds the name of the file to messages that do not begin with it.
-template <class Read>
-auto naming(const std::string& file, const Read& read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    if (what.rfind(file + ": ", 0) == 0)
-      throw;
-    throw InputError(file + ": " + what);
-  }
-}
-
 }  // namespace
 
 Scene readScene(const std::string& file, const std::vector<std::string>& overrides) {

@@ -1,11 +1,26 @@
 #pragma once
 
+#include "bem/base/Error.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+/// Returns work(); puts the name of the scene's file before the message of an InputError that begins
+/// neither with it nor with an option, as --output.
+template <class Work>
+auto naming(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const bem::InputError& error) {
+    const std::string what = error.what();
+    if (what.rfind(file + ": ", 0) == 0 || what.rfind("--", 0) == 0)
+      throw;
+    throw bem::InputError(file, ": ", what);
+  }
+}
 
 /// Reads and validates a scene (XML or YAML).
 ///

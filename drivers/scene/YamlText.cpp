@@ -88,6 +88,11 @@ class Spelling {
       if (!item.first.IsScalar())
         throw InputError(at(item.first.Mark()), ": a key must be a word or a text");
       checkWhole(item.second.IsScalar() ? item.second : item.first);
+      if (item.second.IsNull() &&
+          item.first.Scalar().find_first_not_of("0123456789") == std::string::npos)
+        throw InputError(at(item.first.Mark()), ": '", item.first.Scalar(),
+                         "' behind a comma is no key; a number is written with a point, "
+                         "0.002, and without separators of thousands");
       if (item.first.Scalar() != "<<") {
         own.emplace_back(item.first.Scalar(), item.second);
         continue;

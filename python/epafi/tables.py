@@ -109,11 +109,20 @@ def html_table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 
 def read(folder: str, name: str) -> Optional[Table]:
-    """The table of a file, or None without the file or without rows in it."""
+    """The table of a file, or None without the file or without rows in it.
+
+    ValueError for a file that is no table.
+    """
     file = os.path.join(folder, name)
     if not os.path.isfile(file):
         return None
-    table = Table(file)
+    try:
+        table = Table(file)
+        with open(file) as stream:
+            if "," not in stream.readline():
+                raise ValueError("it has no heading")
+    except (ValueError, csv.Error) as error:
+        raise ValueError("'%s' cannot be read: %s" % (name, error)) from error
     return table if table.size else None
 
 

@@ -140,14 +140,18 @@ TEUCHOS_UNIT_TEST(Expressions, haveNoSignWhereTheyAreNoNumber) {
 }
 
 TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {
-  const test::TemporaryFile file(
-      "profile.csv", "x in mm, gap in mm\n# measured\n0, 1\n1; 2 # end\n\n2 4e0\n");
   SceneText text;
-  text.rest = table("profile", parameter("File", file.path()));
   text.base = parameter("Type", "Contact") + parameter("Gap", "profile(x)");
-  TEST_FLOATING_EQUALITY(gapOf(text)({1.5, 0}), 3.0, 1e-15);
-  for (const char* spoilt :
-       {"0, 1\nhigh\n1, 2\n", "0, 1\n1\n", "0, 1, 2\n", "0, 1\n1, nan\n"}) {
+  for (const char* good : {"x in mm, gap in mm\n# measured\n0, 1\n1; 2 # end\n\n2 4e0\n",
+                           "\xEF\xBB\xBF\"0\", \"1\"\n1,2\n2,4\n"}) {
+    const test::TemporaryFile file("profile.csv", good);
+    text.rest = table("profile", parameter("File", file.path()));
+    const bem::Function gap = gapOf(text);
+    TEST_FLOATING_EQUALITY(gap({0.5, 0}), 1.5, 1e-15);
+    TEST_FLOATING_EQUALITY(gap({1.5, 0}), 3.0, 1e-15);
+  }
+  for (const char* spoilt : {"O,5\n0, 1\n1, 2\n", "0, 1\nhigh\n1, 2\n", "0, 1\n1\n",
+                             "0, 1, 2\n", "0, 1\n1, nan\n"}) {
     const test::TemporaryFile bad("spoilt.csv", spoilt);
     text.rest = table("profile", parameter("File", bad.path()));
     TEST_ASSERT(contains(complaintOf(text.xml()), "is not two numbers"));

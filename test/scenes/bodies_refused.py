@@ -19,7 +19,8 @@ B = body("b", block(0, -1, 1, 0), 1.0, CLAMP)
 FLOOR = rigid("floor", block(0, -1, 1, 0))
 spoiled("strangers", [A, B], contact("c", "a:bottom", "c:top"), "Contacts->c->Between",
         "no body 'c'")
-spoiled("unknown boundary", [A, B], contact("c", "a:bottom", "b:topp"), "'top'")
+spoiled("unknown boundary", [A, B], contact("c", "a:bottom", "b:topp"), "'b:topp'",
+        "'top'")
 spoiled("no colon", [A, B], contact("c", "a", "b:top"), "body:boundary")
 spoiled("one side", [A, B], listed("c", Between=["a:bottom"]),
         "between two")

@@ -18,6 +18,9 @@ def checked(what, code, words, bodies, contacts=NONE, more=NONE, absent=()):
           not any(word in text for word in absent),
           "%s: exit %d, %s" % (what, done, text.strip().splitlines()[-1]))
     claim(code == 0 or "checked.yaml: " in text, "%s: names the file" % what)
+    if "nothing resists" in words:
+        done, same = epafi("run", file, "--force")
+        claim(done == 1 and text in same, what + ": so does a run: " + same[-150:])
 
 
 def lower(height=5, conditions=CLAMP, left=0, right=40):
@@ -58,6 +61,9 @@ checked("a rigid punch", 1, ["'punch:"], [lower(), rigid("punch", block(10, 3, 3
 # bodies that nothing holds
 checked("a free motion", 1, ["Bodies->upper", "nothing resists"],
         [lower(), upper(5, 10, 30, fix="Rotation")], LAP)
+checked("a body under one that is held", 1, ["Bodies->lower", "nothing resists"],
+        [lower(conditions=NONE), upper(5, 10, 30, fix="X, Rotation")],
+        contact("lap", "upper:bottom", "lower:top", friction("0.3")))
 checked("a body beside the others", 1, ["Bodies->third", "nothing resists"],
         [lower(), upper(5, 10, 30), body("third", block(70, 0, 80, 5), 1.0)], LAP)
 checked("a punch that is free", 1, ["Bodies->punch", "nothing resists"],

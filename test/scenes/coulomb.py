@@ -24,6 +24,14 @@ claim(min(dissipation) >= -1e-3 * max(dissipation), "friction never feeds energy
 claim(all(differ(abs(point["lambda_t"]), 0.3 * point["lambda_n"], largest) < 1e-8
           for point in whole(contact)), "all that touches slides: |lambda_t| = 0.3 lambda_n")
 
+# the part that slips: all of it down to no friction at all, none where there is no law
+for friction, share in (("Law=Coulomb, Coefficient=0.01", 1), ("Law=Coulomb, Coefficient=0", 1),
+                        ("Law=None", 0)):
+    last, _ = run(scene("coulomb.xml"), "smooth", levels(1) + [
+        "Bodies->block->Boundary Conditions->foundation->Friction={%s}" % friction])
+    claim(differ(last[-1]["slip_length"], share * last[-1]["contact_length"], 1) < 1e-6,
+          "%s: slides on %g of its contact" % (friction, last[-1]["slip_length"]))
+
 for iteration in ("Inexact Fixed Point", "Fixed Point"):
     other, points = run(scene("coulomb.xml"), "coulomb_iteration",
                         levels(4) + ["Solver->Coulomb Iteration=" + iteration])

@@ -39,8 +39,7 @@ claim(len(X) == 12 and len(Y) == 7, "its points are the middles of cells")
 # differences around a point: strain from displacement, divergence from stress
 x, y, h = X[4], Y[3], 1e-3 * (X[1] - X[0])
 points = os.path.join(WORK, "points.csv")
-with open(points, "w") as stream:
-    stream.write("x,y\n")
+with open(points, "w", encoding="utf-8-sig") as stream:  # with a byte order mark
     for dx, dy in ((0, 0), (h, 0), (-h, 0), (0, h), (0, -h)):
         stream.write("%.17g,%.17g\n" % (x + dx, y + dy))
 middle, right, left, up, down = fields(folder, "--points", points)
@@ -193,6 +192,8 @@ for sentence, words, arguments in [
         ("a series of no path", "no History", ["fields", folder, "--vtk", "--step", "all"]),
         ("an unknown boundary", "'block:" + boundary, ["fields", folder, "--along",
                                                        "block:bottm", "--depth", "1"]),
+        ("a boundary without its body", "mean 'block:" + boundary, [
+            "fields", folder, "--along", boundary, "--depth", "1"]),
         ("a depth of 0", "> 0", ["fields", folder, "--along", "block:" + boundary,
                                  "--depth", "0"]),
         ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),

@@ -4,8 +4,8 @@ import math
 import os
 import subprocess
 
-from runs import (EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, options, read, run,
-                  saved, scene, table, write)
+from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, finish, fresh, levels, options, read,
+                  refused, run, saved, scene, table, write)
 
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
 HARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "hard", "scenes")
@@ -158,6 +158,19 @@ with open(marked, "w", encoding="latin-1") as stream:
     stream.write(text.replace('name="', 'name="\xe4', 1))
 done, said = epafi("check", marked)
 claim(done == 1 and "UTF-8" in said and ": line " in said, "latin-1: " + said.strip()[-90:])
+for sentence, before, after, words in [
+        ("a separator of thousands", "Modulus: 1", "Modulus: 210,000", "with a point"),
+        ("a decimal comma", "Displacement X: 0", "Displacement X: 0,002", "with a point"),
+        ("a count beyond all meshes", "Edge: [1", "Edge: [99999999999", "too large")]:
+    file = write(os.path.join(WORK, "number.yaml"), """Numbers:
+  Bodies: {disc: {Material: {Young's Modulus: 1, Poisson's Ratio: 0},
+    Geometry: {Vertices: [[0, 0], [1, 0]], Edges: [low, high], Bulges: [1, 1]},
+    Boundary Conditions: {low: {Type: Dirichlet, Displacement X: 0, Displacement Y: 0}}}}
+  Discretization: {Elements per Edge: [1, 1]}
+""".replace(before, after))
+    refused(sentence, file, words, command="check")
+refused("nan in an array", changed("nan", scene("patch.xml"), ("4x2:{-1,", "4x2:{nan,")),
+        "not a number", command="check")
 loud = os.path.join(WORK, "LOUD.YAML")
 write(loud, "Loud:\n  Bodis: {}\n")
 done, said = epafi("check", loud)

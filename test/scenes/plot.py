@@ -160,12 +160,10 @@ def drawing(*arguments):
         return str(end)
 
 
-code, text = epafi("plot", folder, "--size", "5")
-claim(code == 1 and text.strip() == drawing(folder, "--size", "5"), "a wrong size: " + text.strip())
 for option, value in (("--size", "5"), ("--size", "0,3"), ("--dpi", "many"), ("--font", "-1"),
                       ("--units", "mm")):
-    text = drawing(folder, option, value)
-    claim(option in text, "%s %s is refused: %s" % (option, value, text))
+    code, text = epafi("plot", folder, option, value)
+    claim(code == 1 and option in text, "%s %s is refused: %s" % (option, value, text))
 
 # a page with all in it
 code, text = epafi("report", folder)
@@ -221,6 +219,14 @@ claim("history.csv" in drawing(empty), "an empty folder is refused, with what wa
 damaged = fresh("damaged")
 os.makedirs(damaged)
 write(os.path.join(damaged, "contact.csv"), "boundary,x\nfoundation,1\n")
-text = drawing(damaged)
-claim(text.startswith("epafi: plot: the files in"), "a damaged file is named: " + text)
+code, text = epafi("plot", damaged)
+claim(code == 1 and text.startswith("epafi: plot: the files in") and text.strip() == drawing(damaged),
+      "a damaged file is named: " + text)
+whole = os.path.join(WORK, "one")
+for name, content in (("contact.csv", "garbage"), ("history.csv", ""), ("boundary.csv", "x,\xe4\n")):
+    shutil.copytree(whole, fresh("damaged"))
+    with open(os.path.join(damaged, name), "w", encoding="latin-1") as stream:
+        stream.write(content)
+    code, text = epafi("plot", damaged)
+    claim(code == 1 and "'%s' cannot be read" % name in text, "it is named: " + text.strip())
 finish()

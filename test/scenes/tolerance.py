@@ -55,6 +55,28 @@ code, text = epafi("run", scene("two-blocks.xml"), "--restart", on, "--output", 
                    settings=["Adaptivity->Tolerance=0.02", *NONE])
 claim(code == 0 and "nothing was left to solve" in text, "what is reached is not refined")
 
+# Hertz' contact between the points of the first mesh; every motion of an open block is no error
+def pressed(name, count, *settings, gap="x^2/200"):
+    block = "Bodies->block->Boundary Conditions->"
+    return solve("hertz.xml", name, 0.02, *NONE, block + "contact->Gap=" + gap, *settings,
+                 "Bodies->block->Rigid Motions=", block +
+                 "top={Type=Dirichlet, Displacement X=0.002, Displacement Y=-0.0001}",
+                 "Discretization->Elements per Edge={1, 1, %d, 1, 1, 2, 2, 2}" % count)
+
+
+WARNING = "contact never closes"
+known = pressed("known", 64)[0][-1]["force_normal"]
+for name, *settings in (["missed"], ["missed in steps", "History->Times={1, 2}"]):
+    levels, text = pressed(name, 3, *settings)
+    claim(levels[0]["contact_length"] == 0 and levels[0]["estimate_relative"] > 1 and
+          WARNING not in text and abs(levels[-1]["force_normal"] / known - 1) < 0.02,
+          "%s at first, it is found: %g, %g" % (name, levels[-1]["force_normal"], known))
+    levels, text = pressed(name, 3, *settings, "Adaptivity->Maximum Levels=1")
+    claim("between the points" in text and WARNING not in text, "one mesh says what it misses")
+    levels, text = pressed("open", 3, *settings, gap="5")
+    claim(len(levels) == 1 and levels[0]["estimate_relative"] == 0 and WARNING in text,
+          "nothing strained: one level")
+
 refused("weights without the norm's unit", scene("two-blocks.xml"), "Adaptivity->Tolerance", "Energy",
         settings=["Adaptivity->Tolerance=0.02", "Adaptivity->Weights=Paper"])
 finish()

@@ -142,8 +142,14 @@ class Conversion {
   }
 
   InputError refusal() const {
-    return InputError(place_, ": is ", describe(entry_),
-                      ", wanted: ", textOf(row_.kind).wanted);
+    constexpr int largest = std::numeric_limits<int>::max();
+    const auto* reals = std::get_if<std::vector<double>>(&cells_.values);
+    const bool tooLarge =
+        (row_.kind == Kind::Whole || row_.kind == Kind::Counts) && reals != nullptr &&
+        std::any_of(reals->begin(), reals->end(), [&](double x) { return x > largest; });
+    return InputError(place_, ": is ", describe(entry_), tooLarge ? " and too large" : "",
+                      ", wanted: ", textOf(row_.kind).wanted,
+                      tooLarge ? message(" up to ", largest) : "");
   }
 
   /// No fractions for whole numbers; of texts the values of constant expressions.

@@ -26,7 +26,8 @@ std::string nearest(const std::string& name, const std::vector<std::string>& can
   std::string best;
   int smallest = std::numeric_limits<int>::max();
   for (const std::string& candidate : candidates) {
-    const int distance = editDistance(name, candidate);
+    const bool isSide = candidate.substr(candidate.find(':') + 1) == name;
+    const int distance = isSide ? 0 : editDistance(name, candidate);
     if (distance < smallest) {
       smallest = distance;
       best = candidate;

@@ -43,8 +43,11 @@ double ContactFields::slipping(const Element& element, double shear, double boun
 }
 
 double ContactFields::slipping(const Element& element, double t) const {
+  const double bound = multiplierSpace().at(bounds_, element, t).tangential;
+  if (bound == 0 && element.tangential >= 0 && !element.ties())
+    return closing(element, t);  // a bound of zero is reached wherever sides touch
   return slipping(element, multiplierSpace().at(multiplier_, element, t).tangential,
-                  multiplierSpace().at(bounds_, element, t).tangential);
+                  bound);
 }
 
 MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
