@@ -178,7 +178,7 @@ class BalanceOf {
             const std::vector<contact::Conditions>& conditions, double t)
       : scene_(scene),
         spaces_(spaces),
-        numbering_(contact::numberingOf(spaces.sides())),
+        numbering_(spaces.sides()),
         opposite_(contact::oppositeCouplings(spaces.sides(), numbering_)) {
     const bem::Units units = scene.units();
     result_.free.resize(spaces.size());
@@ -193,10 +193,10 @@ class BalanceOf {
           spaces.space(b).mesh(), multiplier, *spaces.opposite(b), units);
       for (const contact::Tangential& tangential : obstacle.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
-      const contact::Holding holding =
-          contact::makeHolding(spaces.space(b), conditions[b], units);
-      size += obstacle.largestPenetration + holding.loads.size();
-      addElastic(b, holding);
+      const contact::Loads loads =
+          contact::makeLoads(spaces.space(b), conditions[b], units);
+      size += obstacle.largestPenetration + loads.size();
+      addElastic(b, contact::makeHolding(spaces.space(b), conditions[b]), loads.load);
     }
     drives.addFreeMotions(columns_);
     drives.addForces(numbers);
@@ -211,7 +211,7 @@ class BalanceOf {
   Balance take() { return std::move(result_); }
 
  private:
-  void addElastic(std::size_t b, const contact::Holding& holding) {
+  void addElastic(std::size_t b, const contact::Holding& holding, const Vector& load) {
     contact::Stabilization none;  // rigid motions have no tractions
     none.form = contact::Stabilization::Form::None;
     const contact::Coupling own = contact::makeCoupling(
@@ -224,7 +224,7 @@ class BalanceOf {
       for (bem::Index i = 0; i < numbering_.sizeOf(b); ++i)
         column[numbering_(b, i)] += moved[i];
       columns_.push_back(std::move(column));
-      result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
+      result_.numbers.rigidLoad.push_back(bem::dot(u, load));
       result_.free[b].push_back(u);
     }
   }

@@ -48,10 +48,10 @@ int rank(const Svd& svd, double threshold) {
 }
 
 /// What the motions do at the clamped unknowns.
-Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
+Matrix clampedMotions(const RigidModes& modes, const std::vector<char>& clamped) {
   std::vector<Index> rows;
   for (Index j = 0; j < modes.motions.rows(); ++j)
-    if (loads.clamped[at(j)] != 0)
+    if (clamped[at(j)] != 0)
       rows.push_back(j);
   return bem::rowsOf(modes.motions, rows);
 }
@@ -68,10 +68,10 @@ std::vector<int> namedModes(const Conditions::Fix& fix) {
 }
 
 /// Without what clamps take: the functionals act on what is left of u.
-Matrix withoutClamped(Matrix columns, const Loads& loads) {
+Matrix withoutClamped(Matrix columns, const std::vector<char>& clamped) {
   for (Index c = 0; c < columns.columns(); ++c)
     for (Index j = 0; j < columns.rows(); ++j)
-      if (loads.clamped[j] != 0)
+      if (clamped[j] != 0)
         columns(j, c) = 0;
   return columns;
 }
@@ -176,9 +176,8 @@ Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
 
 /// Sets the motions, their functionals and fixedModes.
 void setMotions(const Conditions::Fix& fix, Holding& holding) {
-  const Loads& loads = holding.loads;
   const RigidModes& modes = holding.modes;
-  const Svd clamps = singularValues(clampedMotions(modes, loads));
+  const Svd clamps = singularValues(clampedMotions(modes, holding.clamped));
   // motions are of size 1, coordinates known to 1e-16
   const Matrix allowedCombinations =
       bem::transposed(bem::rowsBetween(clamps.vt, rank(clamps, 1e-12), 3));
@@ -189,14 +188,14 @@ void setMotions(const Conditions::Fix& fix, Holding& holding) {
   const Svd held = heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
   const Matrix inModes = reduced(
       multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
-  holding.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
+  holding.allowed = withoutClamped(multiply(modes.motions, inModes), holding.clamped);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
   Matrix functionals = multiply(modes.functionals, inModes);
   for (Index k = 0; k < fixed; ++k)
     std::copy_n(modes.functionals.column(holding.fixedModes[at(k)]), functionals.rows(),
                 functionals.column(k));
-  functionals = withoutClamped(std::move(functionals), loads);
+  functionals = withoutClamped(std::move(functionals), holding.clamped);
   holding.functionals = dualTo(holding.allowed, std::move(functionals), fixed);
 }
 
@@ -217,10 +216,8 @@ void scaleMotions(Holding& holding) {
 
 }  // namespace
 
-Holding makeHolding(const bem::Space& space, const Conditions& conditions,
-                    bem::Units units) {
-  Holding holding{makeLoads(space, conditions, units), makeRigidModes(space, conditions)};
-  holding.means = meansOf(conditions, space.mesh(), holding.modes.centroid);
+Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
+  Holding holding{prescribed(space, conditions), makeRigidModes(space, conditions)};
   setMotions(conditions.fix, holding);
   const bem::Outline& outline = space.mesh().outline();
   if (outline.diameter() < outline.scaling().length)
