@@ -248,6 +248,20 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
   return unresisted(scene, spaces, system.numbers(), motionsOf(system));
 }
 
+int timesUnbalanced(const Scene& scene, const BodySpaces& spaces) {
+  const auto numbersAt = [&](double t) {
+    return BalanceOf(scene, spaces, spaces.conditionsAt(t), t).take().numbers;
+  };
+  const contact::Problem last = numbersAt(scene.endOfPath());
+  if (last.rigidMotions() == 0)
+    return 0;
+  int count = contact::unresistedMotion(last).empty() ? 0 : 1;
+  for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
+    if (!contact::unresistedMotion(numbersAt(scene.history.times[k])).empty())
+      ++count;
+  return count;
+}
+
 void checkBalance(const Scene& scene, const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
   const Balance balance = BalanceOf(scene, spaces, conditions, t).take();
