@@ -8,6 +8,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/FacingMarks.hpp"
+#include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -16,10 +17,38 @@
 
 namespace epafi::drivers {
 
+namespace {
+
+/// Halves the elements of contacts that begin or end at a corner or at an end of contact.
+bem::Mesh halvedAtEnds(const bem::Mesh& mesh, const contact::Conditions& conditions) {
+  const auto points = adaptivity::findSingularPoints(mesh, conditions);
+  adaptivity::Marks marks(mesh.size());
+  for (int e = 0; e < mesh.size(); ++e)
+    if (contact::contactOn(mesh, e, conditions) != nullptr &&
+        (points.at(mesh, e, false) != adaptivity::Singularity::None ||
+         points.at(mesh, e, true) != adaptivity::Singularity::None))
+      marks[e] = adaptivity::Mark::Bisect;
+  return adaptivity::refine(mesh, marks);
+}
+
+}  // namespace
+
 LevelStart firstLevel(const Scene& scene) {
   LevelStart first;
   for (const Body& body : scene.bodies)
     first.meshes.push_back(firstMesh(body));
+  constexpr int most = 12;
+  std::vector<bem::Mesh> meshes = first.meshes;
+  int least = timesUnbalanced(scene, BodySpaces(scene, meshes));
+  for (int k = 0; k < most && least > 0; ++k) {
+    for (std::size_t b = 0; b < meshes.size(); ++b)
+      meshes[b] = halvedAtEnds(meshes[b], scene.bodies[b].conditions);
+    const int count = timesUnbalanced(scene, BodySpaces(scene, meshes));
+    if (count < least) {
+      least = count;
+      first.meshes = meshes;
+    }
+  }
   return first;
 }
 

@@ -203,7 +203,7 @@ std::vector<Vector> columnsOf(const Scene& scene, const BodySpaces& spaces, std:
 
 Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
-  const contact::Numbering numbering = contact::numberingOf(spaces.sides());
+  const contact::Numbering numbering(spaces.sides());
   const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
   Balance balance{{}, FreeMotions(spaces.size())};
@@ -217,16 +217,18 @@ Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
         spaces.space(b).mesh(), multiplier, *spaces.opposite(b), scene.units());
     for (const contact::Tangential& tangential : obstacle.tangentials)
       numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
-    const contact::Holding holding =
-        contact::makeHolding(spaces.space(b), conditions[b], scene.units());
-    size += obstacle.largestPenetration + holding.loads.size();
+    const contact::Loads loads =
+        contact::makeLoads(spaces.space(b), conditions[b], scene.units());
+    const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
+    size += obstacle.largestPenetration + loads.size();
     for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
-      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), holding.loads.load));
+      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
-    for (Vector& column :
-         columnsOf(scene, spaces, b, balance.free, numbering, opposite[b]))
-      columns.push_back(std::move(column));
+    if (!balance.free[b].empty())
+      for (Vector& column :
+           columnsOf(scene, spaces, b, balance.free, numbering, opposite[b]))
+        columns.push_back(std::move(column));
   }
   drives.addFreeMotions(columns);
   drives.addForces(numbers);
@@ -247,6 +249,20 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system) {
   return unresisted(scene, spaces, system.numbers(), motionsOf(system));
+}
+
+int timesUnbalanced(const Scene& scene, const BodySpaces& spaces) {
+  const auto numbersAt = [&](double t) {
+    return balanceOf(scene, spaces, spaces.conditionsAt(t), t).numbers;
+  };
+  const contact::Problem last = numbersAt(scene.endOfPath());
+  if (last.rigidMotions() == 0)
+    return 0;
+  int count = contact::unresistedMotion(last).empty() ? 0 : 1;
+  for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
+    if (!contact::unresistedMotion(numbersAt(scene.history.times[k])).empty())
+      ++count;
+  return count;
 }
 
 void checkBalance(const Scene& scene, const BodySpaces& spaces,

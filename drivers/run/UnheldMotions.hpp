@@ -17,6 +17,9 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system);
 
+/// Number of times of the scene at which multipliers of these meshes cannot balance the loads.
+int timesUnbalanced(const Scene& scene, const BodySpaces& spaces);
+
 /// Both checks for the conditions at time t, without solving.
 /// \throws bem::InputError for a body that nothing holds, or a load that neither contact
 ///   nor friction can balance

@@ -98,15 +98,18 @@ void checkNotOpposite(const SideOfBody& side, const std::string& path,
                        "contact; name the other body first");
 }
 
-/// Adds a required node on an edge, unless there is one.
+/// Adds a required node on an edge, unless there is one: a shorter element would be one of bodies
+/// drawn side by side to the digits of a drawing, and across it tractions are unbounded.
 void addNode(const bem::Outline& outline, int edge, double place,
              std::vector<RequiredNode>& nodes) {
-  constexpr double same = 1e-9;
+  constexpr double ofEdge = 1e-6;
+  constexpr double ofScene = 1e-12;  // coordinates round; scaled ones are of size 1
   const double length = outline.edge(edge).curve.length();
-  if (place < same * length || length - place < same * length)
+  const double same = std::max(ofEdge * length, ofScene);
+  if (place < same || length - place < same)
     return;
   for (const RequiredNode& node : nodes)
-    if (node.edge == edge && std::abs(node.place - place) < same * length)
+    if (node.edge == edge && std::abs(node.place - place) < same)
       return;
   nodes.push_back({edge, place});
 }

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ Distance distanceOf(const Snapshot& level, const Snapshot& reference,
 Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
                         const std::vector<double>& dissipated) {
   const BodySpaces spaces(scene, meshesOf(scene, level));
-  const contact::Numbering numbering = contact::numberingOf(spaces.sides());
+  const contact::Numbering numbering(spaces.sides());
   Snapshots result{{}, energy};
   for (const StepFields& step : level.solved()) {
     Snapshot& snapshot = result.steps.emplace_back();

@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, doesTheSameWorkOnEveryDisplacement) {
       const auto& elements = solved.problem.multiplier().elements();
       const auto factors = adaptivity::equivalentMultiplier(
           solved.space.mesh(), solved.conditions, elements, costsOf(solved));
-      const std::vector<bool> isPrescribed =
+      const std::vector<char> isPrescribed =
           contact::prescribed(solved.space, solved.conditions);
       const bem::Rule& rule = bem::gaussLegendre(4);
       for (int trial = 0; trial < 10; ++trial) {

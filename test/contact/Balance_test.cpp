@@ -57,12 +57,11 @@ std::unique_ptr<const contact::StabilisedBody> coupledBody(
     const Body& body, const contact::Conditions& conditions,
     const contact::MultiplierSpace& multiplier, bem::Units units,
     const contact::Stabilization& stabilization) {
-  return contact::makeCoupledBody(
-      {body.space, body.stiffness, body.lame, units, conditions, multiplier.basis(),
-       stabilization},
-      multiplier,
-      std::make_shared<const contact::Holding>(
-          contact::makeHolding(body.space, conditions, units)));
+  return contact::makeCoupledBody({body.space, body.stiffness, body.lame, units,
+                                   conditions, multiplier.basis(), stabilization},
+                                  multiplier,
+                                  std::make_shared<const contact::Holding>(
+                                      contact::makeHolding(body.space, conditions)));
 }
 
 double worstImbalance(const Body& body, double load) {

@@ -112,6 +112,24 @@ for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
     lengths.append(history[0]["energy_strain"])
 claim(abs(lengths[0] / lengths[1] - 1) < 0.02, "either side first: alike on a coarse mesh")
 
+# drawn flush but for a digit: no element of that width, across which tractions would be unbounded
+flush = []
+for wider in (0, 1e-8):
+    flush += run(written("flush", [
+        body("a", block(0, 0, 1, 1), 1.0, PRESS), body("b", block(0, -1, 1 + wider, 0), 2.0, CLAMP)],
+        contact("c", "a:bottom", "b:top", friction("0.5")), "Projected"), "flush")[0]
+claim(flush[0]["elements"] == flush[1]["elements"] and
+      abs(flush[1]["estimate"] / flush[0]["estimate"] - 1) < 1e-6,
+      "a block wider by 1e-8 has the mesh and the estimate of a flush one")
+
+# a light contact beside a heavy one is not rounding
+points = run(written("light", [
+    body(name, block(x, 0, x + 1, 1), 1.0, condition("bottom", "Contact", friction("0.3")) +
+         condition("top", "Dirichlet", Displacement_X=0, Displacement_Y=-approach))
+    for name, x, approach in (("heavy", 0, 0.01), ("light", 3, 1e-12))], form="Projected"), "light")[1]
+claim(all(p["contact"] == "closed" and p["friction"] != "" for p in points),
+      "a contact under 1e-10 of the load of another one is closed, too")
+
 # refinement over both bodies; a run that goes on gives the same digits
 shipped = scene("two-blocks.xml")
 whole = run(shipped, "whole", ["Adaptivity->Maximum Levels=4"])[0]

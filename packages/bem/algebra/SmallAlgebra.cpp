@@ -1,6 +1,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 
 #include "bem/base/BlasThreads.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
 
 #include <Teuchos_BLAS.hpp>
@@ -41,6 +42,31 @@ Matrix product(Teuchos::ETransp op, Index rows, Index depth, const Matrix& a,
 }
 
 }  // namespace
+
+Svd singularValues(Matrix a) {
+  const int m = asInt(a.rows());
+  const int n = asInt(a.columns());
+  const int k = std::min(m, n);
+  Svd svd{Matrix(m, k), Vector(at(k)), Matrix(n, n)};
+  if (k == 0) {
+    for (Index i = 0; i < n; ++i)
+      svd.vt(i, i) = 1;
+    return svd;
+  }
+  Vector work(at(16 * (m + n)));
+  int info = 0;
+  Lapack().GESVD('S', 'A', m, n, a.data(), asInt(a.stride()), svd.s.data(), svd.u.data(),
+                 asInt(svd.u.stride()), svd.vt.data(), asInt(svd.vt.stride()),
+                 work.data(), static_cast<int>(work.size()), nullptr, &info);
+  if (info != 0)
+    throw NumericalError("the singular values of a small matrix do not converge");
+  return svd;
+}
+
+int rank(const Svd& svd, double threshold) {
+  return static_cast<int>(
+      std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
+}
 
 Matrix asColumn(const Vector& v) {
   Matrix column(static_cast<Index>(v.size()), 1);

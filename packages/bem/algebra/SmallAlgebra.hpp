@@ -31,6 +31,17 @@ void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride)
 /// column of R the column of A.
 std::vector<Index> pivotedTriangle(Matrix& a);
 
+/// A = U diag(s) Vᵀ; V whole, so that its last columns span the kernel.
+struct Svd {
+  Matrix u;   ///< rows x min(rows, columns)
+  Vector s;   ///< min(rows, columns), descending
+  Matrix vt;  ///< columns x columns
+};
+/// \throws NumericalError
+Svd singularValues(Matrix a);
+/// Number of singular values above a threshold.
+int rank(const Svd& svd, double threshold);
+
 /// A vector as a matrix with one column.
 Matrix asColumn(const Vector& v);
 

@@ -18,10 +18,10 @@ using bem::dot;
 
 namespace {
 
-std::vector<Index> unclamped(const Loads& loads) {
+std::vector<Index> unclamped(const std::vector<char>& clamped) {
   std::vector<Index> free;
-  for (std::size_t i = 0; i < loads.clamped.size(); ++i)
-    if (loads.clamped[i] == 0)
+  for (std::size_t i = 0; i < clamped.size(); ++i)
+    if (clamped[i] == 0)
       free.push_back(static_cast<Index>(i));
   return free;
 }
@@ -99,7 +99,7 @@ class CoupledBody final : public StabilisedBody {
                  : tractions_ != nullptr ? &tractions_->rows
                                          : nullptr),
         balanced_(stiffness_, makeRigidModes(space_), tractions_, coupling_.gamma),
-        free_(unclamped(holding_->loads)),
+        free_(unclamped(holding_->clamped)),
         factor_(factored()) {}
 
   bool isFormed() const override { return true; }
@@ -300,10 +300,9 @@ double limitGamma0(const BodyInput& input) {
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   const Tractions tractions = tractionsOf(input, multiplier);
-  return limitGamma0(input,
-                     std::make_shared<const Holding>(
-                         makeHolding(input.space, input.conditions, input.units)),
-                     couplingOf(input, multiplier, tractions), tractions);
+  return limitGamma0(
+      input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
+      couplingOf(input, multiplier, tractions), tractions);
 }
 
 }  // namespace epafi::contact

@@ -5,8 +5,6 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
-#include <Teuchos_LAPACK.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,44 +12,11 @@ namespace epafi::contact {
 
 namespace {
 
-/// A = U diag(s) Vᵀ; V whole, so that its last columns span the kernel.
-struct Svd {
-  Matrix u;   ///< rows x min(rows, columns)
-  Vector s;   ///< min(rows, columns), descending
-  Matrix vt;  ///< columns x columns
-};
-
-Svd singularValues(Matrix a) {
-  const int m = bem::asInt(a.rows());
-  const int n = bem::asInt(a.columns());
-  const int k = std::min(m, n);
-  Svd svd{Matrix(m, k), Vector(at(k)), Matrix(n, n)};
-  if (k == 0) {
-    for (Index i = 0; i < n; ++i)
-      svd.vt(i, i) = 1;
-    return svd;
-  }
-  Vector work(at(16 * (m + n)));
-  int info = 0;
-  Teuchos::LAPACK<int, double>().GESVD(
-      'S', 'A', m, n, a.data(), bem::asInt(a.stride()), svd.s.data(), svd.u.data(),
-      bem::asInt(svd.u.stride()), svd.vt.data(), bem::asInt(svd.vt.stride()), work.data(),
-      static_cast<int>(work.size()), nullptr, &info);
-  if (info != 0)
-    throw bem::NumericalError("the singular values of the rigid motions do not converge");
-  return svd;
-}
-
-int rank(const Svd& svd, double threshold) {
-  return static_cast<int>(
-      std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
-}
-
 /// What the motions do at the clamped unknowns.
-Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
+Matrix clampedMotions(const RigidModes& modes, const std::vector<char>& clamped) {
   std::vector<Index> rows;
   for (Index j = 0; j < modes.motions.rows(); ++j)
-    if (loads.clamped[at(j)] != 0)
+    if (clamped[at(j)] != 0)
       rows.push_back(j);
   return bem::rowsOf(modes.motions, rows);
 }
@@ -68,10 +33,10 @@ std::vector<int> namedModes(const Conditions::Fix& fix) {
 }
 
 /// Without what clamps take: the functionals act on what is left of u.
-Matrix withoutClamped(Matrix columns, const Loads& loads) {
+Matrix withoutClamped(Matrix columns, const std::vector<char>& clamped) {
   for (Index c = 0; c < columns.columns(); ++c)
     for (Index j = 0; j < columns.rows(); ++j)
-      if (loads.clamped[j] != 0)
+      if (clamped[j] != 0)
         columns(j, c) = 0;
   return columns;
 }
@@ -136,7 +101,7 @@ Matrix reduced(Matrix columns, Index first) {
 
 /// The values of the named functionals on the allowed motions.
 /// \throws bem::InputError if clamps hold one of them already.
-Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
+bem::Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
               const std::vector<int>& fixedModes, const std::string& path) {
   const Matrix pairs = transposedTimes(modes.functionals, modes.motions);
   const Matrix onAllowed = multiply(pairs, allowedCombinations);
@@ -149,8 +114,8 @@ Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
       named(k, a) = onAllowed(mode, a);
       compared(k, a) = named(k, a) / pairs(mode, mode);
     }
-  if (rank(singularValues(std::move(compared)), 1e-10) == fixed)
-    return singularValues(std::move(named));
+  if (bem::rank(bem::singularValues(std::move(compared)), 1e-10) == fixed)
+    return bem::singularValues(std::move(named));
   constexpr const char* names[] = {"X", "Y", "Rotation"};
   std::string list;
   for (const int mode : fixedModes)
@@ -162,7 +127,7 @@ Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
 
 /// Combinations of the allowed motions: pseudo-inverse for the fixed, kernel for the
 /// free.
-Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
+Matrix dualCombinations(const bem::Svd& held, Index fixed, Index allowed) {
   Matrix combinations(allowed, allowed);
   for (Index k = 0; k < fixed; ++k)
     for (Index a = 0; a < allowed; ++a)
@@ -176,27 +141,26 @@ Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
 
 /// Sets the motions, their functionals and fixedModes.
 void setMotions(const Conditions::Fix& fix, Holding& holding) {
-  const Loads& loads = holding.loads;
   const RigidModes& modes = holding.modes;
-  const Svd clamps = singularValues(clampedMotions(modes, loads));
+  const bem::Svd clamps = bem::singularValues(clampedMotions(modes, holding.clamped));
   // motions are of size 1, coordinates known to 1e-16
   const Matrix allowedCombinations =
-      bem::transposed(bem::rowsBetween(clamps.vt, rank(clamps, 1e-12), 3));
+      bem::transposed(bem::rowsBetween(clamps.vt, bem::rank(clamps, 1e-12), 3));
   const Index allowed = allowedCombinations.columns();
   holding.fixedModes = namedModes(fix);
   const Index fixed = holding.fixed();
 
-  const Svd held = heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
+  const bem::Svd held = heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
   const Matrix inModes = reduced(
       multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
-  holding.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
+  holding.allowed = withoutClamped(multiply(modes.motions, inModes), holding.clamped);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
   Matrix functionals = multiply(modes.functionals, inModes);
   for (Index k = 0; k < fixed; ++k)
     std::copy_n(modes.functionals.column(holding.fixedModes[at(k)]), functionals.rows(),
                 functionals.column(k));
-  functionals = withoutClamped(std::move(functionals), loads);
+  functionals = withoutClamped(std::move(functionals), holding.clamped);
   holding.functionals = dualTo(holding.allowed, std::move(functionals), fixed);
 }
 
@@ -217,10 +181,8 @@ void scaleMotions(Holding& holding) {
 
 }  // namespace
 
-Holding makeHolding(const bem::Space& space, const Conditions& conditions,
-                    bem::Units units) {
-  Holding holding{makeLoads(space, conditions, units), makeRigidModes(space, conditions)};
-  holding.means = meansOf(conditions, space.mesh(), holding.modes.centroid);
+Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
+  Holding holding{prescribed(space, conditions), makeRigidModes(space, conditions)};
   setMotions(conditions.fix, holding);
   const bem::Outline& outline = space.mesh().outline();
   if (outline.diameter() < outline.scaling().length)

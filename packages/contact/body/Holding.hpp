@@ -4,15 +4,14 @@
 
 namespace epafi::contact {
 
-/// How a body is loaded and held: by clamps, by Fix, or not at all.
+/// How a body is held: by clamps, by Fix, or not at all.  The same at all times of a path.
 ///
 /// Columns of `allowed`: the rigid motions that clamps allow, first those fixed by Fix, then
 /// the free ones.  `functionals` is the dual basis: functional k of motion l is δ_kl; those of
 /// fixed motions are  ∫ u · r ds  for the modes of Fix.
 struct Holding {
-  Loads loads;
+  std::vector<char> clamped;  ///< see prescribed
   RigidModes modes;
-  Vector means{};        ///< see meansOf
   Matrix allowed{};      ///< displacements x (fixed + free)
   Matrix functionals{};  ///< displacements x (fixed + free)
   std::vector<int>
@@ -28,8 +27,7 @@ struct Holding {
   Index free() const { return allowed.columns() - fixed(); }
 };
 
-/// \throws bem::InputError, see makeLoads, and if clamps already prevent a mode of Fix
-Holding makeHolding(const bem::Space& space, const Conditions& conditions,
-                    bem::Units units);
+/// \throws bem::InputError if clamps already prevent a mode of Fix
+Holding makeHolding(const bem::Space& space, const Conditions& conditions);
 
 }  // namespace epafi::contact

@@ -93,7 +93,6 @@ void clamp(const bem::Space& space, int e, const Vector& values, int component,
            Loads& loads) {
   for (int k = 0; k <= space.mesh()[e].degree; ++k) {
     const Index unknown = space.displacement(e, k, component);
-    loads.clamped[unknown] = 1;
     loads.prescribed[unknown] = values[unknown];
     loads.largestDisplacement =
         std::max(loads.largestDisplacement, std::abs(values[unknown]));
@@ -136,7 +135,6 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
   Loads loads;
   loads.load.assign(size, 0.0);
   loads.prescribed.assign(size, 0.0);
-  loads.clamped.assign(size, 0);
   double rest = 0;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const auto neumann = conditions.neumann.find(space.mesh().boundary(e));
@@ -161,6 +159,18 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
   for (const auto& [name, dirichlet] : conditions.dirichlet)
     addDirichlet(space, name, dirichlet, inside, units, loads);
   return loads;
+}
+
+std::vector<char> prescribed(const bem::Space& space, const Conditions& conditions) {
+  std::vector<char> result(space.displacements(), 0);
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const Vec2 given = conditions.given(space.mesh().boundary(e));
+    for (int k = 0; k <= space.mesh()[e].degree; ++k)
+      for (const int c : {0, 1})
+        if ((c == 0 ? given.x : given.y) != 0)
+          result[space.displacement(e, k, c)] = 1;
+  }
+  return result;
 }
 
 RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions) {

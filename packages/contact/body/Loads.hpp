@@ -16,8 +16,7 @@ struct Loads {
   /// f_j = ∫ traction · φ_j ds; with body loads minus that of the traction of the particular
   /// solution, plus its term in the stabilisation.
   Vector load;
-  Vector prescribed;          ///< displacement with the clamped values, zero elsewhere
-  std::vector<char> clamped;  ///< per unknown: given by a Dirichlet condition?
+  Vector prescribed;  ///< displacement with the clamped values, zero elsewhere
   double largestTraction = 0;
   double largestDisplacement = 0;
 
@@ -37,6 +36,9 @@ struct Loads {
 /// \throws bem::InputError for a condition on an unknown boundary, or for two on one boundary,
 ///   except a displacement along one axis and a traction along the other
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units);
+
+/// 1 for each displacement that a Dirichlet condition prescribes, else 0.
+std::vector<char> prescribed(const bem::Space& space, const Conditions& conditions);
 
 /// ∫ φ_j · r ds for the rigid motions r of Space::rigidMotions, with the rotation about
 /// the boundary's centroid: 3 vectors over the displacements.  Lines of symmetry do not count.

@@ -28,8 +28,7 @@ CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& mu
   restriction_.held.assign(at(operators_->size()), 1);
   const auto held = restriction_.held.begin();
   std::fill(held + range_.densities, held + range_.last, 0);
-  const std::vector<char>& clamped = holding_->loads.clamped;
-  std::copy(clamped.begin(), clamped.end(), held + range_.first);
+  std::copy(holding_->clamped.begin(), holding_->clamped.end(), held + range_.first);
   addSprings();
   // with several bodies, only the factor of CompressedFlexibility is updated
   const bool changes = operators_->bodies() == 1;

@@ -62,7 +62,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
 bem::LocalCoupling localCoupling(const std::vector<ContactSide>& bodies,
                                  const std::vector<bem::Lame>& lames,
                                  const Stabilization& stabilization, bem::Units units) {
-  const Numbering numbering = numberingOf(bodies);
+  const Numbering numbering(bodies);
   const std::vector<TraceCoupling> opposite = oppositeCouplings(bodies, numbering);
   Index further = 0;
   for (const ContactSide& body : bodies)

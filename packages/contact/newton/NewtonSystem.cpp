@@ -5,8 +5,6 @@
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/newton/KeptFactor.hpp"
 
-#include <Teuchos_LAPACK.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +12,12 @@ namespace epafi::contact {
 
 namespace {
 
-// A combination of rigid motions counts as held if its eigenvalue in the Gram matrix of
-// the inactive rows exceeds this fraction of the largest: contact on a millionth of a
-// side holds a rotation.
-constexpr double heldThreshold = 1e-12;
+// A combination of rigid motions counts as held if its singular value in the inactive rows exceeds
+// this fraction of the largest: contact on a millionth of a side holds a rotation, and one about a
+// point that is a million sides away.
+constexpr double heldThreshold = 1e-9;
+// Down to this fraction the motions are left as they are; else they are combined to equal values.
+constexpr double wellHeld = 1e-3;
 // Largest relative change by the last refinement with a kept factor; the next change
 // would be of the order of its square.
 constexpr double enoughOfKept = 1e-7;
@@ -33,20 +33,30 @@ Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   return result;
 }
 
-/// Overwrites a Gram matrix by its eigenvectors; returns the number of zero eigenvalues,
-/// which come first.
-Index looseOf(Matrix& gram) {
-  const Index k = gram.columns();
-  Vector eigenvalues(at(k));
-  Vector work(at(8 * k + 8));
-  int info = 0;
-  if (k > 0)
-    Teuchos::LAPACK<int, double>().SYEV(
-        'V', 'L', bem::asInt(k), gram.data(), bem::asInt(gram.stride()),
-        eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
-  const double least = k > 0 ? heldThreshold * eigenvalues.back() : 0;
-  return std::count_if(eigenvalues.begin(), eigenvalues.end(),
-                       [&](double v) { return !(v > least); });
+/// Amplitudes of the motions that the rows of A constrain (held) and of those that they do not.
+struct Split {
+  Matrix held;
+  Matrix loose;
+};
+
+Split splitBy(Matrix a) {
+  const Index k = a.columns();
+  const bem::Svd svd = bem::singularValues(std::move(a));
+  const double largest = svd.s.empty() ? 0 : svd.s.front();
+  const Index rank = bem::rank(svd, heldThreshold * largest);
+  const Matrix v = bem::transposed(svd.vt);
+  Split split{Matrix(k, k), bem::columnsBetween(v, rank, k)};
+  // well held: the unit vectors, which do not depend on the rows, as KeptFactor needs
+  if (rank == k && svd.s.back() > wellHeld * largest) {
+    for (Index j = 0; j < k; ++j)
+      split.held(j, j) = 1;
+    return split;
+  }
+  split.held = bem::columnsBetween(v, 0, rank);
+  for (Index j = 0; j < rank; ++j)
+    for (Index i = 0; i < k; ++i)
+      split.held(i, j) *= largest / svd.s[at(j)];
+  return split;
 }
 
 }  // namespace
@@ -77,35 +87,27 @@ std::pair<Index, double> NewtonSystem::followed(Index i) const {
 void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
-  const auto product = [&](Index l, Index m, Index i) {
-    return rigid(i, l) * rigid(i, m) * rows_.weights[at(i)];
-  };
   for (Index m = 0; m < k; ++m) {
     double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
-      sum += product(m, m, i);
+      sum += rigid(i, m) * rigid(i, m) * rows_.weights[at(i)];
     motionScale_.push_back(sum > 0 ? 1 / std::sqrt(sum) : 1);
   }
-  Matrix gram(k, k);
+  const auto rows = static_cast<Index>(inactive_.size());
+  const bool sprung = !problem_.rigidStiffness.empty();
+  Matrix constraints(rows + (sprung ? k : 0), k);
   for (Index m = 0; m < k; ++m)
-    for (Index l = 0; l < k; ++l)
-      for (const Index i : inactive_)
-        gram(l, m) += motionScale_[at(l)] * motionScale_[at(m)] * product(l, m, i);
-  if (!problem_.rigidStiffness.empty()) {
-    Matrix ofRows = gram.copy();
-    unpressed_ = bem::columnsBetween(ofRows, 0, looseOf(ofRows));
+    for (Index p = 0; p < rows; ++p)
+      constraints(p, m) = motionScale_[at(m)] * rigid(inactive_[at(p)], m) *
+                          std::sqrt(rows_.weights[at(inactive_[at(p)])]);
+  if (sprung) {
+    unpressed_ = splitBy(constraints.copy()).loose;
+    for (Index m = 0; m < k; ++m)
+      constraints(rows + m, m) = motionScale_[at(m)] * std::sqrt(problem_.stiffness(m));
   }
-  for (Index m = 0; m < k; ++m)
-    gram(m, m) += motionScale_[at(m)] * motionScale_[at(m)] * problem_.stiffness(m);
-  const Index looseCount = looseOf(gram);
-  loose_ = Matrix(k, looseCount);
-  held_ = Matrix(k, k - looseCount);
-  // all held: the unit vectors, which do not depend on the rows, as KeptFactor needs
-  for (Index j = 0; j < k && looseCount == 0; ++j)
-    held_(j, j) = 1;
-  for (Index j = 0; j < k && looseCount > 0; ++j)
-    std::copy_n(gram.column(j), k,
-                j < looseCount ? loose_.column(j) : held_.column(j - looseCount));
+  Split split = splitBy(std::move(constraints));
+  held_ = std::move(split.held);
+  loose_ = std::move(split.loose);
 }
 
 Flexibility::Operator::System NewtonSystem::reduced() const {

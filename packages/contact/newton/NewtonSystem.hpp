@@ -60,9 +60,8 @@ class NewtonSystem {
   const Problem& problem_;
   std::vector<Index> inactive_;  ///< the coefficients that are solved for
   Vector motionScale_;           ///< scales each rigid motion to size one
-  Matrix
-      held_;  ///< orthonormal combinations of scaled motions that rows or springs constrain
-  Matrix loose_;      ///< ... that they do not
+  Matrix held_;       ///< combinations of scaled motions that rows or springs constrain
+  Matrix loose_;      ///< orthonormal ones that they do not
   Matrix unpressed_;  ///< ... that the rows do not; empty without springs
   /// From the memory if isKept_, until refinement with it fails.
   mutable std::unique_ptr<const Flexibility::Operator::Factor> factor_;

@@ -2,9 +2,6 @@
 
 #include "bem/space/Space.hpp"
 #include "contact/opposite/Opposite.hpp"
-#include "contact/problem/Numbering.hpp"
-
-#include <vector>
 
 namespace epafi::contact {
 
@@ -14,8 +11,5 @@ struct ContactSide {
   const MultiplierSpace& multiplier;
   const Opposite& opposite;
 };
-
-/// Of the multipliers of all bodies.
-Numbering numberingOf(const std::vector<ContactSide>& bodies);
 
 }  // namespace epafi::contact

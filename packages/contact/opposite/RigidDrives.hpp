@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/opposite/Numbering.hpp"
 #include "contact/problem/Problem.hpp"
 
 #include <array>

@@ -90,13 +90,6 @@ void addMortar(const std::vector<ContactSide>& bodies, std::size_t a, int b,
 
 }  // namespace
 
-Numbering numberingOf(const std::vector<ContactSide>& bodies) {
-  std::vector<Numbering::Count> counts;
-  for (const ContactSide& body : bodies)
-    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
-  return Numbering(counts);
-}
-
 std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
                                              const Numbering& numbering) {
   std::vector<TraceCoupling> result(bodies.size());

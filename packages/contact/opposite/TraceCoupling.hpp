@@ -2,7 +2,7 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/opposite/Numbering.hpp"
 
 #include <memory>
 #include <vector>

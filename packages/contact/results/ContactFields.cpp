@@ -8,8 +8,6 @@ namespace epafi::contact {
 
 namespace {
 
-constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
-
 Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
   const Vector zero(body.multiplier().normals(), 0.0);
   Vector result = zero;
@@ -25,7 +23,7 @@ ContactFields::ContactFields(const Solved& solved)
       units_(solved.units),
       multiplier_(solved.state.multiplier),
       bounds_(boundsAsCoefficients(solved.problem, solved.state.multiplier)),
-      tolerance_(stateTolerance * solved.problem.stress()) {}
+      tolerance_(solved.problem.zeroStress(multiplier_)) {}
 
 double ContactFields::closing(const Element& element,
                               const MultiplierSpace::Value& stress) const {

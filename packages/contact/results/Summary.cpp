@@ -98,7 +98,7 @@ void addContact(const Solved& solved, const Of& of) {
 /// v_c: v at the prescribed unknowns, r_k: the fixed modes.  A clamp that lies where the
 /// traction ρ_k r_k acts takes that up again, hence v - v_c.
 std::array<double, 3> reactionWork(const Solved& solved) {
-  const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
+  const std::vector<char> isPrescribed = prescribed(solved.space, solved.conditions);
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
@@ -110,7 +110,7 @@ std::array<double, 3> reactionWork(const Solved& solved) {
     double& sum = work[v];
     sum = clamps[v];
     for (Index i = 0; i < motions.rows(); ++i)
-      if (!isPrescribed[i])
+      if (isPrescribed[i] == 0)
         for (Index k = 0; k < 3; ++k)
           sum += amplitudes[k] * modes(i, k) * motions(i, v);
   }
@@ -288,21 +288,9 @@ Summary sumOf(const std::vector<Summary>& bodies) {
   return sum;
 }
 
-std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {
-  std::vector<bool> result(space.displacements(), false);
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    const Vec2 given = conditions.given(space.mesh().boundary(e));
-    for (int k = 0; k <= space.mesh()[e].degree; ++k)
-      for (const int c : {0, 1})
-        if ((c == 0 ? given.x : given.y) != 0)
-          result[space.displacement(e, k, c)] = true;
-  }
-  return result;
-}
-
 Index freeDisplacements(const bem::Space& space, const Conditions& conditions) {
-  const std::vector<bool> isPrescribed = prescribed(space, conditions);
-  return std::count(isPrescribed.begin(), isPrescribed.end(), false);
+  const std::vector<char> isPrescribed = prescribed(space, conditions);
+  return std::count(isPrescribed.begin(), isPrescribed.end(), 0);
 }
 
 }  // namespace epafi::contact

@@ -64,9 +64,6 @@ std::map<std::string, Summary> summarizeContacts(const Solved& solved);
 /// contactLength by name of the contact.
 std::map<std::string, double> contactLengths(const Solved& solved);
 
-/// Which displacements a Dirichlet condition prescribes.
-std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);
-
 /// Number of displacements that no Dirichlet condition prescribes.
 Index freeDisplacements(const bem::Space& space, const Conditions& conditions);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/Numbering.hpp"
+#include "contact/opposite/Numbering.hpp"
 #include "contact/system/ContactBody.hpp"
 
 namespace epafi::contact {

@@ -25,13 +25,14 @@ Vector onlyRounding(Vector correction, const Vector& u) {
 
 /// What Fix makes of the prescribed displacement: the whole of u, what the particular solution has
 /// of it included, has no mean motion.
-Vector withoutFixedMotions(const Holding& holding) {
-  Vector result = holding.loads.prescribed;
+Vector withoutFixedMotions(const Holding& holding, const Vector& prescribed,
+                           const Vector& means) {
+  Vector result = prescribed;
   for (Index k = 0; k < holding.fixed(); ++k) {
     const Vector functional = columnOf(holding.modes.functionals, holding.fixedModes[k]);
-    double mean = dot(functional, holding.loads.prescribed);
-    if (!holding.means.empty())
-      mean += holding.means[at(holding.fixedModes[k])];
+    double mean = dot(functional, prescribed);
+    if (!means.empty())
+      mean += means[at(holding.fixedModes[k])];
     axpy(-holding.scale(k) * mean, columnOf(holding.allowed, k), result);
   }
   return result;
@@ -54,7 +55,8 @@ std::shared_ptr<const StabilisedBody> makeForm(
 ContactBody::ContactBody(const BodyInput& input)
     : space_(&input.space),
       units_(input.units),
-      holding_(std::make_shared<Holding>(makeHolding(*space_, input.conditions, units_))),
+      loads_(makeLoads(*space_, input.conditions, units_)),
+      holding_(std::make_shared<const Holding>(makeHolding(*space_, input.conditions))),
       multiplier_(space_->mesh(), input.basis, input.conditions),
       opposite_(input.opposite
                     ? input.opposite
@@ -67,7 +69,8 @@ ContactBody::ContactBody(const BodyInput& input)
 ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
     : space_(same.space_),
       units_(same.units_),
-      holding_(std::make_shared<Holding>(makeHolding(*space_, conditions, units_))),
+      loads_(makeLoads(*space_, conditions, units_)),
+      holding_(same.holding_),
       multiplier_(same.multiplier_.under(conditions)),
       opposite_(same.opposite_),
       form_(same.form_),
@@ -76,18 +79,26 @@ ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
 }
 
 void ContactBody::setLoads() {
-  Loads& loads = holding_->loads;
   terms_ = form_->residualTerms(multiplier_);
   if (!terms_.force.empty())
-    axpy(1, terms_.force, loads.load);
-  load_ = loads.largestDisplacement > 0 ? form_->residual(loads.load, loads.prescribed)
-                                        : loads.load;
-  constant_ = withoutFixedMotions(*holding_);
+    axpy(1, terms_.force, loads_.load);
+  load_ = loads_.largestDisplacement > 0 ? form_->residual(loads_.load, loads_.prescribed)
+                                         : loads_.load;
+  constant_ = withoutFixedMotions(
+      *holding_, loads_.prescribed,
+      meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+}
+
+double ContactBody::zeroStress(const Vector& multiplier) const {
+  double largest = 0;
+  for (const double stress : multiplier)
+    largest = std::max(largest, std::abs(stress));
+  return std::max(1e-9 * largest, 1e-13 * stress_);
 }
 
 Vector ContactBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
-    if (holding_->loads.clamped[j] != 0)
+    if (holding_->clamped[j] != 0)
       force[j] = 0;
   Vector u = form_->solve(force);
   for (Index k = 0; k < holding_->allowed.columns(); ++k) {
@@ -166,7 +177,7 @@ Vector ContactBody::density(const State& state, const Vector& displacement) cons
 
 Vector ContactBody::clampForces(const State& state, const Vector& displacement,
                                 const Vector& oppositeForce) const {
-  const std::vector<char>& clamped = holding_->loads.clamped;
+  const std::vector<char>& clamped = holding_->clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
@@ -207,7 +218,7 @@ Vector ContactBody::fixedReactions(const State& state,
 Vector ContactBody::fixedMeans(const Vector& displacement) const {
   Vector means(3, 0.0);
   for (std::size_t i = 0; i < displacement.size(); ++i)
-    for (Index k = 0; holding_->loads.clamped[i] == 0 && k < 3; ++k)
+    for (Index k = 0; holding_->clamped[i] == 0 && k < 3; ++k)
       means[at(k)] +=
           holding_->modes.functionals(static_cast<Index>(i), k) * displacement[i];
   return means;

@@ -40,6 +40,9 @@ class ContactBody {
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
   void setStress(double stress) { stress_ = stress; }
+  /// Contact stresses up to this one count as zero: 1e-9 of the largest one of the body, not less than
+  /// the rounding of all loads.
+  double zeroStress(const Vector& multiplier) const;
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see BalancedStiffness).
@@ -62,9 +65,9 @@ class ContactBody {
   double storedEnergy(const State& state, const Vector& displacement) const;
 
   /// f of the equations, see Loads, all unknowns: the Neumann data's where nothing acts inside.
-  const Vector& load() const { return holding_->loads.load; }
+  const Vector& load() const { return loads_.load; }
   /// What is given and what acts inside by themselves; vectors are empty where nothing does.
-  const Loads::OfInside& ofInside() const { return holding_->loads.inside; }
+  const Loads::OfInside& ofInside() const { return loads_.inside; }
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
   Vector clampForces(const State& state, const Vector& displacement,
@@ -112,9 +115,7 @@ class ContactBody {
   Vector pushing() const;
   Vector rigidLoad() const;
   /// Size of what acts on the body, dimensionless; zero: nothing.
-  double loadSize() const {
-    return holding_->loads.size() + obstacle_.largestPenetration;
-  }
+  double loadSize() const { return loads_.size() + obstacle_.largestPenetration; }
 
  private:
   void setLoads();
@@ -125,14 +126,15 @@ class ContactBody {
 
   const bem::Space* space_;
   bem::Units units_;
-  std::shared_ptr<Holding> holding_;
+  Loads loads_;  ///< with the force of terms_
+  std::shared_ptr<const Holding> holding_;
   MultiplierSpace multiplier_;
   std::shared_ptr<const Opposite> opposite_;
   std::shared_ptr<const StabilisedBody> form_;
   Obstacle obstacle_;
-  ResidualTerms terms_{};  ///< their force is part of the holding's load
-  Vector load_{};          ///< f - A u_D
-  Vector constant_{};      ///< u_D and what Fix makes of it
+  ResidualTerms terms_{};
+  Vector load_{};      ///< f - A u_D
+  Vector constant_{};  ///< u_D and what Fix makes of it
   double stress_ = 1;
   struct Cached {
     Vector multiplier;

@@ -32,7 +32,7 @@ std::vector<ContactSide> ContactSystem::sides() const {
 ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
                              const std::vector<Drive>& rigid)
     : bodies_(bodiesOf(inputs)),
-      numbering_(numberingOf(sides())),
+      numbering_(sides()),
       opposite_(std::make_shared<const std::vector<TraceCoupling>>(
           oppositeCouplings(sides(), numbering_))),
       rigid_(rigid, sides(), numbering_),

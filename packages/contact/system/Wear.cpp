@@ -13,8 +13,6 @@ namespace {
 
 using ContactElement = MultiplierSpace::ContactElement;
 
-constexpr double closed = 1e-9;  // of the load, as in ContactFields
-
 template <class Visit>
 void forEachPoint(const ContactBody& body, const Visit& visit) {
   forEachGaussPoint(body.space().mesh(), body.multiplier(), visit);
@@ -119,7 +117,7 @@ std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
     now.distance.resize(slips_[b].size());
     now.slid = body.obstacle().slid;
     now.rate = rates_[b];
-    const double least = closed * body.stress();
+    const double least = body.zeroStress(states[b].multiplier);
     forEachPoint(body, [&](const SidePoint& point) {
       const std::size_t k = point.gaussPoint();
       const double pressure =

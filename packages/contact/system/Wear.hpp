@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/Numbering.hpp"
+#include "contact/opposite/Numbering.hpp"
 #include "contact/problem/Surface.hpp"
 #include "contact/system/ContactBody.hpp"
 

@@ -1,34 +1,26 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
+#include "contact/opposite/ContactSide.hpp"
 
 namespace epafi::contact {
-
-using bem::Index;
-using bem::Vector;
 
 /// Numbering of the multipliers of all bodies in one problem: the pressures of all
 /// bodies, then all other coefficients, each by bodies.
 class Numbering {
  public:
-  /// Sizes of MultiplierSpaces.
-  struct Count {
-    Index normals = 0;
-    Index size = 0;
-  };
-  explicit Numbering(const std::vector<Count>& bodies);
+  explicit Numbering(const std::vector<ContactSide>& bodies);
 
   Index size() const { return size_; }
   Index normals() const { return normals_; }
   /// Number of coefficient `own` of body b.
   Index operator()(std::size_t b, Index own) const {
     const Start& start = starts_[b];
-    return own < start.count.normals ? start.normal + own
-                                     : start.tangential + own - start.count.normals;
+    return own < start.normals ? start.normal + own
+                               : start.tangential + own - start.normals;
   }
   /// Number of coefficients of a body; of its pressures.
-  Index sizeOf(std::size_t b) const { return starts_[b].count.size; }
-  Index normalsOf(std::size_t b) const { return starts_[b].count.normals; }
+  Index sizeOf(std::size_t b) const { return starts_[b].size; }
+  Index normalsOf(std::size_t b) const { return starts_[b].normals; }
   /// The part of body b in a vector with one entry per tangential coefficient of all
   /// bodies.
   Vector tangentialsOf(std::size_t b, const Vector& all) const {
@@ -39,7 +31,8 @@ class Numbering {
 
  private:
   struct Start {
-    Count count;
+    Index normals = 0;
+    Index size = 0;
     Index normal = 0;
     Index tangential = 0;
   };
