@@ -122,13 +122,15 @@ claim(flush[0]["elements"] == flush[1]["elements"] and
       abs(flush[1]["estimate"] / flush[0]["estimate"] - 1) < 1e-6,
       "a block wider by 1e-8 has the mesh and the estimate of a flush one")
 
-# a light contact beside a heavy one is not rounding
-points = run(written("light", [
-    body(name, block(x, 0, x + 1, 1), 1.0, condition("bottom", "Contact", friction("0.3")) +
-         condition("top", "Dirichlet", Displacement_X=0, Displacement_Y=-approach))
-    for name, x, approach in (("heavy", 0, 0.01), ("light", 3, 1e-12))], form="Projected"), "light")[1]
-claim(all(p["contact"] == "closed" and p["friction"] != "" for p in points),
-      "a contact under 1e-10 of the load of another one is closed, too")
+# a wedge on a foot of a millionth of its size, which alone holds its rotation
+FOOT = 5e-7
+wedge = geometry([(-FOOT, 0), (FOOT, 0), (0.5, 0.5), (0.5, 1), (-0.5, 1), (-0.5, 0.5)],
+                 "foot, side, side, top, side, side")
+history, points = run(written("foot", [
+    body("wedge", wedge, 2.0, condition("top", "Neumann", Force_Y=-1e-8)),
+    body("base", block(-1, -1, 1, 0), 1.0, CLAMP)],
+    contact("c", "wedge:foot", "base:top", friction("0.5")), "Projected"), "foot")
+claim(abs(history[0]["force_normal"] / 1e-8 - 1) < 1e-6, "a foot of a millionth holds a wedge")
 
 # refinement over both bodies; a run that goes on gives the same digits
 shipped = scene("two-blocks.xml")

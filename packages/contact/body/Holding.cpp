@@ -102,7 +102,7 @@ Matrix reduced(Matrix columns, Index first) {
 /// The values of the named functionals on the allowed motions.
 /// \throws bem::InputError if clamps hold one of them already.
 bem::Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
-              const std::vector<int>& fixedModes, const std::string& path) {
+                   const std::vector<int>& fixedModes, const std::string& path) {
   const Matrix pairs = transposedTimes(modes.functionals, modes.motions);
   const Matrix onAllowed = multiply(pairs, allowedCombinations);
   const auto fixed = static_cast<Index>(fixedModes.size());
@@ -150,7 +150,8 @@ void setMotions(const Conditions::Fix& fix, Holding& holding) {
   holding.fixedModes = namedModes(fix);
   const Index fixed = holding.fixed();
 
-  const bem::Svd held = heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
+  const bem::Svd held =
+      heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
   const Matrix inModes = reduced(
       multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
   holding.allowed = withoutClamped(multiply(modes.motions, inModes), holding.clamped);

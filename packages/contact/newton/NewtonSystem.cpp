@@ -13,8 +13,7 @@ namespace epafi::contact {
 namespace {
 
 // A combination of rigid motions counts as held if its singular value in the inactive rows exceeds
-// this fraction of the largest: contact on a millionth of a side holds a rotation, and one about a
-// point that is a million sides away.
+// this fraction of the largest: contact on a millionth of a side holds a rotation.
 constexpr double heldThreshold = 1e-9;
 // Down to this fraction the motions are left as they are; else they are combined to equal values.
 constexpr double wellHeld = 1e-3;
@@ -47,7 +46,7 @@ Split splitBy(Matrix a) {
   const Matrix v = bem::transposed(svd.vt);
   Split split{Matrix(k, k), bem::columnsBetween(v, rank, k)};
   // well held: the unit vectors, which do not depend on the rows, as KeptFactor needs
-  if (rank == k && svd.s.back() > wellHeld * largest) {
+  if (rank == k && (k == 0 || svd.s.back() > wellHeld * largest)) {
     for (Index j = 0; j < k; ++j)
       split.held(j, j) = 1;
     return split;

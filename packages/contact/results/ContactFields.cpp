@@ -8,6 +8,8 @@ namespace epafi::contact {
 
 namespace {
 
+constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
+
 Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
   const Vector zero(body.multiplier().normals(), 0.0);
   Vector result = zero;
@@ -23,7 +25,7 @@ ContactFields::ContactFields(const Solved& solved)
       units_(solved.units),
       multiplier_(solved.state.multiplier),
       bounds_(boundsAsCoefficients(solved.problem, solved.state.multiplier)),
-      tolerance_(solved.problem.zeroStress(multiplier_)) {}
+      tolerance_(stateTolerance * solved.problem.stress()) {}
 
 double ContactFields::closing(const Element& element,
                               const MultiplierSpace::Value& stress) const {

@@ -89,13 +89,6 @@ void ContactBody::setLoads() {
       meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
 }
 
-double ContactBody::zeroStress(const Vector& multiplier) const {
-  double largest = 0;
-  for (const double stress : multiplier)
-    largest = std::max(largest, std::abs(stress));
-  return std::max(1e-9 * largest, 1e-13 * stress_);
-}
-
 Vector ContactBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
     if (holding_->clamped[j] != 0)

@@ -40,9 +40,6 @@ class ContactBody {
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
   void setStress(double stress) { stress_ = stress; }
-  /// Contact stresses up to this one count as zero: 1e-9 of the largest one of the body, not less than
-  /// the rounding of all loads.
-  double zeroStress(const Vector& multiplier) const;
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see BalancedStiffness).

@@ -13,6 +13,8 @@ namespace {
 
 using ContactElement = MultiplierSpace::ContactElement;
 
+constexpr double closed = 1e-9;  // of the load, as in ContactFields
+
 template <class Visit>
 void forEachPoint(const ContactBody& body, const Visit& visit) {
   forEachGaussPoint(body.space().mesh(), body.multiplier(), visit);
@@ -117,7 +119,7 @@ std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
     now.distance.resize(slips_[b].size());
     now.slid = body.obstacle().slid;
     now.rate = rates_[b];
-    const double least = body.zeroStress(states[b].multiplier);
+    const double least = closed * body.stress();
     forEachPoint(body, [&](const SidePoint& point) {
       const std::size_t k = point.gaussPoint();
       const double pressure =
