@@ -99,8 +99,10 @@ void Recorder::takeStep(const SolvedLevel& level) {
   const StepRow& row = level.path->last().row;
   tables_.addStep(row);
   times_.push_back(row.t);
-  contactOfStep_ = contact_.next(level);
-  stepFiles_.emplace_back(stepFile(times_.size(), "contact.csv"), made(contactOfStep_));
+  if (scene_.hasContact()) {
+    contactOfStep_ = contact_.next(level);
+    stepFiles_.emplace_back(stepFile(times_.size(), "contact.csv"), made(contactOfStep_));
+  }
   for (const PathPoint& point : level.path->points)
     if (points_.empty() || point.t > points_.back().t)
       points_.push_back(point);

@@ -90,9 +90,6 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
     bem::Vector places = side.singular.inside[e];
     if (side.singular.at(mesh, e, false) == Singularity::Strong)
       places.push_back(-1);
-    if (mesh.boundary(mesh[e].next) != mesh.boundary(e) &&
-        side.singular.at(mesh, e, true) == Singularity::Strong)
-      places.push_back(1);
     for (const double t : places)
       if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, opposite.curves))
         found.push_back({opposite.edges[there->curve],

@@ -116,7 +116,8 @@ claim(abs(lengths[0] / lengths[1] - 1) < 0.02, "either side first: alike on a co
 flush = []
 for wider in (0, 1e-8):
     flush += run(written("flush", [
-        body("a", block(0, 0, 1, 1), 1.0, PRESS), body("b", block(0, -1, 1 + wider, 0), 2.0, CLAMP)],
+        body("a", block(0, 0, 1, 1), 1.0, PRESS, mesh=mesh(4, 4, 2)),
+        body("b", block(0, -1, 1 + wider, 0), 2.0, CLAMP, mesh=mesh(4, 4, 2))],
         contact("c", "a:bottom", "b:top", friction("0.5")), "Projected"), "flush")[0]
 claim(flush[0]["elements"] == flush[1]["elements"] and
       abs(flush[1]["estimate"] / flush[0]["estimate"] - 1) < 1e-6,
