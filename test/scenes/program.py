@@ -53,7 +53,13 @@ def seen():
                            "--set", "Adaptivity->Maximum Levels=1"],
                           stdout=subprocess.PIPE, stderr=theirs, universal_newlines=True)
     os.close(theirs)
-    return os.read(ours, 1 << 16).decode(), done.stdout
+    line = b""
+    try:
+        while part := os.read(ours, 1 << 16):
+            line += part
+    except OSError:  # Linux's end of a terminal that is closed
+        pass
+    return line.decode(), done.stdout
 
 
 progress, words = seen()
