@@ -39,15 +39,16 @@ LevelStart firstLevel(const Scene& scene) {
     first.meshes.push_back(firstMesh(body));
   constexpr int most = 12;
   std::vector<bem::Mesh> meshes = first.meshes;
-  int least = timesUnbalanced(scene, BodySpaces(scene, meshes));
-  for (int k = 0; k < most && least > 0; ++k) {
+  std::vector<double> left =
+      unbalanced(scene, BodySpaces(scene, meshes),
+                 scene.history ? scene.history.times : std::vector<double>{1});
+  for (int k = 0; k < most && !left.empty(); ++k) {
     for (std::size_t b = 0; b < meshes.size(); ++b)
       meshes[b] = halvedAtEnds(meshes[b], scene.bodies[b].conditions);
-    const int count = timesUnbalanced(scene, BodySpaces(scene, meshes));
-    if (count < least) {
-      least = count;
+    const std::size_t before = left.size();
+    left = unbalanced(scene, BodySpaces(scene, meshes), left);
+    if (left.size() < before)
       first.meshes = meshes;
-    }
   }
   return first;
 }

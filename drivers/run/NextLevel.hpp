@@ -24,9 +24,9 @@ struct Outcome {
   std::string reason;
 };
 
-/// First meshes of the scene, with start value zero.  Where coarse multipliers cannot balance the load of
-/// a body that contact alone holds, and finer ones can (a load above the edge of its foot), elements
-/// are halved towards the ends and corners of contacts.
+/// First meshes of the scene, with start value zero.  Where coarse multipliers cannot
+/// balance the load of a body that contact alone holds, and finer ones can (a load above
+/// the edge of its foot), elements are halved towards ends and corners of contacts.
 LevelStart firstLevel(const Scene& scene);
 
 /// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance;

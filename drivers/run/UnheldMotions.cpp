@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace epafi::drivers {
 
@@ -251,18 +252,20 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
   return unresisted(scene, spaces, system.numbers(), motionsOf(system));
 }
 
-int timesUnbalanced(const Scene& scene, const BodySpaces& spaces) {
-  const auto numbersAt = [&](double t) {
-    return balanceOf(scene, spaces, spaces.conditionsAt(t), t).numbers;
+std::vector<double> unbalanced(const Scene& scene, const BodySpaces& spaces,
+                               const std::vector<double>& times) {
+  bool mayMove = true;  // free motions are the same at all times
+  const auto isBalanced = [&](double t) {
+    if (!mayMove)
+      return true;
+    const contact::Problem numbers =
+        balanceOf(scene, spaces, spaces.conditionsAt(t), t).numbers;
+    mayMove = numbers.rigidMotions() > 0;
+    return contact::unresistedMotion(numbers).empty();
   };
-  const contact::Problem last = numbersAt(scene.endOfPath());
-  if (last.rigidMotions() == 0)
-    return 0;
-  int count = contact::unresistedMotion(last).empty() ? 0 : 1;
-  for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
-    if (!contact::unresistedMotion(numbersAt(scene.history.times[k])).empty())
-      ++count;
-  return count;
+  std::vector<double> result;
+  std::remove_copy_if(times.begin(), times.end(), std::back_inserter(result), isBalanced);
+  return result;
 }
 
 void checkBalance(const Scene& scene, const BodySpaces& spaces,

@@ -4,6 +4,7 @@
 #include "drivers/run/BodySpaces.hpp"
 
 #include <string>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -17,8 +18,9 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system);
 
-/// Number of times of the scene at which multipliers of these meshes cannot balance the loads.
-int timesUnbalanced(const Scene& scene, const BodySpaces& spaces);
+/// Those of some times at which multipliers of these meshes cannot balance the loads.
+std::vector<double> unbalanced(const Scene& scene, const BodySpaces& spaces,
+                               const std::vector<double>& times);
 
 /// Both checks for the conditions at time t, without solving.
 /// \throws bem::InputError for a body that nothing holds, or a load that neither contact
