@@ -56,7 +56,7 @@ function(add_border_test name)
       COMMAND timeout ${arg_TIMEOUT} ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
         ${arg_COMMAND})
     set_tests_properties(border.${name}.${ranks} PROPERTIES LABELS border PROCESSORS ${ranks}
-      COST ${ranks}000 ENVIRONMENT "${EPAFI_TEST_ENVIRONMENT};OMP_NUM_THREADS=1")
+      COST ${ranks}000 ENVIRONMENT "${EPAFI_RANKS_ENVIRONMENT}")
   endforeach()
 endfunction()
 
