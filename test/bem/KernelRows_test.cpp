@@ -103,6 +103,20 @@ double error(const Matrix& fast, Index first, const Matrix& slow) {
   return difference / largest;
 }
 
+// Beside elements 1e-9 times as long as the one that is tested; t has an ulp of 1e-16 there.
+TEUCHOS_UNIT_TEST(GradedRule, takesAsManyPointsADecadeAtTheEndsAsElsewhere) {
+  const double next = std::nextafter(-1.0, 0.0);
+  const std::vector<bem::Feature> features = {{-1, 0}, {next, 0}, {1, 0}, {-next, 1e-20}};
+  const bem::GradedRule rule = bem::gradedRule(features, 17, 1e-20);
+  const int sides = 6;  // of features, from which intervals grow: 25 points a decade
+  TEST_COMPARE(rule.size(), <, sides * 25 * 20);
+  double sum = 0;
+  for (int q = 0; q < rule.size(); ++q)
+    sum += rule.weights[q] *
+           (std::log(rule.points[q].fromStart) - 2 * std::log(rule.points[q].toEnd));
+  TEST_FLOATING_EQUALITY(sum, 2 - 2 * std::log(2), 1e-13);
+}
+
 TEUCHOS_UNIT_TEST(KernelRows, equalThoseOfClosedForms) {
   const bem::Lame lame(bem::Material{1, 0.3, false});
   for (const auto& sample : reference::hardSamples()) {

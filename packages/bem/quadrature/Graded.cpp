@@ -33,9 +33,15 @@ EndPoint between(const EndPoint& a, const EndPoint& b, double f) {
   return s < 1 ? fromStart(s) : toEnd(a.toEnd + f * (b.toEnd - a.toEnd));
 }
 
+/// Counted from the end of [-1, 1] that the feature is near: there t tells short intervals apart
+/// no more.
 double separation(const Interval& interval, const Feature& feature) {
-  const double along =
-      std::max({0.0, interval.from.t - feature.t, feature.t - interval.to.t});
+  const EndPoint& from = interval.from;
+  const EndPoint& to = interval.to;
+  const double s = 1 - std::abs(feature.t);
+  const double along = feature.t < 0
+                           ? std::max({0.0, from.fromStart - s, s - to.fromStart})
+                           : std::max({0.0, s - from.toEnd, to.toEnd - s});
   return std::hypot(along, feature.distance);
 }
 
