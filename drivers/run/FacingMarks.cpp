@@ -88,8 +88,9 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
   std::vector<adaptivity::EdgePlace> found;
   for (const int e : mesh.elementsOf(pair.side.boundary)) {
     bem::Vector places = side.singular.inside[e];
-    if (side.singular.at(mesh, e, false) == Singularity::Strong)
-      places.push_back(-1);
+    for (const bool end : {false, true})
+      if (side.singular.at(mesh, e, end) == Singularity::Strong)
+        places.push_back(end ? 1 : -1);
     for (const double t : places)
       if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, opposite.curves))
         found.push_back({opposite.edges[there->curve],

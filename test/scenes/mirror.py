@@ -10,12 +10,13 @@ from runs import WORK, claim, finish, read, run, scene, table, write
 
 EVERY = sys.argv[4:] == ["all"]
 # name: levels (None: as shipped)
-SCENES = {"rounded-punch": None, "two-blocks": 8, "dovetail": 10, "incline": None, "coulomb": 14}
+SCENES = {"rounded-punch": None, "two-blocks": 8, "dovetail": 10, "incline": None, "coulomb": 14,
+          "cylinder-on-block": 4}
 if EVERY:
     SCENES = dict.fromkeys(
         ("rounded-punch", "two-blocks", "dovetail", "incline", "coulomb", "tresca", "press-fit",
          "ring-on-disc", "bonded-inclusion", "two-cylinders", "disc", "punch", "fretting",
-         "tilting-punch"))
+         "tilting-punch", "cylinder-on-block"))
 IMAGES = {"mirrored at x = 0": Image(MIRROR_X), "turned": Image(QUARTER),
           "shifted": Image(IDENTITY, (1000, -300))}
 if EVERY:

@@ -91,12 +91,13 @@ SingularPoints united(const std::vector<SingularPoints>& all) {
 SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
                           const std::vector<EdgePlace>& places) {
   constexpr double close = 0.01;
+  constexpr double rounding = 1e-12;  // of a place, in diameters
   for (const EdgePlace& place : places)
     for (int e = 0; e < mesh.size(); ++e) {
       const bem::Element& element = mesh[e];
       const double t =
           (place.fromStart - element.piece.start.fromStart) / element.half - 1;
-      if (element.piece.edge != place.edge || t < -1 || t >= 1)
+      if (element.piece.edge != place.edge || std::abs(t) > 1 + rounding / element.half)
         continue;
       std::vector<double>& inside = points.inside[e];
       if (1 + t < 2 * close)
