@@ -51,6 +51,13 @@ TEUCHOS_UNIT_TEST(Surface, unitsCancel) {
   TEST_FLOATING_EQUALITY(2100 * there.energy(5.0 / 210), here.energy(5), 1e-14);
 }
 
+// φ = L ln(1 + p/P) is L p/P where p is small
+TEUCHOS_UNIT_TEST(Surface, aStiffExponentialLawStoresWhatALinearOneDoes) {
+  const contact::Normal stiff = contact::makeNormal(
+      "Exponential", {[](bem::Vec2) { return 5e12; }, [](bem::Vec2) { return 1e13; }});
+  TEST_FLOATING_EQUALITY(stiff.at({}, {1, 1}).energy(0.1), 0.25 * 0.01, 1e-13);
+}
+
 contact::Problem drawn(const char* normal, const char* law, std::mt19937& random) {
   test::Recipe recipe;
   recipe.law = law;

@@ -4,6 +4,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <boost/math/special_functions/log1p.hpp>
 #include <cmath>
 #include <limits>
 
@@ -41,7 +42,7 @@ class PowerLaw final : public NormalLaw {
  public:
   static bem::SchemaRows rows() {
     bem::SchemaRows rows = lengthAndPressure();
-    rows.push_back(Row("Exponent", Kind::Real, "1", {0, 10, true, false},
+    rows.push_back(Row("Exponent", Kind::Real, "1", {0.1, 10, false, false},
                        "e: closing = Length (pressure/Pressure)^e")
                        .required());
     return rows;
@@ -75,7 +76,7 @@ class ExponentialLaw final : public NormalLaw {
     return fields[0] / (fields[1] + p);
   }
   double energy(double p, const Vector& fields) const override {
-    return fields[0] * (p - fields[1] * std::log1p(p / fields[1]));
+    return -fields[0] * fields[1] * boost::math::log1pmx(p / fields[1]);
   }
 };
 
