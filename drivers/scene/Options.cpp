@@ -23,7 +23,8 @@ bem::Family<LinearMethod>& linearMethods() {
       "linear method",
       {
           {"Dense", "Cholesky's factors", factors},
-          {"Belos", "conjugate gradients, for each column", belos},
+          {"Belos", "conjugate gradients, for each column", belos,
+           LinearMethod::Operators::Dense, false},
           {"Compressed",
            "by skeletons, time and memory nearly proportional to the elements; "
            "Stabilization->Form Density or None",

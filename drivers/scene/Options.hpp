@@ -38,6 +38,7 @@ struct LinearMethod {
   std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
       const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
+  bool factors = true;  ///< V, which may be nearly singular then, see Conditions::pins
 };
 
 /// All methods; a program may add others before it reads its first scene.

@@ -70,7 +70,8 @@ void pinIncompressible(std::size_t b, Scene& scene) {
     for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
       seen[i] = true;
       held = held || conditions.contact.count(edges[i].boundary) != 0;
-      if (edges[i].curve.length() > longest && isFree(scene, b, edges[i].boundary)) {
+      if (edges[i].curve.length() > (1 + 1e-9) * longest &&
+          isFree(scene, b, edges[i].boundary)) {
         longest = edges[i].curve.length();
         pin = static_cast<int>(i);
       }
@@ -92,6 +93,12 @@ void checkLinear(const Scene& scene) {
   if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
     throw InputError("Solver->Linear->Method = ", method.name, ": ", reason,
                      "; Dense, Belos and Automatic are possible");
+  for (const Body& body : scene.bodies)
+    if (!method.factors && !body.conditions.pins.empty())
+      throw InputError("Solver->Linear->Method = ", method.name,
+                       ": cannot solve for body '", body.name,
+                       "', whose Poisson's Ratio is 1/2 and which has a closed line "
+                       "without contact; Automatic, Dense and Compressed can");
 }
 
 /// The scene with the strategy and the number of levels that a tolerance alone implies.

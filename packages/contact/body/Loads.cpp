@@ -126,6 +126,33 @@ void addDirichlet(const bem::Space& space, const std::string& name,
   }
 }
 
+/// Moves nodes that nothing holds along the normal, so that the prescribed displacement keeps the
+/// volume: V at ν = 1/2 would answer a change with pressures as large as one over the part of it
+/// that a pin adds, and the displacement that loads cause would have to take them away.
+void keepVolume(const bem::Space& space, const Conditions& conditions, Loads& loads) {
+  const bem::Mesh& mesh = space.mesh();
+  Vector volume(loads.prescribed.size(), 0.0);  // ∫ φ_j · n ds
+  Vector lengths(volume.size(), 0.0);           // ∫ φ_j ds of the nodes' functions
+  double rest = 0;
+  for (int e = 0; e < mesh.size(); ++e) {
+    rest += addTraction(
+        space, e, bem::gaussForGiven(mesh[e].degree),
+        [&](double t, double) { return mesh[e].curve.normal(t); }, volume.data());
+    for (const int k : {0, 1})
+      for (const int c : {0, 1})
+        lengths[space.displacement(e, k, c)] += mesh[e].half;
+  }
+  if (space.rotation() != nullptr)
+    space.rotation()->complete(rest, volume);
+  const std::vector<char> held = prescribed(space, conditions);
+  Vector outward(volume.size(), 0.0);
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    if (lengths[i] > 0 && held[i] == 0)
+      outward[i] = volume[i] / lengths[i];
+  if (const double gained = bem::dot(volume, outward); gained > 0)
+    bem::axpy(-bem::dot(volume, loads.prescribed) / gained, outward, loads.prescribed);
+}
+
 }  // namespace
 
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units) {
@@ -158,6 +185,8 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
     addInside(space, *inside, loads);
   for (const auto& [name, dirichlet] : conditions.dirichlet)
     addDirichlet(space, name, dirichlet, inside, units, loads);
+  if (!conditions.pins.empty() && loads.largestDisplacement > 0)
+    keepVolume(space, conditions, loads);
   return loads;
 }
 

@@ -16,7 +16,8 @@ struct Loads {
   /// f_j = ∫ traction · φ_j ds; with body loads minus that of the traction of the particular
   /// solution, plus its term in the stabilisation.
   Vector load;
-  Vector prescribed;  ///< displacement with the clamped values, zero elsewhere
+  /// A displacement with the clamped values; elsewhere zero, or, with pins, what keeps the volume.
+  Vector prescribed;
   double largestTraction = 0;
   double largestDisplacement = 0;
 

@@ -10,19 +10,21 @@ using bem::Element;
 
 namespace {
 
-/// The mean of one component of ψ on the longest element of an edge, held with a small part
-/// of its own diagonal in V: large enough for the factor, and the change of volume that it
-/// lets through is below the error.
+/// The mean of one component of ψ on the longest element of an edge, the first of equal ones, held
+/// with a part of its own diagonal in V.  That of the outer line is small: large enough for the
+/// factor, and the change of volume that it lets through is below the error.  Round holes any
+/// displacement is compatible.
 std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
   int longest = -1;
   for (int e = 0; e < space.mesh().size(); ++e)
     if (space.mesh()[e].piece.edge == edge &&
-        (longest < 0 || space.mesh()[e].half > space.mesh()[longest].half))
+        (longest < 0 || space.mesh()[e].half > (1 + 1e-9) * space.mesh()[longest].half))
       longest = e;
   const Element& element = space.mesh()[longest];
   const bem::Vec2 normal = element.curve.normal(0);
+  const bool isHole = space.mesh().outline().edges()[bem::at(edge)].loop > 0;
   return {space.density(longest, 0, std::abs(normal.x) > std::abs(normal.y) ? 0 : 1),
-          1e-4 * element.half * element.half};
+          (isHole ? 1 : 1e-4) * element.half * element.half};
 }
 
 }  // namespace
