@@ -55,8 +55,7 @@ void checkWords(const Command& command, const Given& given) {
                          option.value, " is needed");
       if (!option.words.empty() && std::find(option.words.begin(), option.words.end(),
                                              value) == option.words.end())
-        throw InputError(command.name, ": ", option.name, ": unknown ",
-                         option.name.substr(2), " '", value, "'",
+        throw InputError(command.name, ": ", option.name, ": unknown value '", value, "'",
                          bem::suggestion(value, option.words));
     }
 }

@@ -73,9 +73,12 @@ int helpCommand(const Given& given, std::ostream& out) {
   return 0;
 }
 
-const Option output{"--output", "DIR",
-                    "the folder for the results; default: ./<scene name>.out",
-                    Offer::Folders};
+Option outputOf(const std::string& what) {
+  return {"--output", "DIR",
+          "the folder for the results; default: ./<" + what + " name>.out",
+          Offer::Folders};
+}
+
 const Option threads{
     "--threads", "N",
     "at most so many, as the work pays for; default: all cores, 1 under mpirun"};
@@ -113,7 +116,7 @@ std::vector<Command> makeCommands() {
       {"run",
        "solve a scene; a table row per level, files into a folder",
        scene,
-       {output,
+       {outputOf("scene"),
         set,
         threads,
         {"--restart", "DIR",
@@ -126,7 +129,7 @@ std::vector<Command> makeCommands() {
       {"study",
        "run variants of scenes; error against unknowns and time, one table, pictures",
        {"STUDY.xml", "study", Offer::Scenes},
-       {output,
+       {outputOf("study"),
         threads,
         {"--force", "", "replace the files of an earlier study, references are kept"},
         {"--no-plot", "", "write the tables only; `epafi plot` draws the pictures later"},
@@ -214,7 +217,7 @@ std::string synonym(const std::string& name) {
 std::vector<Option> looks() {
   return {
       {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
-      {"--dpi", "N", "pixels per inch, 10 to 1200; default: 110"},
+      {"--dpi", "N", "pixels per inch, above 10, at most 1200; default: 110"},
       {"--font", "P", "points of the text; default: 10"},
       {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
       {"--pdf", "", "PDF beside PNG and SVG"},

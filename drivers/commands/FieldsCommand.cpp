@@ -154,7 +154,7 @@ Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) 
 
 Points pointsOf(const std::string& file, const SavedRun& run) {
   std::istringstream lines(
-      within("fields: --points: '" + file + "' ", [&] { return readText(file); }));
+      within("fields: --points: '" + file + "': ", [&] { return readText(file); }));
   Points points;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -319,6 +319,13 @@ int fieldsCommand(const Given& given, std::ostream& out) {
       if (given.has(other))
         throw InputError("fields: --vtk covers the whole inside; ", other,
                          " belongs to the csv");
+  const std::string extension =
+      std::filesystem::path(given.value("--output")).extension().string();
+  if (extension == (given.has("--vtk") ? ".csv" : ".vtu"))
+    throw InputError("fields: --output: '", given.value("--output"), "': ",
+                     given.has("--vtk")
+                         ? "--vtk writes no csv; leave it out, or name a .vtu"
+                         : "a .vtu needs --vtk; without it a csv is written");
   if (all) {
     writeSeries(folder, out);
     return 0;

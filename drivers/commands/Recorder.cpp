@@ -4,8 +4,10 @@
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <utility>
 
@@ -55,8 +57,25 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
     last_ = earlier_->level;
 }
 
+void Recorder::beginWith(const std::string& folder) {
+  if (!folder_)
+    return;
+  restored_ = folder + "/";
+  std::vector<std::string> names{"contact.csv", "bodies.csv"};
+  std::vector<std::string> ofSteps{"contact.csv"};
+  if (scene_.output.fields) {
+    names.insert(names.end(), {"boundary.csv", "steps.pvd"});
+    ofSteps.emplace_back("boundary.vtu");
+  }
+  for (std::size_t k = 1; k <= scene_.history.times.size(); ++k)
+    for (const std::string& name : ofSteps)
+      names.push_back(stepFile(k, name));
+  for (const std::string& name : names)
+    if (std::filesystem::exists(restored_ + name))
+      files_.emplace_back(name, [file = restored_ + name] { return readText(file); });
+}
+
 void Recorder::take(const SolvedLevel& level) {
-  ++levels_;
   if (!folder_)
     return;
   solved_ = solvedOf(level);
@@ -124,22 +143,26 @@ void Recorder::writeIfDue() {
 }
 
 void Recorder::write() {
-  if (!solved_)
+  if (!solved_ && restored_.empty())
     return;
   const double begin = cpuSeconds();
   for (const auto& [name, text] : files_)
     folder_->stage(name, text());
   if (!tables_.steps.empty())
     folder_->stage("steps.csv", tables_.steps);
-  if (!solved_->level.complete)
+  if (solved_ && !solved_->level.complete)
     solved_->level.path = points_;
   if (scene_.output.fields)
     folder_->stage("solution.hdf",
-                   tables_.solution(solved_->level, solved_->row, *solved_->grid));
+                   solved_
+                       ? tables_.solution(solved_->level, solved_->row, *solved_->grid)
+                       : readText(restored_ + "solution.hdf"));
   folder_->dropMade();
   folder_->commit();
-  written_(solved_->level);
+  if (solved_)
+    written_(solved_->level);
   files_.clear();
+  restored_.clear();
   solved_.reset();
   writtenAt_ = cpuSeconds();
   writingTook_ = writtenAt_ - begin;

@@ -25,6 +25,9 @@ class Recorder {
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
            std::ostream& table, std::function<void(const Level&)> written);
 
+  /// What is written until a level is taken: the files of the level that the earlier run has left
+  /// in another folder.
+  void beginWith(const std::string& folder);
   /// Records a level; its files are written now or, after a recent writing, later.
   void take(const SolvedLevel& level);
   /// A step on the way to a level: what a run that is killed goes on from once it is written, now
@@ -38,7 +41,6 @@ class Recorder {
   void finish(PhaseTimer& timer);
   void writeTimings(PhaseTimer& timer);
 
-  int levels() const { return levels_; }
   /// Warnings of the last level.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -76,12 +78,12 @@ class Recorder {
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
   std::vector<File> files_;       ///< of the last level, until they are written
+  std::string restored_;          ///< folder whose solution.hdf stands for solved_
   std::optional<Solved> solved_;  ///< likewise, of the last level or of a step behind it
   double writtenAt_ = cpuSeconds();
   double writingTook_ = 0;
   std::vector<std::string> warnings_;
   std::vector<std::string> told_;  ///< likewise, of all levels
-  int levels_ = 0;
 };
 
 }  // namespace epafi::drivers

@@ -160,6 +160,8 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
                     [&](const Level& level) {
                       adviseOnInterrupt(advice(given, scene, beginning.folder, &level));
                     });
+  if (beginning.earlier && beginning.earlierRun != EarlierRun::Continue)
+    recorder.beginWith(restart);
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.processes().count()) << "\n";
   if (beginning.earlier)
@@ -186,11 +188,6 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);
-  const bool elsewhere =
-      beginning.earlier && beginning.earlierRun != EarlierRun::Continue;
-  if (recorder.levels() == 0 && elsewhere)
-    table << "        nothing was left to solve: the fields of level "
-          << beginning.earlier->level.number << " are in " << restart << "\n";
   return code;
 }
 

@@ -2,6 +2,8 @@
 
 #include "drivers/scene/Text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -26,6 +28,22 @@ std::string iterations(const contact::Report& report) {
   return report.coulombIterations == 0
              ? newton
              : newton + "/" + std::to_string(report.coulombIterations);
+}
+
+constexpr std::size_t contactsShown = 3;
+
+/// Those with the largest forces, if there are more than are shown.
+std::vector<ContactRow> largest(std::vector<ContactRow> contacts) {
+  if (contacts.size() <= contactsShown)
+    return contacts;
+  const auto force = [](const ContactRow& row) {
+    return std::hypot(row.summary.forceNormal, row.summary.forceTangential);
+  };
+  std::stable_sort(
+      contacts.begin(), contacts.end(),
+      [&](const ContactRow& a, const ContactRow& b) { return force(a) > force(b); });
+  contacts.resize(contactsShown);
+  return contacts;
 }
 
 struct Column {
@@ -84,10 +102,12 @@ std::string tableLine(const StepRow& row) {
        << std::setw(10) << significant(row.t, 6) << std::right << std::setw(16)
        << counted(row.newtonIterations, "Newton step", "Newton steps")
        << ", friction's work " << significant(row.energyDissipated, 6);
-  for (const ContactRow& contact : row.contacts)
+  for (const ContactRow& contact : largest(row.contacts))
     line << (contact.name.empty() ? ";" : "; " + contact.name) << " normal force "
          << significant(contact.summary.forceNormal, 5) << ", shear "
          << significant(contact.summary.forceTangential, 5);
+  if (row.contacts.size() > contactsShown)
+    line << "; " << row.contacts.size() - contactsShown << " more in steps.csv";
   for (const RigidRow& body : row.rigid)
     line << "; " << body.name << " at (" << significant(body.motion.slide.x, 5) << ", "
          << significant(body.motion.slide.y, 5) << "), turned by "

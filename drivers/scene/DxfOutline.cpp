@@ -139,8 +139,8 @@ class Drawing {
   OutlinePieces outline() const {
     OutlinePieces result;
     result.advice =
-        "lines, arcs and polylines of all layers must close (ends closer than 1e-6 of "
-        "the drawing's size are one corner)";
+        "lines, arcs and polylines of all layers must close, so that construction lines "
+        "are to be deleted (ends closer than 1e-6 of the drawing's size are one corner)";
     double size = 0;
     for (const Vec2 end : ends_)
       size = std::max({size, std::abs(end.x - ends_[0].x), std::abs(end.y - ends_[0].y)});
@@ -174,6 +174,8 @@ class Drawing {
 
   void add(const Entity& entity, Vec2 from, Vec2 to, double bulge) {
     const Pair* layer = entity.find(8);
+    if (layer != nullptr && !whyNoName(layer->value).empty())
+      throw InputError("line ", layer->fileLine, ": ", whyNoName(layer->value));
     pieces_.push_back({0, 0, mirrored_ ? -bulge : bulge,
                        layer == nullptr ? "0" : layer->value, entity.fileLine});
     for (const Vec2 end : {from, to})

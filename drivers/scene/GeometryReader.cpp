@@ -100,7 +100,8 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
   const auto name = geometry.get<std::string>("File");
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
-  within(message(path, "->File = '", name, "' (", file, "): "), [&] {
+  const std::string where = file == name ? "" : " (" + file + ")";
+  within(message(path, "->File = '", name, "'", where, ": "), [&] {
     const auto extension = std::filesystem::path(name).extension();
     const bool isDrawing = extension == ".dxf" || extension == ".DXF";
     const bem::Loops loops = (isDrawing ? readDxf : readGmsh)(readText(file));

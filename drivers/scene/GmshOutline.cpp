@@ -56,6 +56,8 @@ void readNames(Sections& file, Mesh& mesh) {
     const Tag dimension = file.whole("a dimension");
     const Tag tag = file.whole("a physical tag");
     const std::string name = file.word("a physical name");
+    if (!whyNoName(name).empty())
+      file.fail(whyNoName(name));
     if (dimension == 1)
       mesh.names[tag] = name;
   }
@@ -204,7 +206,9 @@ Mesh readMesh(const std::string& text) {
   Sections file(text);
   Mesh mesh;
   if (!file.next() || !file.is("$MeshFormat"))
-    throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
+    throw InputError(
+        "line 1: $MeshFormat is missing; a geometry is a Gmsh mesh (.msh) or a drawing "
+        "(.dxf)");
   readFormat(file);
   bool elements = false;
   while (file.next()) {

@@ -26,6 +26,18 @@ constexpr double straight = 1e-9;
 /// of their curvatures are below this, the accuracy of coordinates with 7 digits.
 constexpr double oneCircle = 1e-6;
 
+/// "; the nearest other end, of 'side', is 0.003 away"
+std::string otherEndNear(const OutlinePieces& all, Tag node, const OutlinePiece& piece) {
+  std::map<double, std::string> names;  // by distance
+  for (const OutlinePiece& other : all.pieces)
+    for (const Tag end : {other.from, other.to})
+      if (end != piece.from && end != piece.to)
+        names[norm(all.nodes.at(end) - all.nodes.at(node))] = other.boundary;
+  return names.empty() ? ""
+                       : message("; the nearest other end, of '", names.begin()->second,
+                                 "', is ", names.begin()->first, " away");
+}
+
 /// The pieces at each node; an outline has exactly two.
 std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   std::map<Tag, std::vector<std::size_t>> result;
@@ -45,11 +57,17 @@ std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   for (const auto& [tag, touching] : result)
     if (touching.size() != 2) {
       const Vec2 place = all.nodes.at(tag);
-      throw InputError("line ", all.pieces[touching.front()].fileLine, ": at node ", tag,
-                       " = (", place.x, ", ", place.y, ") ",
-                       touching.size() == 1
-                           ? message("the outline ends; ", all.advice)
-                           : message(touching.size(), " lines meet; an outline has two"));
+      const OutlinePiece& piece = all.pieces[touching.front()];
+      std::string names;
+      for (const std::size_t i : touching)
+        names += (names.empty() ? "'" : ", '") + all.pieces[i].boundary + "'";
+      throw InputError(
+          "line ", piece.fileLine, ": at node ", tag, " = (", place.x, ", ", place.y,
+          ") ",
+          touching.size() == 1
+              ? message("the outline ends with ", names, otherEndNear(all, tag, piece),
+                        "; ", all.advice)
+              : message(touching.size(), " lines meet, ", names, "; an outline has two"));
     }
   return result;
 }
@@ -183,6 +201,13 @@ bem::Loops chained(const OutlinePieces& pieces) {
   bem::Loops result{*outer, {}};
   loops.erase(outer);
   result.holes = std::move(loops);
+  const bem::Outline outline(result.outer);
+  const auto isInside = [&](Vec2 place) { return outline.contains(place); };
+  for (const Loop& hole : result.holes)
+    if (std::none_of(hole.vertices.begin(), hole.vertices.end(), isInside))
+      throw InputError("closed lines of '", result.outer.edges[0], "' and '",
+                       hole.edges[0],
+                       "' are not one inside the other; a file holds one body");
   return result;
 }
 

@@ -30,7 +30,8 @@ struct OutlinePieces {
 /// Neighbours with the same name on a straight line become one edge, those on a circle
 /// too, up to half of it.  A loop starts at its corner with the smallest node.
 /// \throws bem::InputError with the line of the file for a piece from a node to itself,
-///   two equal pieces, open chains, branches and loops without area.
+///   two equal pieces, open chains, branches, loops without area and loops outside of the
+///   largest.
 bem::Loops chained(const OutlinePieces& pieces);
 
 }  // namespace epafi::drivers

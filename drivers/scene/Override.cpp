@@ -90,19 +90,22 @@ void setList(ParameterList& list, const std::string& path, const std::string& va
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
       throw InputError(path, ": '", trimmed(piece), "' is no Key=value");
-    setAt(list, path + "->" + trimmed(piece.substr(0, equal)), piece.substr(equal + 1));
+    setAt(list, path + "->" + trimmed(piece.substr(0, equal)),
+          trimmed(piece.substr(equal + 1)));
   }
 }
 
 void setAt(ParameterList& list, const std::string& path, const std::string& value) {
   const Parameter& row = bem::declared(parameters(), path);
-  if (trimmed(value).empty())
+  if (value.empty())
     return removeAt(list, path);
   if (row.kind == Kind::List)
-    return setList(list, path, trimmed(value));
+    return setList(list, path, value);
   if (row.kind == Kind::Free)
     throw InputError(path + ": is a sublist that --set can only remove");
   const bool alone = value.find('{') == std::string::npos;
+  if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
+    throw InputError(path, ": '", value, "' is no array; write {", value, "}");
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : textOf(row.kind).type;
@@ -128,8 +131,8 @@ void applyOverride(ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
     throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
-  const std::string path = assignment.substr(0, equal);
-  const std::string value = assignment.substr(equal + 1);
+  const std::string path = trimmed(assignment.substr(0, equal));
+  const std::string value = trimmed(assignment.substr(equal + 1));
   within("--set ", [&] {
     for (const RemovedKey& key : removedKeys)
       if (path == key.path)

@@ -8,8 +8,8 @@ class ParameterList;
 
 namespace epafi::drivers {
 
-/// Applies one "A->B->Key=value" of --set: the first '=' separates, and the schema
-/// declares the type of the value.
+/// Applies one "A->B->Key=value" of --set: the first '=' separates, with or without
+/// blanks, and the schema declares the type of the value.
 ///
 /// "{Key=value, Key=value}" replaces a whole list, lists in it likewise; an empty value
 /// removes a key or a list.

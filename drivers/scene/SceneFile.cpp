@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "drivers/scene/ListReader.hpp"
+#include "drivers/scene/Text.hpp"
 #include "drivers/scene/YamlText.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/locale/utf.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -192,13 +192,9 @@ std::string withoutMark(const std::string& text) {
 void checkEncoding(const std::string& text) {
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
     throw InputError("byte ", zero, " is zero; a scene is text");
-  for (auto at = text.begin(); at != text.end();) {
-    const auto start = at;
-    if (boost::locale::utf::utf_traits<char>::decode(at, text.end()) >
-        boost::locale::utf::code_point{0x10FFFF})
-      throw InputError("line ", 1 + std::count(text.begin(), start, '\n'),
-                       " is not encoded in UTF-8; save the file with the encoding UTF-8");
-  }
+  if (const std::size_t at = notUtf8At(text); at != std::string::npos)
+    throw InputError("line ", 1 + std::count(text.data(), text.data() + at, '\n'),
+                     " is not encoded in UTF-8; save the file with the encoding UTF-8");
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "drivers/scene/Text.hpp"
 
+#include <algorithm>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/locale/utf.hpp>
+#include <cctype>
 #include <cstring>
 
 namespace epafi::drivers {
@@ -21,6 +24,32 @@ int change(char c) {
 
 std::string trimmed(const std::string& text) {
   return boost::algorithm::trim_copy_if(text, boost::algorithm::is_any_of(" \t\r\n"));
+}
+
+std::size_t notUtf8At(const std::string& text) {
+  for (auto at = text.begin(); at != text.end();) {
+    const auto start = at;
+    if (boost::locale::utf::utf_traits<char>::decode(at, text.end()) >
+        boost::locale::utf::code_point{0x10FFFF})
+      return static_cast<std::size_t>(start - text.begin());
+  }
+  return std::string::npos;
+}
+
+std::string whyNoName(const std::string& name) {
+  const bool isUtf8 = notUtf8At(name) == std::string::npos;
+  const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  if (isUtf8 && std::none_of(name.begin(), name.end(), isControl))
+    return "";
+  std::string shown = name;
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return std::isprint(c) == 0; },
+      '?');
+  return "the name '" + shown +
+         (isUtf8
+              ? "' has a control character, as a tab; rename it"
+              : "' is not encoded in UTF-8; rename it, or save the file in UTF-8, as a "
+                "DXF of version 2007 or later is");
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

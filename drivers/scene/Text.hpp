@@ -32,6 +32,12 @@ auto within(const std::string& where, const Work& work) {
 /// The text without white space of XML at both ends.
 std::string trimmed(const std::string& text);
 
+/// Index of the first byte that is not UTF-8; npos if there is none.
+std::size_t notUtf8At(const std::string& text);
+
+/// What keeps a name in a file from being one in a scene; empty if nothing does.
+std::string whyNoName(const std::string& name);
+
 /// "1 step", "2 steps"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 

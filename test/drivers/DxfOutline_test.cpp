@@ -117,7 +117,30 @@ TEUCHOS_UNIT_TEST(DxfOutline, saysWhatIsNoOutline) {
   complains("0\nSECTION\n2", "line 3: the file ends");
   complains(drawing({}), "no lines, arcs");
   complains(drawing({line("a", "0", "0", "one", "0")}), "line 16: 'one'");
-  complains(drawing({line("a", "0", "0", "1", "0")}), "the outline ends; lines, arcs");
+  complains(drawing({line("a", "0", "0", "1", "0")}),
+            "the outline ends with 'a'; lines, arcs");
+  const auto triangle = [](const std::string& left, const std::string& gap) {
+    const std::string right = left + "1";  // 1 or 21
+    return std::vector<Entity>{line("a", left, "0", right, "0"),
+                               line("b", right, gap, left, "1"),
+                               line("c", left, "1", left, "0")};
+  };
+  complains(drawing(triangle("0", "0.01")),
+            "with 'a'; the nearest other end, of 'b', is 0.01 away; lines, arcs");
+  std::vector<Entity> all = triangle("0", "0");
+  all.push_back(line("axis", "0", "1", "1", "1"));
+  complains(drawing(all), "3 lines meet, 'b', 'c', 'axis'; an outline has two");
+  all = triangle("0", "0");
+  for (const Entity& other : triangle("2", "0"))
+    all.push_back(other);
+  complains(drawing(all),
+            "'a' and 'a' are not one inside the other; a file holds one body");
+  complains(drawing({line("Grundfl\xe4"
+                          "che",
+                          "0", "0", "1", "0")}),
+            "line 8: the name 'Grundfl?che' is not encoded in UTF-8");
+  complains(drawing({line("a\tb", "0", "0", "1", "0")}),
+            "line 8: the name 'a?b' has a control character");
   complains(drawing({{"0", "LINE", "8", "a", "10", "0"}}), "LINE has no group");
   complains(drawing({{"0", "SPLINE", "8", "a"}}), "SPLINE is not read");
   complains(drawing({arc("0", "0", "-1", "0", "90")}), "radius -1");

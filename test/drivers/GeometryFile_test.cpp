@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {
   };
   complains(withFile("nowhere.msh"), "File = 'nowhere.msh'");
   complains(withFile(""), "folder");
-  complains(withFile("/dev/zero"), "device");
+  complains(withFile("/dev/zero"), "File = '/dev/zero': is a device");
   SceneText both = withFile("plate.msh");
   both.geometry += R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
   complains(both, "Edges");

@@ -118,7 +118,12 @@ TEUCHOS_UNIT_TEST(GmshOutline, aChangeOfNameIsACornerEvenOnAStraightSide) {
 
 TEUCHOS_UNIT_TEST(GmshOutline, namesTheLineOfWhatIsNoMesh) {
   TEST_COMPLAINT("", "line 1: $MeshFormat is missing");
-  TEST_COMPLAINT("solid\n", "line 1: $MeshFormat is missing");
+  TEST_COMPLAINT("solid\n",
+                 "line 1: $MeshFormat is missing; a geometry is a Gmsh mesh (.msh)");
+  TEST_COMPLAINT(header +
+                     "$PhysicalNames\n1\n1 1 \"Grundfl\xe4"
+                     "che\"\n$EndPhysicalNames\n",
+                 "line 6: the name 'Grundfl?che' is not encoded in UTF-8");
   TEST_COMPLAINT("$MeshFormat\n", "the file ends");
   TEST_COMPLAINT("$MeshFormat\n4.1 2 8\n", "line 2: file type 2 is unknown");
   TEST_COMPLAINT("$MeshFormat\n4.1 zero 8\n", "line 2: 'zero' is not a whole number");

@@ -1,6 +1,7 @@
 #include "drivers/run/Reasons.hpp"
 
 #include "contact/solve/ContactSolver.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -41,6 +42,23 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
   TEST_ASSERT(says(text, "smaller friction coefficient") &&
               !says(text, "There is no solution"));
   TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too long"));
+}
+
+TEUCHOS_UNIT_TEST(PrintedTable, namesTheContactsWithTheLargestForces) {
+  drivers::StepRow row;
+  for (const double force : {1., 5., 2., 4., 3.}) {
+    contact::Summary summary;
+    summary.forceNormal = force;
+    row.contacts.push_back({bem::message("c", force), summary, 0});
+  }
+  const std::string line = tableLine(row);
+  out << line;
+  TEST_ASSERT(line.find("; c5 ") < line.find("; c4 ") &&
+              says(line, "; c3 normal force 3"));
+  TEST_ASSERT(!says(line, "c2") && !says(line, "c1") &&
+              says(line, "; 2 more in steps.csv"));
+  row.contacts.resize(3);
+  TEST_ASSERT(says(tableLine(row), "; c1 ") && !says(tableLine(row), "more"));
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ for sentence, settings, ok, words in [
         ("a list with a list in it",
          ["Adaptivity={Strategy=Graded hp, Grading={Ratio=0.2}}"], True, "Graded hp"),
         ("a list is removed", ["Adaptivity="], True, "None"),
+        ("blanks around =", ["Adaptivity->Strategy = Graded hp"], True, "Graded hp"),
+        ("an array needs braces", ["Discretization->Elements per Edge=8, 4"], False, "{8, 4}"),
         ("a key is removed, another one set",
          ["Discretization->Elements per Edge=", "Discretization->Mesh Size=0.5"], True, ""),
         ("a key within a replaced list is checked", ["Adaptivity={Strateg=None}"], False,

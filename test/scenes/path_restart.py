@@ -63,6 +63,12 @@ for k in range(int(sys.argv[4])):
     same("killed behind %d steps" % before, whole, folder)
 claim(resumed > 0, "%d of the folders could be gone on from" % resumed)
 
+elsewhere = fresh("elsewhere")
+code, text = epafi("run", *SCENE, "--restart", whole, "--output", elsewhere)
+same("nothing left to solve elsewhere", whole, elsewhere)
+code, text = epafi("fields", elsewhere, "--step", "20", "--grid", "4,4")
+claim(code == 0, "and fields of its steps: " + text.strip()[-90:])
+
 # one that goes on and is killed as soon as it writes has lost no step
 def solved(folder):
     with h5py.File(os.path.join(folder, "solution.hdf")) as file:

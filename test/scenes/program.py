@@ -37,6 +37,10 @@ fails("behind -- a word is no option", ["no such file", "--scene.xml"], "run", "
         "--scene.xml")
 fails("a format of one command's help", ["--format"], "help", "run", "--format", "man")
 fails("help is no failure", ["epafi check"], "--help", code=0)
+fails("a word that an option does not know", ["--of: unknown value 'foo'", "'scene'"],
+      "parameters", "--of", "foo")
+fails("a study's folder is named by it", ["./<study name>.out"], "study", "--help", code=0)
+fails("the pictures' least dots per inch", ["above 10,"], "plot", "--help", code=0)
 fails("the version names the BLAS core", ["BLAS core"], "version", code=0)
 for command in ("parameters", "schema", "help"):
     with open("/dev/full", "w") as full:

@@ -91,8 +91,8 @@ done = copy(base, "done")
 code, text = solve("tresca.xml", None, 3, HP, "--restart", done)
 claim(code == 0 and content(done) == before, "nothing to do changes nothing")
 code, text = solve("tresca.xml", fresh("idle"), 3, HP, "--restart", done)
-claim(code == 0 and "level 2 are in " + done in text,
-      "nothing to do elsewhere names the folder that has the fields")
+claim(code == 0 and content(os.path.join(WORK, "idle")) == before and SOLUTION in text,
+      "nothing to do elsewhere leaves the same files there: " + text.splitlines()[-1])
 drawn = copy(base, "drawn")
 epafi("plot", drawn)
 epafi("fields", drawn, "--grid", "5,5")
