@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import settle
+from epafi.plot.figures import COLOURS, settle
 from epafi.plot.layout import lengths, middles, places
 
 
@@ -23,7 +23,7 @@ def cap_of(stresses, weights):
 def say_cut(axes, largest):
     axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % largest, ha="center",
               va="top", fontsize="small", transform=axes.transAxes,
-              bbox={"facecolor": "white", "edgecolor": "C1", "alpha": 0.85})
+              bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
 
 
 def readable(axes, contact, weights):
@@ -61,8 +61,8 @@ def line(axes, laid, values, text, **style):
 
 def draw_stresses(axes, laid):
     contact, s, _, parts = laid
-    line(axes, laid, contact["lambda_n"], r"pressure $\lambda_n$", color="C0")
-    line(axes, laid, contact["lambda_t"], r"shear $\lambda_t$", color="C1")
+    line(axes, laid, contact["lambda_n"], r"pressure $\lambda_n$", color=COLOURS[0])
+    line(axes, laid, contact["lambda_t"], r"shear $\lambda_t$", color=COLOURS[1])
     if (contact["bound"] != 0).any() and np.isfinite(contact["bound"]).all():  # bonds have none
         for sign, text in ((1, "friction bound, both signs"), (-1, "_")):
             line(axes, laid, sign * contact["bound"], text, color="grey", ls="--", lw=1)
@@ -70,9 +70,9 @@ def draw_stresses(axes, laid):
 
 def draw_displacements(axes, laid):
     contact, *_ = laid
-    line(axes, laid, contact["u_n"], "normal displacement $u_n$", color="C0")
+    line(axes, laid, contact["u_n"], "normal displacement $u_n$", color=COLOURS[0])
     line(axes, laid, contact["gap"], "gap", color="black", ls="--", lw=1)
-    line(axes, laid, contact["u_t"], "tangential displacement $u_t$", color="C1")
+    line(axes, laid, contact["u_t"], "tangential displacement $u_t$", color=COLOURS[1])
 
 
 def frame(axes, contact):

@@ -40,6 +40,8 @@ class Looks:
         if self.units is not None and len(self.units) != 2:
             raise InputError("units: %r is not 'LENGTH,STRESS', as 'mm,MPa'" % (
                 ",".join(self.units),))
+        if self.size is not None and np.shape(self.size) != (2,):
+            raise InputError("size: %r is not (width, height) in inches" % (self.size,))
 
     def style(self) -> dict[str, Any]:
         return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}
@@ -71,6 +73,10 @@ class Pictures:
     def __init__(self, folder: str, looks: Looks = Looks(),
                  window: Optional[tuple[float, ...]] = None, film: Optional[str] = None,
                  only: Optional[str] = None, axes: Any = None) -> None:
+        if window is not None and not (np.shape(window) == (4,) and window[0] < window[2]
+                                       and window[1] < window[3]):
+            raise InputError("window: %r is not (x0, y0, x1, y1), two corners, the lower left one "
+                             "first" % (window,))
         self.folder, self.looks, self.window = folder, looks, window
         self.film, self.only = film, only
         self.names: list[str] = []
@@ -91,6 +97,8 @@ class Pictures:
                 raise ValueError("'%s' is drawn into %d axes, %d rows of %d; given: %d" % (
                     self.only, rows * columns, rows, columns, len(self.given)))
             figure, axes = self.given[0].figure, self.given.reshape(rows, columns)
+            for each in self.given:
+                each.set_prop_cycle(color=COLOURS)
         self.axes = axes.squeeze() if axes.size > 1 else axes[0, 0]
         return figure, self.axes
 

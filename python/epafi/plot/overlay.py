@@ -2,7 +2,7 @@
 import numpy as np
 
 from epafi.plot.contact import cap_of, line, say_cut
-from epafi.plot.figures import Looks, Pictures, plt
+from epafi.plot.figures import Pictures, plt
 from epafi.plot.layout import laid_out, lengths, window, within
 
 

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from epafi.plot import movie, overlay
-from epafi.plot.figures import settle
+from epafi.plot.figures import COLOURS, settle
 from epafi.plot.layout import chains, lengths
 from epafi.tables import read
 
@@ -96,8 +96,8 @@ def draw_path(folder, rows, t, files, title, pictures):
         panel.plot(t, np.append(0, rows[name]), label=label, marker=".", **style)
 
     for k, name in enumerate(contacts):
-        along(axes[0], name + ".force_normal", "normal, " + name, color="C%d" % k)
-        along(axes[0], name + ".force_tangential", "tangential, " + name, color="C%d" % k,
+        along(axes[0], name + ".force_normal", "normal, " + name, color=COLOURS[k % 7])
+        along(axes[0], name + ".force_tangential", "tangential, " + name, color=COLOURS[k % 7],
               ls="--")
     axes[0].set_ylabel(label("contact force", "force"))
     settle(axes[0], force)
@@ -114,7 +114,7 @@ def draw_path(folder, rows, t, files, title, pictures):
                         rows[name + ".force_tangential"])
                  for name in contacts} if turning is None else {contacts[0]: turning}
         for k, (name, (moved, pushed)) in enumerate(loops.items()):
-            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=name, color="C%d" % k)
+            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=name, color=COLOURS[k % 7])
         reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", slip))
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
@@ -144,8 +144,8 @@ def rigid(rows, t, title, pictures):
     for column, (motion, force) in enumerate(panels):
         for k, name in enumerate(bodies):
             where, what = (np.append(0, rows[name + "." + item]) for item in (motion, force))
-            axes[0, column].plot(t, where, marker=".", label=name, color="C%d" % k)
-            axes[1, column].plot(where, what, marker=".", label=name, color="C%d" % k)
+            axes[0, column].plot(t, where, marker=".", label=name, color=COLOURS[k % 7])
+            axes[1, column].plot(where, what, marker=".", label=name, color=COLOURS[k % 7])
         turns = motion == "rotation"
         where = "rotation [rad]" if turns else pictures.looks.label(motion.replace("_", " "),
                                                                     "length")
