@@ -8,11 +8,13 @@ import sys
 import xml.etree.ElementTree as xml
 
 import matplotlib
+import numpy as np
 
 from epafi.plot import __main__ as plot
 from epafi.plot.figures import Pictures, plt
 from epafi.plot.folder import draw_field
 from epafi.plot.inside import NAMES as FIELDS
+from epafi.runs import Run
 from runs import (EPAFI, RANKS, WORK, claim, epafi, finish, fresh, levels, read, run, scene, table,
                   write)
 from written import (CLAMPED, NONE, block, body, condition, friction, geometry, history, mesh,
@@ -149,6 +151,24 @@ with open(os.path.join(folder, "contact.svg")) as stream:
     words = stream.read()  # matplotlib writes each text as a comment
 claim("contact stress [MPa]" in words and "x [mm]" in words and "Tresca block" not in words,
       "labels have units, and there is no title")
+
+
+# a column of a paper: all words within it, and room for what is drawn
+for name, picture in [*(("fretting", name) for name in (*PICTURES, "path", "steps")),
+                      ("tresca", "mesh")]:
+    figure, axes = Run(os.path.join(WORK, name)).plot(picture, size=(3.4, 2.6), font=8, title=False,
+                                                      units="mm,MPa")
+    figure.canvas.draw()
+    words = figure.get_tightbbox()
+    panels = [panel.get_window_extent().size / figure.dpi for panel in np.ravel(axes)]
+    marks = [[label.get_window_extent() for label in panel.get_xticklabels() if label.get_text()]
+             for panel in np.ravel(axes)]
+    claim(min(*words.min, *(figure.get_size_inches() - words.max)) > -0.02 and
+          min(width for width, _ in panels) > (0.6 if len(panels) > 1 else 1.5) and
+          not any(a.overlaps(b) for row in marks for a, b in zip(row, row[1:])),
+          "%s of %s in 3.4 by 2.6 inches: words in %s, axes %s" % (
+              picture, name, words.extents.round(2), np.round(panels, 2).tolist()))
+    plt.close(figure)
 
 
 def drawing(*arguments):

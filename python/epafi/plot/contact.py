@@ -21,9 +21,9 @@ def cap_of(stresses, weights):
 
 
 def say_cut(axes, largest):
-    axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % largest, ha="center",
-              va="top", fontsize="small", transform=axes.transAxes,
-              bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
+    axes.annotate("cut here: stresses reach %.3g" % largest, (0.5, 1), xytext=(0, -5), ha="center",
+                  va="top", fontsize="small", xycoords="axes fraction", textcoords="offset points",
+                  bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
 
 
 def readable(axes, contact, weights):
@@ -107,7 +107,7 @@ def draw(contact, title, pictures):
     for row in rows:  # what is in any of the columns
         named = {text: drawn for axes in row
                  for drawn, text in zip(*axes.get_legend_handles_labels())}
-        row[-1].legend(named.values(), named, loc="center left", bbox_to_anchor=(1, 0.5))
+        pictures.legend(row[-1], named, loc="center left", bbox_to_anchor=(1, 0.5))
     names = dict.fromkeys(contact["boundary"].astype(str))
     pictures.title(figure, "%s: contact on %s" % (title, ", ".join(names)))
     pictures.save(figure, "contact")

@@ -33,5 +33,5 @@ def draw(history, title, pictures):
     axes.set_xlabel("degrees of freedom")
     axes.set_ylabel("contribution to the estimate")
     pictures.title(axes, title + ": contributions")
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.legend(axes, loc="center left", bbox_to_anchor=(1, 0.5))
     pictures.save(figure, "contributions")

@@ -3,7 +3,6 @@ import math
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.transforms import offset_copy
 
 from epafi.plot.bodies import draw_rigid, roomy
 from epafi.plot.figures import COLOURS, equal_axes, shape_of
@@ -56,9 +55,8 @@ def draw(boundary, rigid, contact, title, pictures):
         shown.min, shown.max)) if rigid else []
     equal_axes(axes, *(high - low), pictures.looks)
     pictures.title(axes, title + ": deformed outline and tractions")
-    axes.legend(handles=[*axes.get_lines()[:2], *solid, *arrow], loc="upper center",
-                bbox_to_anchor=(0.5, 0), bbox_transform=offset_copy(  # below the axis' words
-                    axes.transAxes, axes.figure, 0, -5 * pictures.looks.font, "points"))
+    pictures.legend(axes, {drawn.get_label(): drawn
+                           for drawn in (*axes.get_lines()[:2], *solid, *arrow)})
     pictures.save(figure, "deformed")
 
 

@@ -101,13 +101,14 @@ def draw_path(folder, rows, t, files, title, pictures):
               ls="--")
     axes[0].set_ylabel(label("contact force", "force"))
     settle(axes[0], force)
-    along(axes[1], "energy_dissipated", "friction's work")
-    along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", ls="--")
+    along(axes[1], "energy_dissipated", "friction's work", color="black")
+    along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", color="black",
+          ls="--")
     axes[1].set_ylabel(label("friction's work so far", "energy"))
     settle(axes[1], np.abs(rows["energy_strain"]).max())
     for panel in axes[:2]:
         panel.set_xlabel("t")
-        panel.legend()
+        pictures.legend(panel)
     if files:
         slip = slip_column(files)
         loops = {name: ([mean_slip(file, name, slip) for file in files],
@@ -125,7 +126,6 @@ def draw_path(folder, rows, t, files, title, pictures):
         axes[2].set_ylabel(label("tangential force", "force") if turning is None
                            else label("torque", "energy"))
         axes[2].ticklabel_format(axis="x", scilimits=(-2, 3))  # or their zeros run together
-        axes[2].legend()
     pictures.title(figure, title + ": path")
     pictures.save(figure, "path")
 
@@ -159,6 +159,6 @@ def rigid(rows, t, title, pictures):
                                                         "energy" if turns else "force"))
         for panel in axes[:, column]:
             panel.ticklabel_format(scilimits=(-3, 4))
-    axes[0, 0].legend()
+    pictures.legend(axes[0, 0])
     pictures.title(figure, title + ": rigid bodies")
     pictures.save(figure, "rigid")
