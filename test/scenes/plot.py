@@ -107,6 +107,26 @@ for name, bodies, wanted in (
         os.remove(os.path.join(WORK, name + " solved", other))
     draw(name + " solved", wanted)
 
+# many contacts, of names that are long or that no font has: pictures stay small, and say the rest
+row = [resting("%s %d" % ("\u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
+run(written("row", row, NONE, "Density", more=history([1, 2], [1, 2])), "row solved")
+code, text = epafi("plot", os.path.join(WORK, "row solved"))
+claim(code == 0 and "Warning" not in text, "no warnings of matplotlib: " + text)
+for name in ("contact", "path", "steps"):
+    with open(os.path.join(WORK, "row solved", name + ".png"), "rb") as stream:
+        size = struct.unpack(">2I", stream.read(24)[16:])
+    claim(size[0] < 1600 and size[1] < 1000, "%s of many contacts: %d by %d" % (name, *size))
+figure, axes = Run(os.path.join(WORK, "row solved")).plot("path")
+figure.canvas.draw()
+legend, = figure.legends
+claim("not drawn: 2 others, which carry less" in [text.get_text() for text in legend.get_texts()] and
+      not any(legend.get_window_extent().overlaps(panel.get_window_extent()) for panel in axes),
+      "six contacts and a word about the others, below the curves")
+run(scene("two-blocks.xml"), "pair", levels(1))
+figure, axes = Run(os.path.join(WORK, "pair")).plot("contact")
+claim("contact on joint" in figure.texts[0].get_text(), "a contact has its name in the title")
+plt.close("all")
+
 # what was drawn of one solution does not stay beside another one; other files do
 folder = os.path.join(WORK, "punch")
 code, text = epafi("fields", folder, "--grid", "5,5")

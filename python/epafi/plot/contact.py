@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import COLOURS, settle
+from epafi.plot.figures import COLOURS, settle, short
 from epafi.plot.layout import lengths, middles, places
 
 
@@ -84,6 +84,16 @@ def frame(axes, contact):
     settle(axes, 1e-3 * max(np.ptp(contact["x"]), np.ptp(contact["y"])))  # as of bonded sides
 
 
+NAMED = 6  # sides that carry their names
+
+
+def names_of(columns, parts):
+    """The contact of each part; of several parts of one, the boundary."""
+    names = [str(columns["contact_name"][a]) for a, _ in parts]
+    return [name if names.count(name) == 1 else str(columns["boundary"][a])
+            for name, (a, _) in zip(names, parts)]
+
+
 def draw(contact, title, pictures):
     shown = places(contact)
     figure, rows = pictures.subplots(2, len(shown), figsize=(5.9 + 3.5 * len(shown), 7.4),
@@ -93,9 +103,11 @@ def draw(contact, title, pictures):
         columns, s, label, parts = laid
         draw_stresses(stress, laid)
         draw_displacements(shift, laid)
-        for a, b in parts if len(parts) + len(shown) > 2 else ():  # which of the sides is which
-            stress.annotate(columns["boundary"][a], ((s[a] + s[b - 1]) / 2, 1.01), ha="center",
-                            fontsize="small", xycoords=stress.get_xaxis_transform())
+        if 2 < len(parts) + len(shown) < NAMED + 2:  # which of the sides is which
+            for (a, b), name in zip(parts, names_of(columns, parts)):
+                stress.annotate(short(name, 20), ((s[a] + s[b - 1]) / 2, 1.01),
+                                ha="center", fontsize="small",
+                                xycoords=stress.get_xaxis_transform())
         shift.set_xlabel(pictures.looks.label(label, "length"))
         for axes in (stress, shift):
             shade(axes, s, columns, parts)
@@ -108,8 +120,9 @@ def draw(contact, title, pictures):
         named = {text: drawn for axes in row
                  for drawn, text in zip(*axes.get_legend_handles_labels())}
         pictures.legend(row[-1], named, loc="center left", bbox_to_anchor=(1, 0.5))
-    names = dict.fromkeys(contact["boundary"].astype(str))
-    pictures.title(figure, "%s: contact on %s" % (title, ", ".join(names)))
+    names = dict.fromkeys(contact["contact_name"].astype(str))
+    pictures.title(figure, "%s: contact on %s" % (
+        title, ", ".join(names) if len(names) <= NAMED else "%d sides" % len(names)))
     pictures.save(figure, "contact")
 
 

@@ -143,7 +143,7 @@ class Pictures:
                 wrap(text, 0.8 * figure.bbox.width)
             box = legend.get_window_extent()
             if box.width < 0.97 * figure.bbox.width or columns == 1:
-                foot = 0 if spare else box.y1 / figure.bbox.height
+                foot = 0 if spare else min(0.6, box.y1 / figure.bbox.height)
                 figure.get_layout_engine().set(rect=(0, foot, 1, 1 - foot))
                 break
             legend.remove()
@@ -174,13 +174,18 @@ class Pictures:
         plt.close(figure)
 
 
+def short(name: str, size: int = 40) -> str:
+    """A name, or its beginning and its end."""
+    return name if len(name) <= size else name[:size // 2] + " ... " + name[-size // 2:]
+
+
 def wrap(text: Any, room: float) -> bool:
     """Breaks a text into lines of at most `room` pixels; whether it was longer."""
     long = text.get_window_extent().size[int(text.get_rotation() == 90)]
     words = text.get_text()
     if words and long > 1.05 * room:
         letters = int(max(map(len, words.split("\n"))) * room / long)
-        text.set_text(textwrap.fill(words, max(8, letters), break_long_words=False))
+        text.set_text(textwrap.fill(words, max(8, letters), break_long_words="$" not in words))
     return text.get_text() != words
 
 
