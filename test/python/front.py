@@ -170,6 +170,8 @@ for wrong, what, words in ((ValueError, "contact", "2 axes"),
         claim(False, what + " is refused")
     except wrong as error:
         claim(words in str(error), "%s is refused: %s" % (what, error))
+claim([text.get_text() for text in run.plot("temperature")[1].texts] ==
+      ["temperature is 0 everywhere"] and not run.plot("syy")[1].texts, "a field of zeros says so")
 plt.close("all")
 
 # a fit: arcs are arcs, rounding is no picture, torque over twist
