@@ -154,7 +154,7 @@ class Pictures:
                 box = axes.get_window_extent()
                 above = figure.bbox.width if len(figure.axes) == 1 else box.width
                 changes += [wrap(axes.title, above), wrap(axes.xaxis.label, box.width),
-                            wrap(axes.yaxis.label, box.height), thin(axes, box.width)]
+                            wrap(axes.yaxis.label, box.height), thin(axes)]
             if not any(changes):
                 break
 
@@ -185,20 +185,25 @@ def wrap(text: Any, room: float) -> bool:
     words = text.get_text()
     if words and long > 1.05 * room:
         letters = int(max(map(len, words.split("\n"))) * room / long)
-        text.set_text(textwrap.fill(words, max(8, letters), break_long_words="$" not in words))
+        text.set_text(textwrap.fill(words, max(8, letters), break_long_words=letters > 30))
     return text.get_text() != words
 
 
-def thin(axes: Any, room: float) -> bool:
+def thin(axes: Any) -> bool:
     """Fewer ticks on a linear axis below, if their labels overlap; whether they did."""
-    ticks = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
     locator = axes.xaxis.get_major_locator()
-    crowded = any(b.x0 < a.x1 for a, b in zip(ticks, ticks[1:])) and isinstance(
-        locator, MaxNLocator)
-    if crowded:
-        locator.set_params(nbins=max(1, round(room / max(tick.width for tick in ticks) / 1.25)),
-                           min_n_ticks=1, steps=[1, 2, 4, 5, 10])
-    return crowded
+
+    def crowded() -> bool:
+        ticks = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+        return any(b.x0 < a.x1 for a, b in zip(ticks, ticks[1:]))
+
+    if not isinstance(locator, MaxNLocator) or not crowded():
+        return False
+    for count in range(5, 0, -1):
+        locator.set_params(nbins=count, min_n_ticks=1, steps=[1, 1.5, 2, 3, 4, 5, 10])
+        if not crowded():
+            break
+    return True
 
 
 def settle(axes: Any, size: float, which: str = "y") -> None:

@@ -170,7 +170,7 @@ def rigid(rows, t, title, pictures):
         settle(axes[1, column], pushed)
         axes[0, column].set_xlabel("t")
         axes[0, column].set_ylabel(where)
-        axes[1, column].set_xlabel(where)
+        axes[1, column].set_xlabel(where, labelpad=9)  # below the power of ten
         axes[1, column].set_ylabel(pictures.looks.label(force.replace("_", " "),
                                                         "energy" if turns else "force"))
         for panel in axes[:, column]:
