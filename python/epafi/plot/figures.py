@@ -190,17 +190,16 @@ def wrap(text: Any, room: float) -> bool:
 
 
 def thin(axes: Any) -> bool:
-    """Fewer ticks on a linear axis below, if their labels overlap; whether they did."""
-    locator = axes.xaxis.get_major_locator()
-
+    """Fewer ticks below, if their labels overlap; whether they did."""
     def crowded() -> bool:
         ticks = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
         return any(b.x0 < a.x1 for a, b in zip(ticks, ticks[1:]))
 
-    if not isinstance(locator, MaxNLocator) or not crowded():
+    if not crowded():
         return False
     for count in range(5, 0, -1):
-        locator.set_params(nbins=count, min_n_ticks=1, steps=[1, 1.5, 2, 3, 4, 5, 10])
+        axes.xaxis.set_major_locator(MaxNLocator(count, min_n_ticks=1,
+                                                 steps=[1, 1.5, 2, 3, 4, 5, 10]))
         if not crowded():
             break
     return True
