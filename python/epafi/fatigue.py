@@ -144,6 +144,8 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *, al
             first: Optional[float] = None, last: Optional[float] = None,
             depth: Optional[float] = None) -> Table:
     """As Run.fatigue."""
+    if depth is not None and not (isinstance(where, str) and ":" in where):
+        raise InputError("depth: belongs to a boundary, 'body:boundary'")
     steps, t = cycle_of(run, first, last)
     scene = run.scene
     if isinstance(where, str) and ":" not in where:

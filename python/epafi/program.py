@@ -118,6 +118,7 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
                     continue
             raise
         finally:
+            process.stdout.close()
             del RUNNING[threading.get_ident()]
         complaints.seek(0)
         text = complaints.read()

@@ -1,6 +1,7 @@
 """Solving a scene, and what a run has left in its folder."""
 from __future__ import annotations
 
+import contextlib
 import difflib
 import functools
 import html
@@ -13,7 +14,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene
-from epafi.tables import HISTORY, Table, html_table, read
+from epafi.tables import HISTORY, Table, html_table, read, title_of
 
 if TYPE_CHECKING:
     import h5py
@@ -30,7 +31,7 @@ class Run:
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = os.fspath(folder)
+        self.folder = os.path.abspath(folder)
         if not os.path.isfile(os.path.join(self.folder, "history.csv")):
             raise InputError("'%s' holds no history.csv of a run" % self.folder)
 
@@ -77,6 +78,11 @@ class Run:
     def _steps_of_last_level(self) -> int:
         return np.count_nonzero(self.steps["level"] == self.steps["level"][-1])
 
+    def _when(self, step: Optional[int]) -> str:
+        """What titles say of a step that is chosen."""
+        return "" if step is None else ", t = %g" % (
+            self.steps["t"][-self._steps_of_last_level():][step - 1])
+
     def profiles(self, column: str, contact: Optional[str] = None) -> np.ndarray:
         """A column of contact.csv in each step of the last level's path, "worn_depth", "pressure", of
         one contact or of all: a row per step, as those of `steps` with that level, a column per
@@ -119,7 +125,7 @@ class Run:
                 np.savetxt(where, places, fmt="%.17g", delimiter=",", header="x,y", comments="")
                 arguments += ["--points", where]
             if grid is not None:
-                arguments += ["--grid", "%d,%d" % tuple(grid)]
+                arguments += ["--grid", ",".join("%.12g" % count for count in np.ravel(grid))]
             if along is not None:
                 arguments += ["--along", along]
             if depth is not None:
@@ -174,11 +180,12 @@ class Run:
         there are several.
 
         window  what of the plane a field, or "deformed", shows (x0, y0, x1, y1) [length]
-        step    of a path, for a field; else the last one
+        step    of a path, for a field or "contact"; else the last one
         axes    as many as the picture has, to be drawn into
         looks   size=(width, height) in inches, dpi, font (points), title=False,
                 units="mm,MPa" of length and stress
         """
+        from epafi.plot import contact
         from epafi.plot.figures import Looks, Pictures, plt
         from epafi.plot.folder import NAMES, draw_field, draw_run
         from epafi.plot.inside import NAMES as FIELDS
@@ -187,12 +194,19 @@ class Run:
         if what not in known:
             raise InputError("there is no picture %r; did you mean %r? known: %s" % (
                 what, *difflib.get_close_matches(what, known, 1, 0), ", ".join(known)))
+        for name, value, other in (("window", window, "deformed"), ("step", step, "contact")):
+            if value is not None and what not in (other, *FIELDS):
+                raise InputError("the picture %r takes no %s; %r and fields do" % (
+                    what, name, other))
         pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes)
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
-            if what in NAMES:
-                draw_run(pictures)
+            if what in FIELDS:
+                draw_field(what, self._field_file(place, window, step), pictures,
+                           self._when(step))
+            elif step is not None:
+                contact.draw(self.step(step), title_of(self.folder) + self._when(step), pictures)
             else:
-                draw_field(what, self._field_file(place, window, step), pictures)
+                draw_run(pictures)
         if not pictures.names:
             raise InputError("the run in '%s' has nothing for the picture %r" % (
                 self.folder, what))
@@ -205,14 +219,17 @@ class Run:
         from epafi.plot import Looks, Pictures, draw_folder
         from epafi.plot.inside import NAMES as FIELDS
 
+        if field is None and step is not None:
+            raise InputError("step: belongs to a field")
         if field is not None and field not in FIELDS:
             raise InputError("there is no field %r; did you mean %r? known: %s" % (
                 field, *difflib.get_close_matches(field, FIELDS, 1, 0), ", ".join(FIELDS)))
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
+        pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
         if field is not None:
             self._field_file(self.folder, window, step)
-        pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
-        return [os.path.join(self.folder, name + ".png") for name in draw_folder(pictures, field)]
+        return [os.path.join(self.folder, name + ".png")
+                for name in draw_folder(pictures, field, self._when(step))]
 
     def report(self) -> str:
         """Writes what `epafi report` writes, a page of HTML with all in it; its file."""
@@ -239,7 +256,7 @@ class Run:
 def _chosen(window: Optional[Window], step: Optional[int]) -> list[str]:
     words = [] if step is None else ["--step", str(step)]
     return words if window is None else [
-        *words, "--window=" + ",".join(repr(float(end)) for end in window)]
+        *words, "--window=" + ",".join(repr(float(end)) for end in np.ravel(window))]
 
 
 def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
@@ -264,9 +281,9 @@ def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
         scene = Scene(scene)
     if set:
         scene = scene.changed(set)
-    temporary = tempfile.TemporaryDirectory(prefix="epafi-") if output is None else None
-    folder = os.path.join(temporary.name, "run") if temporary else os.fspath(output or "")
-    with tempfile.TemporaryDirectory(prefix="epafi-") as place:
+    with contextlib.ExitStack() as kept, tempfile.TemporaryDirectory(prefix="epafi-") as place:
+        folder = os.fspath(output) if output is not None else os.path.join(
+            kept.enter_context(tempfile.TemporaryDirectory(prefix="epafi-")), "run")
         file = os.path.join(place, "scene.xml")
         scene.write(file)
         arguments = ["run", file, "--output", folder]
@@ -282,9 +299,8 @@ def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
             call(arguments, progress, file)
         except NotConverged as error:
             problem = error
-    result = Run(folder)
-    if temporary:
-        weakref.finalize(result, temporary.cleanup)
+        result = Run(folder)
+        weakref.finalize(result, kept.pop_all().close)
     if problem:
         problem.run = result
         raise problem

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
-import html
 import itertools
 import os
 import re
@@ -41,6 +40,7 @@ class Sweep:
     def __init__(self, parameters: Mapping[str, Sequence[Any]], cases: Sequence[Case]) -> None:
         self.parameters = {path: list(values) for path, values in parameters.items()}
         self.cases = list(cases)
+        self.names = _names(self.parameters)
         self.shape = tuple(len(values) for values in self.parameters.values())
 
     def __len__(self) -> int:
@@ -70,12 +70,12 @@ class Sweep:
         shown = HISTORY[1:-1]
         names = [*(_short(path, self.parameters) for path in self.parameters), *shown, "status"]
         rows = []
-        for case in self.cases:
+        for case, values in zip(self.cases, self.names):
             numbers = [case.run.history.numbers(name)[-1] if case.run else np.nan
                        for name in shown]
             status = ("not converged" if isinstance(case.error, NotConverged) else
                       "%s" % case.error if case.error else "converged")
-            rows.append([*case.settings.values(), *numbers, status])
+            rows.append([*values, *numbers, status])
         return names, rows
 
     def frame(self) -> pandas.DataFrame:
@@ -102,16 +102,26 @@ class Sweep:
         those given; written into a file if one is named."""
         from epafi.plot.overlay import figure_of
 
-        solved = [case for case in self.cases if case.run is not None and case.error is None]
+        solved = [(case.run.contact, values) for case, values in zip(self.cases, self.names)
+                  if case.run is not None and case.error is None]
         if not solved:
             raise InputError("no case of the sweep is solved, there is nothing to draw")
         figure, drawn = figure_of(
-            [case.run.contact for case in solved if case.run],
+            [contact for contact, _ in solved],
             [", ".join("%s = %s" % (_short(path, self.parameters), value)
-                       for path, value in case.settings.items()) for case in solved], axes)
+                       for path, value in zip(self.parameters, values)) for _, values in solved],
+            axes)
         if file is not None:
             figure.savefig(os.fspath(file), bbox_inches="tight")
         return figure, drawn
+
+
+def _names(parameters: Mapping[str, Sequence[Any]]) -> list[tuple[Any, ...]]:
+    """How tables, legends and folders name the values of each case: arrays and lists by their
+    numbers, #1, #2."""
+    return list(itertools.product(*(
+        [value if np.isscalar(value) or value is None else "#%d" % number
+         for number, value in enumerate(values, 1)] for values in parameters.values())))
 
 
 def _short(path: str, paths: Iterable[str]) -> str:
@@ -158,23 +168,28 @@ def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
     for path, values in parameters.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
             raise InputError("%s: is %r, wanted: a list of values" % (path, values))
+    parameters = {path: list(values) for path, values in parameters.items()}
     if jobs is not None and jobs < 1:
         raise InputError("jobs: is %r, wanted: at least 1" % jobs)
     combinations = [dict(zip(parameters, values))
                     for values in itertools.product(*parameters.values())]
     scenes = [scene.changed(settings) for settings in combinations]
     cases = [Case(settings) for settings in combinations]
+    folders = [None if output is None else os.path.abspath(os.path.join(
+        output, "%02d_%s" % (number, "_".join(re.sub(r"[^\w.+#-]+", "_", str(value))
+                                              for value in values))))
+               for number, values in enumerate(_names(parameters), 1)]
+    for folder in folders:
+        if folder and not force and os.path.exists(os.path.join(folder, "history.csv")):
+            raise InputError("the folder '%s' holds an earlier run; force=True replaces it" % folder)
     jobs = max(1, min(jobs or len(os.sched_getaffinity(0)), len(cases)))
     if jobs > 1 and threads is None:
         threads = 1
 
     def solve(number: int) -> Case:
         case = cases[number]
-        words = "_".join(re.sub(r"[^\w.+-]+", "_", str(value)) for value in case.settings.values())
-        folder = None if output is None else os.path.join(os.fspath(output),
-                                                          "%02d_%s" % (number + 1, words))
         try:
-            case.run = run(scenes[number], folder, threads=threads, force=force)
+            case.run = run(scenes[number], folders[number], threads=threads, force=force)
         except NotConverged as error:
             case.run, case.error = error.run, error
         except EpafiError as error:

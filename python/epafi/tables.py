@@ -7,7 +7,7 @@ import html
 import math
 import os
 import xml.etree.ElementTree as xml
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -60,6 +60,16 @@ class Table:
     def __contains__(self, name: str) -> bool:
         return name in self.columns
 
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def __len__(self) -> int:
+        return self.size
+
+    def keys(self) -> Iterable[str]:
+        """The names of the columns: dict(table) has all of them."""
+        return self.columns.keys()
+
     def __repr__(self) -> str:
         return "Table of %d rows: %s" % (self.size, ", ".join(self.columns))
 
@@ -76,7 +86,7 @@ class Table:
 
 
 def unknown_column(name: str, known: Iterable[str]) -> KeyError:
-    near = difflib.get_close_matches(name, known, 1, 0)
+    near = isinstance(name, str) and difflib.get_close_matches(name, known, 1, 0)
     return KeyError("there is no column %r%s; columns: %s" % (
         name, "; did you mean %r?" % near[0] if near else "", ", ".join(known)))
 

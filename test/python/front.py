@@ -110,6 +110,13 @@ try:
     claim(False, "an unknown column")
 except KeyError as error:
     claim("'force_normal'" in str(error), "an unknown column names the nearest: %s" % error)
+try:
+    run.history[-1]
+    claim(False, "a row is no column")
+except KeyError as error:
+    claim("no column -1; columns: level" in str(error), "a row is no column: %s" % error)
+claim(list(dict(run.history)) == [*run.history] == list(run.history.columns) and
+      len(run.history) == 2, "a table has the names of its columns, and its length is that of these")
 page = run._repr_html_()
 claim(page.count("<tr>") == 3 and "force_normal" in page and "data:image/png;base64," in page,
       "a notebook shows a table and a picture of a run")
@@ -145,7 +152,13 @@ claim(matplotlib.rcParams["axes.grid"] == matplotlib.rcParamsDefault["axes.grid"
 figure, axes = run.plot("contact", units="mm,MPa")
 claim(len(axes) == 2 and axes[0].get_ylabel() == "contact stress [MPa]" and
       axes[0].figure is figure, "a picture is a figure and its axes")
+from epafi.plot.figures import COLOURS  # noqa: E402
+
 own, panels = plt.subplots(1, 3)
+for drawn in (axes[0], run.plot("deformed")[1], run.plot("convergence")[1],
+              run.plot("convergence", axes=panels[1])[1]):
+    colours = {matplotlib.colors.to_hex(line.get_color()).upper() for line in drawn.lines}
+    claim(colours - {"#808080"} <= set(COLOURS), "its colours are the palette's: %s" % colours)
 figure, axes = run.plot("syy", window=(-0.25, -0.5, 0.25, 0), axes=panels[0])
 claim(figure is own and axes is panels[0] and axes.get_images()[0].get_clip_path() is not None,
       "it goes into axes of one's own; a window of a field ends at the outline")
@@ -157,6 +170,8 @@ for wrong, what, words in ((ValueError, "contact", "2 axes"),
         claim(False, what + " is refused")
     except wrong as error:
         claim(words in str(error), "%s is refused: %s" % (what, error))
+claim([text.get_text() for text in run.plot("temperature")[1].texts] ==
+      ["temperature is 0 everywhere"] and not run.plot("syy")[1].texts, "a field of zeros says so")
 plt.close("all")
 
 # a fit: arcs are arcs, rounding is no picture, torque over twist
@@ -218,7 +233,22 @@ depth = worn.profiles("worn_depth", "bottom")
 exact = 0.01 * (1 - 1.1 ** -np.arange(3.0))
 claim(depth.shape == (3, worn.contact.size) and np.allclose(depth, exact[:, None], atol=1e-12) and
       np.allclose(worn.steps["cycles"], [1, 2, 3]), "worn profiles over the steps of a path")
+figure, axes = worn.plot("contact", step=1)
+title = worn.plot("syy", step=1)[1].get_title()
+plt.close("all")
+claim(np.allclose(axes[0].lines[0].get_ydata(), worn.step(1)["lambda_n"], atol=0) and
+      worn.step(1)["lambda_n"][0] > 1.05 * worn.contact["lambda_n"][0] and
+      "t = 1" in figure.texts[0].get_text() and "t = 1" in title, "a step of a path is drawn, with its t")
 for words, slip in (
+        ("takes no step", lambda: worn.plot("deformed", step=1)),
+        ("takes no window", lambda: worn.plot("contact", window=(0, 0, 1, 1))),
+        ("belongs to a field", lambda: worn.pictures(step=1)),
+        ("'body:boundary'", lambda: worn.fatigue("bottom", alpha=0.3, depth=0.1)),
+        ("'10' is not NX,NY", lambda: worn.fields(grid=10)),
+        ("'3.7' is not a whole", lambda: worn.fields(grid=(3.7, 3))),
+        ("x0, y0, x1, y1", lambda: worn.plot("syy", window=(0, 0, 1))),
+        ("x0, y0, x1, y1", lambda: worn.plot("deformed", window=(1, 0, 0, 1))),
+        ("(width, height)", lambda: worn.plot("contact", size=3)),
         ("shape (n, 2)", lambda: worn.fields([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])),
         ("end with .xml", lambda: worn.scene.write(os.path.join(WORK, "written.yaml"))),
         ("LENGTH,STRESS", lambda: worn.plot("contact", units="mm")),
@@ -242,6 +272,21 @@ claim(more.history.size == 3, "a run goes on")
 temporary = more.folder
 del more
 claim(not os.path.exists(temporary), "a run without a folder leaves none")
+
+# a relative folder stays that folder, and nothing is left open
+SCRIPT = """import epafi, os, sys
+scene = epafi.Scene.read(sys.argv[1])
+run = epafi.run(scene, "relative", set={"Adaptivity->Maximum Levels": 1})
+os.chdir("/")
+assert run.contact.size and run.fields(grid=(2, 2)).size
+try:
+    epafi.run(scene, set={"Discretization->Degree": 99})
+except epafi.InputError:
+    print("refused")"""
+done = subprocess.run([sys.executable, "-X", "dev", "-W", "error::ResourceWarning", "-c", SCRIPT,
+                       os.path.join(SHIPPED, "coulomb.xml")], stdout=subprocess.PIPE,
+                      stderr=subprocess.STDOUT, text=True, cwd=WORK)
+claim(done.stdout == "refused\n", "a relative folder, no warning: " + done.stdout)
 try:
     epafi.run(coulomb, folder)
     claim(False, "an earlier run is in the way")
@@ -268,6 +313,18 @@ claim(sweep._repr_html_().count("<tr>") == 7 and "data:image" in sweep._repr_htm
       "in a notebook with a picture")
 claim(abs(epafi.sweep(coulomb, {FRICTION + "->Coefficient": [0.2, 0.4]}, jobs=1)["energy_strain"]
           / sweep["energy_strain"][0, 1:] - 1).max() < 1e-9, "cases are alike one after the other")
+try:
+    epafi.sweep(coulomb, sweep.parameters, os.path.join(WORK, "sweep"))
+    claim(False, "a sweep replaces an earlier one")
+except epafi.InputError as error:
+    claim("force" in str(error), "an earlier sweep is not overwritten: %s" % error)
+high = vertices * [1, 2]
+shapes = epafi.sweep(coulomb, {"Bodies->block->Geometry->Vertices": (v for v in (vertices, high))},
+                     os.path.join(WORK, "shapes"))
+claim(sorted(os.listdir(os.path.join(WORK, "shapes"))) == ["01_#1", "02_#2"] and
+      [line.split()[0] for line in str(shapes).splitlines()] == ["Vertices", "#1", "#2"] and
+      [text.get_text() for text in shapes.plot()[1][0].get_legend().get_texts()] ==
+      ["Vertices = #1", "Vertices = #2"], "arrays have numbers in a sweep:\n%s" % shapes)
 for wrong, words, settings in (
         (epafi.InputError, "no such constant; did you mean 'load'", {"Constants->lod": [1]}),
         (epafi.InputError, "no such constant", {"Constants->f": [1]})):

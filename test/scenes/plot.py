@@ -8,11 +8,13 @@ import sys
 import xml.etree.ElementTree as xml
 
 import matplotlib
+import numpy as np
 
 from epafi.plot import __main__ as plot
 from epafi.plot.figures import Pictures, plt
 from epafi.plot.folder import draw_field
 from epafi.plot.inside import NAMES as FIELDS
+from epafi.runs import Run
 from runs import (EPAFI, RANKS, WORK, claim, epafi, finish, fresh, levels, read, run, scene, table,
                   write)
 from written import (CLAMPED, NONE, block, body, condition, friction, geometry, history, mesh,
@@ -105,6 +107,26 @@ for name, bodies, wanted in (
         os.remove(os.path.join(WORK, name + " solved", other))
     draw(name + " solved", wanted)
 
+# many contacts, of names that are long or that no font has: pictures stay small, and say the rest
+row = [resting("%s %d" % ("\u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
+run(written("row", row, NONE, "Density", more=history([1, 2], [1, 2])), "row solved")
+code, text = epafi("plot", os.path.join(WORK, "row solved"))
+claim(code == 0 and "Warning" not in text, "no warnings of matplotlib: " + text)
+for name in ("contact", "path", "steps"):
+    with open(os.path.join(WORK, "row solved", name + ".png"), "rb") as stream:
+        size = struct.unpack(">2I", stream.read(24)[16:])
+    claim(size[0] < 1600 and size[1] < 1000, "%s of many contacts: %d by %d" % (name, *size))
+figure, axes = Run(os.path.join(WORK, "row solved")).plot("path")
+figure.canvas.draw()
+legend, = figure.legends
+claim("not drawn: 2 others, which carry less" in [text.get_text() for text in legend.get_texts()] and
+      not any(legend.get_window_extent().overlaps(panel.get_window_extent()) for panel in axes),
+      "six contacts and a word about the others, below the curves")
+run(scene("two-blocks.xml"), "pair", levels(1))
+figure, axes = Run(os.path.join(WORK, "pair")).plot("contact")
+claim("contact on joint" in figure.texts[0].get_text(), "a contact has its name in the title")
+plt.close("all")
+
 # what was drawn of one solution does not stay beside another one; other files do
 folder = os.path.join(WORK, "punch")
 code, text = epafi("fields", folder, "--grid", "5,5")
@@ -147,8 +169,26 @@ for name in PICTURES:
               "%s is 5 by 3 inches, and a PDF: %s" % (name, size))
 with open(os.path.join(folder, "contact.svg")) as stream:
     words = stream.read()  # matplotlib writes each text as a comment
-claim("contact stress [MPa]" in words and "x [mm]" in words and "Tresca block" not in words,
+claim("stress [MPa]" in words and "x [mm]" in words and "Tresca block" not in words,
       "labels have units, and there is no title")
+
+
+# a column of a paper: all words within it, and room for what is drawn
+for name, picture in [*(("fretting", name) for name in (*PICTURES, "path", "steps")),
+                      ("tresca", "mesh")]:
+    figure, axes = Run(os.path.join(WORK, name)).plot(picture, size=(3.4, 2.6), font=8, title=False,
+                                                      units="mm,MPa")
+    figure.canvas.draw()
+    words = figure.get_tightbbox()
+    panels = [panel.get_window_extent().size / figure.dpi for panel in np.ravel(axes)]
+    marks = [[label.get_window_extent() for label in panel.get_xticklabels() if label.get_text()]
+             for panel in np.ravel(axes)]
+    claim(min(*words.min, *(figure.get_size_inches() - words.max)) > -0.02 and
+          min(width for width, _ in panels) > (0.6 if len(panels) > 1 else 1.5) and
+          not any(a.overlaps(b) for row in marks for a, b in zip(row, row[1:])),
+          "%s of %s in 3.4 by 2.6 inches: words in %s, axes %s" % (
+              picture, name, words.extents.round(2), np.round(panels, 2).tolist()))
+    plt.close(figure)
 
 
 def drawing(*arguments):

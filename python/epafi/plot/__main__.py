@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+import warnings
 
 sys.dont_write_bytecode = True  # nothing beside what was installed
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -13,6 +14,7 @@ except ImportError as error:
     sys.exit("epafi: plot: Python's matplotlib is missing (%s); install it with\n"
              "    apt-get install python3-matplotlib" % error)
 matplotlib.use("Agg")
+warnings.simplefilter("ignore", UserWarning)  # matplotlib's, of glyphs and of room
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
 from epafi.program import InputError  # noqa: E402

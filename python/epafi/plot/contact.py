@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import settle
+from epafi.plot.figures import COLOURS, settle, short
 from epafi.plot.layout import lengths, middles, places
 
 
@@ -21,9 +21,9 @@ def cap_of(stresses, weights):
 
 
 def say_cut(axes, largest):
-    axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % largest, ha="center",
-              va="top", fontsize="small", transform=axes.transAxes,
-              bbox={"facecolor": "white", "edgecolor": "C1", "alpha": 0.85})
+    axes.annotate("cut here: stresses reach %.3g" % largest, (0.5, 1), xytext=(0, -5), ha="center",
+                  va="top", fontsize="small", xycoords="axes fraction", textcoords="offset points",
+                  bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
 
 
 def readable(axes, contact, weights):
@@ -61,8 +61,8 @@ def line(axes, laid, values, text, **style):
 
 def draw_stresses(axes, laid):
     contact, s, _, parts = laid
-    line(axes, laid, contact["lambda_n"], r"pressure $\lambda_n$", color="C0")
-    line(axes, laid, contact["lambda_t"], r"shear $\lambda_t$", color="C1")
+    line(axes, laid, contact["lambda_n"], r"pressure $\lambda_n$", color=COLOURS[0])
+    line(axes, laid, contact["lambda_t"], r"shear $\lambda_t$", color=COLOURS[1])
     if (contact["bound"] != 0).any() and np.isfinite(contact["bound"]).all():  # bonds have none
         for sign, text in ((1, "friction bound, both signs"), (-1, "_")):
             line(axes, laid, sign * contact["bound"], text, color="grey", ls="--", lw=1)
@@ -70,9 +70,9 @@ def draw_stresses(axes, laid):
 
 def draw_displacements(axes, laid):
     contact, *_ = laid
-    line(axes, laid, contact["u_n"], "normal displacement $u_n$", color="C0")
+    line(axes, laid, contact["u_n"], "normal displacement $u_n$", color=COLOURS[0])
     line(axes, laid, contact["gap"], "gap", color="black", ls="--", lw=1)
-    line(axes, laid, contact["u_t"], "tangential displacement $u_t$", color="C1")
+    line(axes, laid, contact["u_t"], "tangential displacement $u_t$", color=COLOURS[1])
 
 
 def frame(axes, contact):
@@ -84,6 +84,16 @@ def frame(axes, contact):
     settle(axes, 1e-3 * max(np.ptp(contact["x"]), np.ptp(contact["y"])))  # as of bonded sides
 
 
+NAMED = 6  # sides that carry their names
+
+
+def names_of(columns, parts):
+    """The contact of each part; of several parts of one, the boundary."""
+    names = [str(columns["contact_name"][a]) for a, _ in parts]
+    return [name if names.count(name) == 1 else str(columns["boundary"][a])
+            for name, (a, _) in zip(names, parts)]
+
+
 def draw(contact, title, pictures):
     shown = places(contact)
     figure, rows = pictures.subplots(2, len(shown), figsize=(5.9 + 3.5 * len(shown), 7.4),
@@ -93,9 +103,11 @@ def draw(contact, title, pictures):
         columns, s, label, parts = laid
         draw_stresses(stress, laid)
         draw_displacements(shift, laid)
-        for a, b in parts if len(parts) + len(shown) > 2 else ():  # which of the sides is which
-            stress.annotate(columns["boundary"][a], ((s[a] + s[b - 1]) / 2, 1.01), ha="center",
-                            fontsize="small", xycoords=stress.get_xaxis_transform())
+        if 2 < len(parts) + len(shown) < NAMED + 2:  # which of the sides is which
+            for (a, b), name in zip(parts, names_of(columns, parts)):
+                stress.annotate(short(name, 20), ((s[a] + s[b - 1]) / 2, 1.01),
+                                ha="center", fontsize="small",
+                                xycoords=stress.get_xaxis_transform())
         shift.set_xlabel(pictures.looks.label(label, "length"))
         for axes in (stress, shift):
             shade(axes, s, columns, parts)
@@ -107,9 +119,10 @@ def draw(contact, title, pictures):
     for row in rows:  # what is in any of the columns
         named = {text: drawn for axes in row
                  for drawn, text in zip(*axes.get_legend_handles_labels())}
-        row[-1].legend(named.values(), named, loc="center left", bbox_to_anchor=(1, 0.5))
-    names = dict.fromkeys(contact["boundary"].astype(str))
-    pictures.title(figure, "%s: contact on %s" % (title, ", ".join(names)))
+        pictures.legend(row[-1], named, loc="center left", bbox_to_anchor=(1, 0.5))
+    names = dict.fromkeys(contact["contact_name"].astype(str))
+    pictures.title(figure, "%s: contact on %s" % (
+        title, ", ".join(names) if len(names) <= NAMED else "%d sides" % len(names)))
     pictures.save(figure, "contact")
 
 

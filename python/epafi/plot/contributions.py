@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import LINES, MARKERS, loglog, plain_ticks, plt
+from epafi.plot.figures import COLOURS, LINES, MARKERS, loglog, plain_ticks, plt
 
 CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
                  ("eta_contact", "residual on contact sides"),
@@ -24,7 +24,7 @@ def draw(history, title, pictures):
     for k, ((name, text), marker) in enumerate(zip(CONTRIBUTIONS, MARKERS[1:])):
         y = history.numbers(name)
         drawn = loglog(axes, x, np.where(y > rounding, y, math.nan), text, marker=marker,
-                       lw=1, ls=LINES[k // 6], color="C%d" % (k % 6), gaps=True) or drawn
+                       lw=1, ls=LINES[k // 6], color=COLOURS[k % 6], gaps=True) or drawn
     if not drawn:
         plt.close(figure)
         return
@@ -33,5 +33,5 @@ def draw(history, title, pictures):
     axes.set_xlabel("degrees of freedom")
     axes.set_ylabel("contribution to the estimate")
     pictures.title(axes, title + ": contributions")
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.legend(axes, loc="center left", bbox_to_anchor=(1, 0.5))
     pictures.save(figure, "contributions")

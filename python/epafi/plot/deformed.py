@@ -3,10 +3,9 @@ import math
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.transforms import offset_copy
 
 from epafi.plot.bodies import draw_rigid, roomy
-from epafi.plot.figures import equal_axes, shape_of
+from epafi.plot.figures import COLOURS, equal_axes, shape_of
 
 
 def round_down(value):
@@ -45,7 +44,7 @@ def draw(boundary, rigid, contact, title, pictures):
         x = np.concatenate([element["x"] for element in loop])
         u = np.concatenate([element["u"] for element in loop])
         axes.plot(*x.T, color="grey", lw=0.8, ls="--", label="undeformed" if not k else "_")
-        axes.plot(*(x + scale * u).T, color="C0", lw=1.6,
+        axes.plot(*(x + scale * u).T, color=COLOURS[0], lw=1.6,
                   label="deformed, displacement x %g (gaps are not)" % scale if not k else "_")
     arrow = arrows(axes, boundary, size, scale, pictures)
     shown = axes.dataLim
@@ -56,9 +55,8 @@ def draw(boundary, rigid, contact, title, pictures):
         shown.min, shown.max)) if rigid else []
     equal_axes(axes, *(high - low), pictures.looks)
     pictures.title(axes, title + ": deformed outline and tractions")
-    axes.legend(handles=[*axes.get_lines()[:2], *solid, *arrow], loc="upper center",
-                bbox_to_anchor=(0.5, 0), bbox_transform=offset_copy(  # below the axis' words
-                    axes.transAxes, axes.figure, 0, -5 * pictures.looks.font, "points"))
+    pictures.legend(axes, {drawn.get_label(): drawn
+                           for drawn in (*axes.get_lines()[:2], *solid, *arrow)})
     pictures.save(figure, "deformed")
 
 
@@ -78,14 +76,14 @@ def arrows(axes, boundary, size, scale, pictures):
     cap = min(sizes.max(), 5 * np.quantile(sizes[sizes > 1e-3 * sizes.max()], 0.75))
     shown = tractions * np.minimum(1, cap / np.maximum(sizes, 1e-300))[:, None]
     shown *= 0.15 * size / cap
-    axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1, color="C1",
-                width=0.003)
+    axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1,
+                color=COLOURS[1], width=0.003)
     axes.update_datalim(points + shown)
     axes.autoscale_view()
     text = pictures.looks.label("mean traction on the body, longest arrow %.3g" % cap, "stress")
     if cap < sizes.max():
         text += "; cut there (largest %.3g)" % sizes.max()
-    return [Line2D([], [], color="C1", marker=">", lw=1, label=text)]
+    return [Line2D([], [], color=COLOURS[1], marker=">", lw=1, label=text)]
 
 
 def pieces(side, length, scale):

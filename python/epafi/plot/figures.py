@@ -4,7 +4,8 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
-from typing import Any, Optional
+import textwrap
+from typing import Any, Mapping, Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -40,6 +41,8 @@ class Looks:
         if self.units is not None and len(self.units) != 2:
             raise InputError("units: %r is not 'LENGTH,STRESS', as 'mm,MPa'" % (
                 ",".join(self.units),))
+        if self.size is not None and np.shape(self.size) != (2,):
+            raise InputError("size: %r is not (width, height) in inches" % (self.size,))
 
     def style(self) -> dict[str, Any]:
         return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}
@@ -71,9 +74,16 @@ class Pictures:
     def __init__(self, folder: str, looks: Looks = Looks(),
                  window: Optional[tuple[float, ...]] = None, film: Optional[str] = None,
                  only: Optional[str] = None, axes: Any = None) -> None:
+        if window is not None and not (np.shape(window) == (4,) and window[0] < window[2]
+                                       and window[1] < window[3]):
+            raise InputError("window: %r is not (x0, y0, x1, y1), two corners, the lower left one "
+                             "first" % (window,))
         self.folder, self.looks, self.window = folder, looks, window
         self.film, self.only = film, only
         self.names: list[str] = []
+        self.named: dict[str, Any] = {}  # of the legend of all axes
+        self.small = False  # less than what the figure is made for
+        self.folded = False  # axes in two rows instead of one
         self.given = None if axes is None else np.atleast_1d(axes).ravel()
         self.axes: Any = None
 
@@ -82,15 +92,24 @@ class Pictures:
 
     def subplots(self, rows: int = 1, columns: int = 1, **how: Any) -> tuple[Figure, Any]:
         """A figure and its axes: one, a row or column (n,), or (rows, columns)."""
+        self.named = {}
         if self.given is None:
             if self.looks.size:
+                self.small = (np.array(self.looks.size) < how["figsize"]).any()
                 how["figsize"] = self.looks.size
-            figure, axes = plt.subplots(rows, columns, squeeze=False, **how)
+            self.folded = self.small and rows == 1 and columns > 2
+            figure, axes = plt.subplots(
+                *((2, (columns + 1) // 2) if self.folded else (rows, columns)), squeeze=False, **how)
+            for spare in axes.flat[rows * columns:]:
+                spare.remove()
+            axes = axes.ravel()[:rows * columns].reshape(rows, columns)
         else:
             if len(self.given) != rows * columns:
                 raise ValueError("'%s' is drawn into %d axes, %d rows of %d; given: %d" % (
                     self.only, rows * columns, rows, columns, len(self.given)))
             figure, axes = self.given[0].figure, self.given.reshape(rows, columns)
+            for each in self.given:
+                each.set_prop_cycle(color=COLOURS)
         self.axes = axes.squeeze() if axes.size > 1 else axes[0, 0]
         return figure, self.axes
 
@@ -102,11 +121,49 @@ class Pictures:
         elif self.looks.title:
             where.set_title(text)
 
+    def legend(self, axes: Any, named: Optional[Mapping[str, Any]] = None, **where: Any) -> None:
+        """Of what axes have, or of artists by name; where a picture is small or no place is told,
+        below all axes."""
+        if named is None:
+            named = {text: drawn for drawn, text in zip(*axes.get_legend_handles_labels())}
+        if self.given is None and (self.small or not where):
+            self.named.update({text.split(" (rate ")[0] if self.small else text: drawn
+                               for text, drawn in named.items()})
+        else:
+            axes.legend(named.values(), named, **where)
+
+    def fit(self, figure: Figure) -> None:
+        """The legend below all axes; words in lines as long as there is room for, and ticks as
+        many."""
+        spare = self.folded and len(figure.axes) % 2  # a place without axes
+        for columns in range(1 if spare else 6, 0, -1) if self.named else ():
+            legend = figure.legend(self.named.values(), self.named, ncol=columns,
+                                   loc="lower right" if spare else "lower center")
+            for text in legend.get_texts() if columns == 1 else ():
+                wrap(text, 0.8 * figure.bbox.width)
+            box = legend.get_window_extent()
+            if box.width < 0.97 * figure.bbox.width or columns == 1:
+                foot = 0 if spare else min(0.6, box.y1 / figure.bbox.height)
+                figure.get_layout_engine().set(rect=(0, foot, 1, 1 - foot))
+                break
+            legend.remove()
+        for _ in range(6):
+            figure.canvas.draw()  # lays it out
+            changes = [wrap(text, figure.bbox.width) for text in figure.texts]
+            for axes in figure.axes:
+                box = axes.get_window_extent()
+                above = figure.bbox.width if len(figure.axes) == 1 else box.width
+                changes += [wrap(axes.title, above), wrap(axes.xaxis.label, box.width),
+                            wrap(axes.yaxis.label, box.height), thin(axes)]
+            if not any(changes):
+                break
+
     def save(self, figure: Figure, name: str) -> None:
         self.names.append(name)
+        if self.given is None:
+            self.fit(figure)  # lays it out, once for all endings
         if self.only:
             return
-        figure.canvas.draw()  # lays it out, once for all endings
         box = None if self.looks.size else figure.get_tightbbox().padded(
             plt.rcParams["savefig.pad_inches"])
         with plt.rc_context({"figure.constrained_layout.use": False}):
@@ -115,6 +172,37 @@ class Pictures:
                 figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)),
                                dpi=figure.dpi, bbox_inches=box)
         plt.close(figure)
+
+
+def short(name: str, size: int = 40) -> str:
+    """A name, or its beginning and its end."""
+    return name if len(name) <= size else name[:size // 2] + " ... " + name[-size // 2:]
+
+
+def wrap(text: Any, room: float) -> bool:
+    """Breaks a text into lines of at most `room` pixels; whether it was longer."""
+    long = text.get_window_extent().size[int(text.get_rotation() == 90)]
+    words = text.get_text()
+    if words and long > 1.05 * room:
+        letters = int(max(map(len, words.split("\n"))) * room / long)
+        text.set_text(textwrap.fill(words, max(8, letters), break_long_words=letters > 30))
+    return text.get_text() != words
+
+
+def thin(axes: Any) -> bool:
+    """Fewer ticks below, if their labels overlap; whether they did."""
+    def crowded() -> bool:
+        ticks = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+        return any(b.x0 < a.x1 for a, b in zip(ticks, ticks[1:]))
+
+    if not crowded():
+        return False
+    for count in range(5, 0, -1):
+        axes.xaxis.set_major_locator(MaxNLocator(count, min_n_ticks=1,
+                                                 steps=[1, 1.5, 2, 3, 4, 5, 10]))
+        if not crowded():
+            break
+    return True
 
 
 def settle(axes: Any, size: float, which: str = "y") -> None:

@@ -70,18 +70,19 @@ def draw_study(pictures: Pictures) -> None:
     sweep.draw(study, title, pictures)
 
 
-def draw_field(field: str, file: str, pictures: Pictures) -> None:
-    """Of a file of epafi fields: a .vtu, or a .csv of a grid over a window."""
+def draw_field(field: str, file: str, pictures: Pictures, when: str = "") -> None:
+    """Of a file of epafi fields: a .vtu, or a .csv of a grid over a window; `when` ends the
+    title."""
     outline = read(pictures.folder, "boundary.csv")
     rigid = rigid_outlines(pictures.folder, bodies_of(outline)) if outline else []
-    title = title_of(pictures.folder)
+    title = title_of(pictures.folder) + when
     if file.endswith(".csv") and outline:
         inside.draw_window(Table(file), field, Boundary(outline).path(), rigid, title, pictures)
     else:
         inside.draw(inside.Inside(file), field, rigid, title, pictures)
 
 
-def draw_folder(pictures: Pictures, field: Optional[str] = None) -> list[str]:
+def draw_folder(pictures: Pictures, field: Optional[str] = None, when: str = "") -> list[str]:
     """Draws what the folder of a run or a study holds, and a field if one is named, of
     fields-window.csv where there is a window, else of fields.vtu; the pictures' names, without
     endings.
@@ -99,7 +100,7 @@ def draw_folder(pictures: Pictures, field: Optional[str] = None) -> list[str]:
         draw_run(pictures)
         if field:
             draw_field(field, os.path.join(folder, "fields-window.csv" if pictures.window else
-                                           "fields.vtu"), pictures)
+                                           "fields.vtu"), pictures, when)
     if not pictures.names:
         raise ValueError("'%s' holds no history.csv, contact.csv, boundary.csv or study.csv of a "
                          "run or a study" % folder)

@@ -54,16 +54,19 @@ def limits(values, weights, name):
     return low, high, "RdBu_r" if signed else "viridis", cut
 
 
-def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
+def finish(figure, axes, drawn, cut, values, name, title, extent, pictures):
     place = axes.inset_axes([1.02, 0, 0.2 / axes.figure.get_figwidth(), 1])  # as high as the body
     bar = figure.colorbar(drawn, cax=place,
                           extend={"": "neither", "minmax": "both"}.get(cut, cut))
     bar.set_label(pictures.looks.field_label("", name))
     axes.grid(False)
     equal_axes(axes, *extent, pictures.looks)
+    if np.ptp(values) == 0:
+        axes.text(0.5, 0.5, "%s is %g everywhere" % (NAMES[name], values[0]), ha="center",
+                  transform=axes.transAxes, bbox={"facecolor": "white"})
     # not beside the bar, which may be too low for words
     pictures.title(axes, "%s: %s" % (title, NAMES[name]) +
-                   (", up to %.3g" % largest if "max" in cut else ""))
+                   (", up to %.3g" % values.max() if "max" in cut else ""))
     pictures.save(figure, name)
 
 
@@ -84,7 +87,7 @@ def draw(inside, name, rigid, title, pictures):
                            vmin=low, vmax=high, rasterized=True, cmap=colours)
     if rigid:
         draw_rigid(axes, rigid, 0, roomy(inside.points.min(axis=0), inside.points.max(axis=0)))
-    finish(figure, axes, drawn, cut, values.max(), name, title, extent, pictures)
+    finish(figure, axes, drawn, cut, values, name, title, extent, pictures)
 
 
 def filled(image):
@@ -116,4 +119,4 @@ def draw_window(cells, name, outline, rigid, title, pictures):
                         vmin=low, vmax=high, cmap=colours)
     drawn.set_clip_path(outline, axes.transData)
     draw_rigid(axes, rigid, 0, extent)
-    finish(figure, axes, drawn, cut, values.max(), name, title, shape, pictures)
+    finish(figure, axes, drawn, cut, values, name, title, shape, pictures)

@@ -58,7 +58,7 @@ def draw(boundary, title, pictures):
     sizes.set_ylim(0.8 * low, 1.25 * high)
     plain_ticks(sizes.yaxis)
     sizes.set_xlabel(pictures.looks.label(
-        "length along the outline from its first vertex (holes after it)", "length"))
+        "length along the outline, holes after it", "length"))
     sizes.set_ylabel(pictures.looks.label("element size h", "length"))
     sizes.set_title("%d elements, %s" % (
         len(boundary.elements), "p = %d" % degrees[0] if len(degrees) == 1 else

@@ -10,7 +10,7 @@ from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.tri import Triangulation
 
 from epafi.plot.deformed import scale_of, within
-from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.plot.figures import COLOURS, equal_axes, plt, shape_of
 from epafi.tables import read
 
 SHOWN = 120  # steps drawn at most
@@ -73,7 +73,7 @@ def draw(folder, rows, title, pictures):
     figure, axes = pictures.subplots(figsize=(shape[0] + (2 if field else 1), shape[1] + 1))
     for body, lines in outlines(steps[0]):
         axes.plot(*broken(points, lines), color="grey", lw=0.6, ls=":")
-    moved = [axes.plot([], [], color="black" if field else "C%d" % (body % 7), lw=1.5)[0]
+    moved = [axes.plot([], [], color="black" if field else COLOURS[body % 7], lw=1.5)[0]
              for body, _ in outlines(steps[0])]
     equal_axes(axes, view[2] - view[0], view[3] - view[1], pictures.looks)
     axes.set_xlim(view[0], view[2])

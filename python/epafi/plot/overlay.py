@@ -2,7 +2,7 @@
 import numpy as np
 
 from epafi.plot.contact import cap_of, line, say_cut
-from epafi.plot.figures import Looks, Pictures, plt
+from epafi.plot.figures import Pictures, plt
 from epafi.plot.layout import laid_out, lengths, window, within
 
 
@@ -51,7 +51,7 @@ def draw(contacts, labels, title, name, pictures):
         if unit == "stress":
             cut(axes, shown, column)
         axes.set_ylabel(pictures.looks.label(text, unit))
-    panels[0].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    pictures.legend(panels[0], loc="upper left", bbox_to_anchor=(1, 1))
     pictures.title(panels[0], title)
     pictures.save(figure, name)
 

@@ -5,17 +5,29 @@ import os
 import numpy as np
 
 from epafi.plot import movie, overlay
-from epafi.plot.figures import settle
+from epafi.plot.figures import COLOURS, settle, short
 from epafi.plot.layout import chains, lengths
 from epafi.tables import read
 
-SHOWN = 6  # steps overlaid
+SHOWN = 6  # steps overlaid, contacts or bodies drawn
 
 
 def contacts_of(steps):
     """The names before '.force_tangential', in the order of the columns."""
     ending = ".force_tangential"
     return [name[:-len(ending)] for name in steps if name.endswith(ending)]
+
+
+def largest(rows, names, column):
+    """Of contacts or bodies those with the largest values, in their order."""
+    sizes = [-np.abs(rows[name + column]).max() for name in names]
+    return [names[k] for k in sorted(np.argsort(sizes, kind="stable")[:SHOWN])]
+
+
+def tell_rest(axes, names, shown):
+    if len(names) > len(shown):
+        axes.plot([], [], ls="", label="not drawn: %d others, which carry less" % (
+            len(names) - len(shown)))
 
 
 def last_level(steps):
@@ -89,32 +101,35 @@ def draw(folder, steps, title, pictures):
 def draw_path(folder, rows, t, files, title, pictures):
     contacts, label = contacts_of(rows), pictures.looks.label
     turning = torsion(folder, rows, contacts, files[-1]) if files else None
+    shown = largest(rows, contacts, ".force_normal")
     figure, axes = pictures.subplots(1, 3 if files else 2, figsize=(13 if files else 9, 4))
     force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
 
     def along(panel, name, label, **style):
         panel.plot(t, np.append(0, rows[name]), label=label, marker=".", **style)
 
-    for k, name in enumerate(contacts):
-        along(axes[0], name + ".force_normal", "normal, " + name, color="C%d" % k)
-        along(axes[0], name + ".force_tangential", "tangential, " + name, color="C%d" % k,
+    for k, name in enumerate(shown):
+        along(axes[0], name + ".force_normal", "normal, " + short(name), color=COLOURS[k])
+        along(axes[0], name + ".force_tangential", "tangential, " + short(name), color=COLOURS[k],
               ls="--")
+    tell_rest(axes[0], contacts, shown)
     axes[0].set_ylabel(label("contact force", "force"))
     settle(axes[0], force)
-    along(axes[1], "energy_dissipated", "friction's work")
-    along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", ls="--")
+    along(axes[1], "energy_dissipated", "friction's work", color="black")
+    along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", color="black",
+          ls="--")
     axes[1].set_ylabel(label("friction's work so far", "energy"))
     settle(axes[1], np.abs(rows["energy_strain"]).max())
     for panel in axes[:2]:
         panel.set_xlabel("t")
-        panel.legend()
+        pictures.legend(panel)
     if files:
         slip = slip_column(files)
         loops = {name: ([mean_slip(file, name, slip) for file in files],
                         rows[name + ".force_tangential"])
-                 for name in contacts} if turning is None else {contacts[0]: turning}
+                 for name in shown} if turning is None else {contacts[0]: turning}
         for k, (name, (moved, pushed)) in enumerate(loops.items()):
-            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=name, color="C%d" % k)
+            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=short(name), color=COLOURS[k])
         reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", slip))
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
@@ -125,7 +140,6 @@ def draw_path(folder, rows, t, files, title, pictures):
         axes[2].set_ylabel(label("tangential force", "force") if turning is None
                            else label("torque", "energy"))
         axes[2].ticklabel_format(axis="x", scilimits=(-2, 3))  # or their zeros run together
-        axes[2].legend()
     pictures.title(figure, title + ": path")
     pictures.save(figure, "path")
 
@@ -135,17 +149,19 @@ def rigid(rows, t, title, pictures):
     bodies = [name[:-len(".rotation")] for name in rows if name.endswith(".rotation")]
     if not bodies:
         return
+    shown = largest(rows, bodies, ".force_y")
     figure, axes = pictures.subplots(2, 3, figsize=(12, 6.5))
+    tell_rest(axes[0, 0], bodies, shown)
     panels = (("motion_x", "force_x"), ("motion_y", "force_y"), ("rotation", "moment"))
     sizes = {item: max(np.abs(rows[name + "." + item]).max() for name in bodies)
              for pair in panels for item in pair}
     moved = max(sizes["motion_x"], sizes["motion_y"])
     pushed = max(sizes["force_x"], sizes["force_y"])
     for column, (motion, force) in enumerate(panels):
-        for k, name in enumerate(bodies):
+        for k, name in enumerate(shown):
             where, what = (np.append(0, rows[name + "." + item]) for item in (motion, force))
-            axes[0, column].plot(t, where, marker=".", label=name, color="C%d" % k)
-            axes[1, column].plot(where, what, marker=".", label=name, color="C%d" % k)
+            axes[0, column].plot(t, where, marker=".", label=short(name), color=COLOURS[k])
+            axes[1, column].plot(where, what, marker=".", label=short(name), color=COLOURS[k])
         turns = motion == "rotation"
         where = "rotation [rad]" if turns else pictures.looks.label(motion.replace("_", " "),
                                                                     "length")
@@ -154,11 +170,11 @@ def rigid(rows, t, title, pictures):
         settle(axes[1, column], pushed)
         axes[0, column].set_xlabel("t")
         axes[0, column].set_ylabel(where)
-        axes[1, column].set_xlabel(where)
+        axes[1, column].set_xlabel(where, labelpad=9)  # below the power of ten
         axes[1, column].set_ylabel(pictures.looks.label(force.replace("_", " "),
                                                         "energy" if turns else "force"))
         for panel in axes[:, column]:
             panel.ticklabel_format(scilimits=(-3, 4))
-    axes[0, 0].legend()
+    pictures.legend(axes[0, 0])
     pictures.title(figure, title + ": rigid bodies")
     pictures.save(figure, "rigid")

@@ -79,12 +79,12 @@ def draw(study, title, pictures):
     if lows.size:
         set_scale(estimate, "y", np.append(lows, estimates[solved].min()))
     set_scale(estimate, "x", value[ends])
-    estimate.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.legend(estimate, loc="center left", bbox_to_anchor=(1, 0.5))
     if has_eigen:
         axes[1, 0].axhline(0, color="black", lw=0.8)
         axes[1, 0].set_yscale("symlog", linthresh=1)
         axes[1, 0].set_ylabel("smallest eigenvalue of the\nstabilised stiffness, relative to S")
-        axes[1, 0].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+        pictures.legend(axes[1, 0], loc="center left", bbox_to_anchor=(1, 0.5))
     axes[-1, 0].set_xlabel(key)
     pictures.title(estimate, "%s: dependence on %s" % (title, key))
     pictures.save(figure, "sweep")
@@ -109,7 +109,7 @@ def draw_forces(study, value, ends, families, key, title, pictures):
     set_scale(axes[0, 0], "x", value[ends])
     for cell in axes[1]:
         cell.set_xlabel(key)
-    axes[0, 1].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    pictures.legend(axes[0, 1], loc="upper left", bbox_to_anchor=(1, 1))
     pictures.title(figure, "%s: contact against %s" % (title, key))
     pictures.save(figure, "sweep_forces")
 

@@ -35,8 +35,8 @@ def panels(scenes, quantities, abscissa, plot, title, pictures):
     figure, axes = pictures.subplots(len(scenes), len(quantities), figsize=(
         5.4 * len(quantities) + 2.4, 4.6 * len(scenes)))
     axes = np.reshape(axes, (len(scenes), len(quantities)))
+    styles = styles_of(dict.fromkeys(name for variants in scenes.values() for name in variants))
     for row, (scene, variants) in zip(axes, scenes.items()):
-        styles = styles_of(variants)
         for cell, (column, label) in zip(row, quantities):
             for variant, curve in variants.items():
                 plot(cell, curve, column, label=variant, **styles[variant])
@@ -45,6 +45,6 @@ def panels(scenes, quantities, abscissa, plot, title, pictures):
             cell.set_xlabel(abscissa)
             cell.set_ylabel(label)
             cell.set_title(scene)
-            cell.legend(fontsize="x-small")
+            pictures.legend(cell, fontsize="x-small")
     pictures.title(figure, title)
     return figure

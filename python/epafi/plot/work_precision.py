@@ -22,6 +22,6 @@ def draw(study, scenes, title, pictures):
         cell.set_xlabel("CPU seconds, all threads")
         cell.set_title(scene)
     axes[0, 0].set_ylabel(ERROR)
-    axes[0, -1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.legend(axes[0, -1], loc="center left", bbox_to_anchor=(1, 0.5))
     pictures.title(figure, title)
     pictures.save(figure, "work-precision")
