@@ -169,8 +169,8 @@ for name in PICTURES:
               "%s is 5 by 3 inches, and a PDF: %s" % (name, size))
 with open(os.path.join(folder, "contact.svg")) as stream:
     words = stream.read()  # matplotlib writes each text as a comment
-claim("contact stress" in words and "[MPa]" in words and "x [mm]" in words and "Tresca block" not in words,
-      "labels have units, and there is no title")
+claim(all(word in words for word in ("contact stress", "[MPa]", "x [mm]")) and
+      "Tresca block" not in words, "labels have units, and there is no title")
 
 
 # a column of a paper: all words within it, and room for what is drawn
