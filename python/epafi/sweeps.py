@@ -18,7 +18,7 @@ import numpy as np
 from epafi.program import RUNNING, EpafiError, InputError, NotConverged
 from epafi.runs import Run, run
 from epafi.scenes import Scene
-from epafi.tables import HISTORY, frame_of, html_table, text_table, unknown_column
+from epafi.tables import HISTORY, frame_of, html_table, read, text_table, unknown_column
 
 if TYPE_CHECKING:
     import pandas
@@ -180,7 +180,7 @@ def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
                                               for value in values))))
                for number, values in enumerate(_names(parameters), 1)]
     for folder in folders:
-        if folder and not force and os.path.exists(os.path.join(folder, "history.csv")):
+        if folder and not force and read(folder, "history.csv"):
             raise InputError("the folder '%s' holds an earlier run; force=True replaces it" % folder)
     jobs = max(1, min(jobs or len(os.sched_getaffinity(0)), len(cases)))
     if jobs > 1 and threads is None:

@@ -12,6 +12,7 @@ import numpy as np
 from cycler import cycler
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.transforms import offset_copy
 
 from epafi.program import InputError
 
@@ -122,20 +123,23 @@ class Pictures:
             where.set_title(text)
 
     def legend(self, axes: Any, named: Optional[Mapping[str, Any]] = None, **where: Any) -> None:
-        """Of what axes have, or of artists by name; where a picture is small or no place is told,
-        below all axes."""
+        """Of what axes have, or of artists by name; without a place below them, in a small picture
+        below all."""
         if named is None:
             named = {text: drawn for drawn, text in zip(*axes.get_legend_handles_labels())}
         if self.given is None and (self.small or not where):
             self.named.update({text.split(" (rate ")[0] if self.small else text: drawn
                                for text, drawn in named.items()})
         else:
-            axes.legend(named.values(), named, **where)
+            axes.legend(named.values(), named, **(where or {
+                "loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": offset_copy(
+                    axes.transAxes, axes.figure, 0, -5 * self.looks.font, "points")}))
 
     def fit(self, figure: Figure) -> None:
         """The legend below all axes; words in lines as long as there is room for, and ticks as
         many."""
-        spare = self.folded and len(figure.axes) % 2  # a place without axes
+        # in the place without axes, if they fit there
+        spare = self.folded and len(figure.axes) % 2 and len(self.named) < 8
         for columns in range(1 if spare else 6, 0, -1) if self.named else ():
             legend = figure.legend(self.named.values(), self.named, ncol=columns,
                                    loc="lower right" if spare else "lower center")

@@ -18,16 +18,15 @@ def contacts_of(steps):
     return [name[:-len(ending)] for name in steps if name.endswith(ending)]
 
 
-def largest(rows, names, column):
+def largest(rows, names, column, count=SHOWN):
     """Of contacts or bodies those with the largest values, in their order."""
     sizes = [-np.abs(rows[name + column]).max() for name in names]
-    return [names[k] for k in sorted(np.argsort(sizes, kind="stable")[:SHOWN])]
+    return [names[k] for k in sorted(np.argsort(sizes, kind="stable")[:count])]
 
 
 def tell_rest(axes, names, shown):
     if len(names) > len(shown):
-        axes.plot([], [], ls="", label="not drawn: %d others, which carry less" % (
-            len(names) - len(shown)))
+        axes.plot([], [], ls="", label="not drawn: %d others" % (len(names) - len(shown)))
 
 
 def last_level(steps):
@@ -101,17 +100,17 @@ def draw(folder, steps, title, pictures):
 def draw_path(folder, rows, t, files, title, pictures):
     contacts, label = contacts_of(rows), pictures.looks.label
     turning = torsion(folder, rows, contacts, files[-1]) if files else None
-    shown = largest(rows, contacts, ".force_normal")
     figure, axes = pictures.subplots(1, 3 if files else 2, figsize=(13 if files else 9, 4))
+    shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
     force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
 
     def along(panel, name, label, **style):
         panel.plot(t, np.append(0, rows[name]), label=label, marker=".", **style)
 
     for k, name in enumerate(shown):
-        along(axes[0], name + ".force_normal", "normal, " + short(name), color=COLOURS[k])
-        along(axes[0], name + ".force_tangential", "tangential, " + short(name), color=COLOURS[k],
-              ls="--")
+        along(axes[0], name + ".force_normal", short(name), color=COLOURS[k])
+        along(axes[0], name + ".force_tangential", "_", color=COLOURS[k], ls="--")
+    axes[0].plot([], [], color="grey", ls="--", label="dashed: tangential")
     tell_rest(axes[0], contacts, shown)
     axes[0].set_ylabel(label("contact force", "force"))
     settle(axes[0], force)
