@@ -175,7 +175,7 @@ claim(all(word in words for word in ("contact stress", "[MPa]", "x [mm]")) and
 
 # a column of a paper: all words within it, and room for what is drawn
 for name, picture in [*(("fretting", name) for name in (*PICTURES, "path", "steps")),
-                      ("tresca", "mesh")]:
+                      ("tresca", "mesh"), ("tresca", "von_mises")]:
     figure, axes = Run(os.path.join(WORK, name)).plot(picture, size=(3.4, 2.6), font=8, title=False,
                                                       units="mm,MPa")
     figure.canvas.draw()

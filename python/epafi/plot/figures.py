@@ -161,6 +161,12 @@ class Pictures:
                             wrap(axes.yaxis.label, box.height), thin(axes)]
             if not any(changes):
                 break
+        for axes in 2 * figure.axes if len(figure.axes) == 1 else ():
+            figure.canvas.draw()  # which does not lay out a bar of colours beside them
+            words = figure.get_tightbbox()
+            (width, height), place = figure.get_size_inches(), axes.get_position()
+            left, right = max(0, -words.x0) / width, max(0, words.x1 / width - 1)
+            axes.set_position([place.x0 + left, place.y0, place.width - left - right, place.height])
 
     def save(self, figure: Figure, name: str) -> None:
         self.names.append(name)
