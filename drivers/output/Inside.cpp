@@ -17,7 +17,7 @@ constexpr double end = 0.05;
 }  // namespace
 
 BodyInsides::BodyInsides(const Scene& scene, const Level& level)
-    : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {
+    : scene_(scene), spaces_(scene, meshesOf(scene, level)) {
   for (const auto& conditions : spaces_.conditionsAt(level.time(scene.endOfPath())))
     inside_.push_back(conditions.inside);
   for (std::size_t b = 0; b < size(); ++b) {

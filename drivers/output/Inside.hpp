@@ -77,7 +77,6 @@ class BodyInsides {
                       const contact::ParticularSolution::Value& particular) const;
 
   const Scene& scene_;
-  const Level& level_;
   BodySpaces spaces_;
   std::vector<bem::DisplacementField> displacements_;
   std::vector<contact::BodyLoadSolution>

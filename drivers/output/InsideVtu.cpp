@@ -194,8 +194,8 @@ FilledBodies fill(const BodyInsides& insides) {
                            onBoundary(insides, points[boundary[bem::at(k)]]);
                      });
     std::vector<InsidePoint> places;
-    for (const std::size_t i : inside)
-      places.push_back(points[i]);
+    std::transform(inside.begin(), inside.end(), std::back_inserter(places),
+                   [&](std::size_t i) { return points[i]; });
     const std::vector<InsideValue> there = insides.at(places);
     for (std::size_t k = 0; k < inside.size(); ++k)
       values[inside[k]] = there[k];

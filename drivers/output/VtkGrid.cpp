@@ -18,8 +18,8 @@ using Indices = std::vector<long long>;
 
 /// Appends the bytes as Base64 (RFC 4648).
 void addBase64(std::string bytes, std::string& text) {
-  using namespace boost::archive::iterators;
-  using Letters = base64_from_binary<transform_width<const char*, 6, 8>>;
+  using Bits = boost::archive::iterators::transform_width<const char*, 6, 8>;
+  using Letters = boost::archive::iterators::base64_from_binary<Bits>;
   const std::size_t missing = (3 - bytes.size() % 3) % 3;
   bytes.resize(bytes.size() + missing);
   text.append(Letters(bytes.data()), Letters(bytes.data() + bytes.size()));

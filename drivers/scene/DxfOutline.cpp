@@ -16,7 +16,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using bem::Vec2;
 
 constexpr double pi = boost::math::constants::pi<double>();
