@@ -73,9 +73,10 @@ TEUCHOS_UNIT_TEST(WithStrong, nextToANodeTheyAreAtTheNode) {
     TEST_ASSERT(points.nodes[1] == Singularity::Strong);
     TEST_ASSERT(points.inside[0].empty() && points.inside[1].empty());
   }
-  // the last one of an edge, too, by places that rounding has moved
-  for (const double offset : {-1e-13, 0.0, 1e-13})
-    TEST_ASSERT(placed({2 * h + offset}).nodes[2] == Singularity::Strong);
+  // at both ends of an edge, too, by places that rounding has moved
+  for (const int node : {0, 2})
+    for (const double offset : {-1e-13, -1e-16, 0.0, 1e-15, 1e-13})
+      TEST_ASSERT(placed({node * h + offset}).nodes[node] == Singularity::Strong);
   // and of two that are as close the first one counts
   const auto points = placed({1.25 * h, 1.259 * h});
   TEST_ASSERT(points.nodes[1] == Singularity::None);
