@@ -2,7 +2,7 @@
 compressed, between bodies, on paths and after a restart."""
 import math
 
-from runs import claim, differ, epafi, finish, fresh, rows, run, solved
+from runs import claim, differ, epafi, finish, fresh, refused, rows, run, solved
 from written import (NONE, TIED, WALLS, block, body, condition, confined, contact, friction,
                      history, keys, listed, pad, written)
 
@@ -235,4 +235,8 @@ off = differ(got["upper"]["energy_dissipated"], got["lower"]["energy_dissipated"
 claim(off < 1e-3, "either side first: dissipated alike to %.1e" % off)
 code, text = epafi("check", sheared("none", rub("None", Compliance=C), U, 0))
 claim(code == 1 and "Compliance" in text, "without friction there is no elastic shear")
+
+# pressures of smaller exponents underflow
+FLAT = normal("Power", Length=1, Pressure=0.01, Exponent=0.09)
+refused("an exponent of 0.09", confined("flat", FLAT, -0.1), "Exponent", "0.09", "0.1")
 finish()
