@@ -6,6 +6,7 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/opposite/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/FacingMarks.hpp"
 #include "drivers/run/UnheldMotions.hpp"
@@ -137,6 +138,31 @@ std::string reached(const Scene& scene, const Level& level) {
   return text.str();
 }
 
+/// Is there a state under the first load?  Not where the first step of a path was solved in parts.
+bool hasFirst(const Scene& scene, const Level& level) {
+  return !scene.history || level.path.front().t == scene.history.times.front();
+}
+
+/// The state from which the next level starts: under the load, or in the first step of a path.
+void carryFirst(const Scene& scene, const BodySpaces& spaces, const Level& level,
+                LevelStart& next) {
+  next.rigid = scene.history ? level.steps.front().rigid : level.rigid;
+  const contact::Numbering numbering(spaces.sides());
+  std::size_t motions = 0;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    contact::State state = level.bodies[b].state;
+    if (scene.history) {
+      const contact::State& first = level.path.front().state;
+      state.multiplier = numbering.of(b, first.multiplier);
+      for (double& motion : state.rigid)
+        motion = first.rigid[motions++];
+    }
+    next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
+                                           state, next.meshes[b],
+                                           scene.bodies[b].conditions));
+  }
+}
+
 }  // namespace
 
 std::string missingTo(const Scene& scene, const Level& level) {
@@ -166,18 +192,10 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
     return converged("there is nothing to refine");
 
   LevelStart next{level.number + 1, {}, {}};
-  const bool carries =
-      strategyOf(scene).start == adaptivity::Start::Carried && !scene.history;
-  if (carries)
-    next.rigid = level.rigid;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const bem::Mesh& mesh = spaces.space(b).mesh();
-    next.meshes.push_back(adaptivity::refine(mesh, marks[b]));
-    if (carries)
-      next.start.push_back(adaptivity::carry(mesh, spaces.multiplier(b),
-                                             level.bodies[b].state, next.meshes.back(),
-                                             scene.bodies[b].conditions));
-  }
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    next.meshes.push_back(adaptivity::refine(spaces.space(b).mesh(), marks[b]));
+  if (strategyOf(scene).start == adaptivity::Start::Carried && hasFirst(scene, level))
+    carryFirst(scene, spaces, level, next);
   return next;
 }
 
@@ -186,8 +204,10 @@ std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
     LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
+    // steps of a path that were solved are not solved again
     for (const BodyLevel& body : level.bodies)
-      again.start.push_back(body.state);
+      if (!scene.history)
+        again.start.push_back(body.state);
     return again;
   }
   return nextLevel(scene, level, processes);

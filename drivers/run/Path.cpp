@@ -36,9 +36,11 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
 class Follower {
  public:
   Follower(const Ground& ground, const contact::ContactSystem& atZero,
-           const std::vector<PathPoint>& earlier, PhaseTimer& timer)
+           const contact::State& first, const std::vector<PathPoint>& earlier,
+           PhaseTimer& timer)
       : ground_(ground),
         atZero_(atZero),
+        first_(first),
         earlier_(earlier),
         known_(knownOf(earlier, ground.scene.history)),
         timer_(timer),
@@ -172,7 +174,7 @@ class Follower {
   }
 
   /// A step, again and again where it wears by its slip, until that does not change any more.
-  SolvedProblem settled(contact::ContactSystem& system) {
+  SolvedProblem settled(contact::ContactSystem& system, double time) {
     constexpr double same = 1e-12;
     constexpr double almost = 1e-8;  // where rounding changes it on and on
     constexpr int most = 100;
@@ -180,7 +182,9 @@ class Follower {
       return solveStep(ground_.scene, system, ground_.spaces, here_.prediction, start,
                        ground_.processes, timer_);
     };
-    SolvedProblem solved = solveFrom(nullptr);
+    // where solutions are not unique a path of one step shall find that of the load alone
+    const bool isFirst = path_.points.empty() && time == ground_.scene.history.times.front();
+    SolvedProblem solved = solveFrom(isFirst ? &first_ : nullptr);
     double last = 1;
     for (int k = 0; system.wearsBySlip() && solved.solution.report.converged(); ++k) {
       const double change = system.wearBy(system.configuration(solved.solution.state));
@@ -224,7 +228,7 @@ class Follower {
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
     } else {
-      attempt = timer_.run(Phase::Newton, [&] { return settled(*system); });
+      attempt = timer_.run(Phase::Newton, [&] { return settled(*system, next); });
     }
     row_.newtonIterations += solved.report.newtonIterations;
     newtonIterations_ += solved.report.newtonIterations;
@@ -324,6 +328,7 @@ class Follower {
 
   const Ground& ground_;
   const contact::ContactSystem& atZero_;
+  const contact::State& first_;
   const std::vector<PathPoint>& earlier_;
   const std::size_t known_;
   PhaseTimer& timer_;
@@ -362,9 +367,10 @@ StepRow emptyRow(const Scene& scene, const BodySpaces& spaces) {
 }
 
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
-                const std::vector<PathPoint>& earlier, PhaseTimer& timer,
+                const contact::State& first, const std::vector<PathPoint>& earlier,
+                PhaseTimer& timer,
                 const std::function<void(const Path&)>& handOut) {
-  Follower follower(ground, atZero, earlier, timer);
+  Follower follower(ground, atZero, first, earlier, timer);
   for (const double time : ground.scene.history.times) {
     const bool reached = follower.goTo(time);
     handOut(follower.path());

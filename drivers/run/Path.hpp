@@ -75,16 +75,18 @@ struct Path {
 
 /// Solves the path of the scene; all steps use operators, factors and D of `atZero`.
 ///
-/// A step starts from contact::Prediction.  If it fails it is halved, down to
+/// A step starts from contact::Prediction, the first one from `first`.  If it fails it is halved, down to
 /// History->Minimum Step; there the path ends.  With History->Tolerance steps are halved
 /// until the time error of friction's work is small enough.
 ///                                                  [doc/theory/paths.md, Steps that fit]
 /// Collective.
+/// \param first  start at the first of History->Times; empty vectors: zero
 /// \param earlier points solved by an earlier run, which are not solved again
 /// \param handOut called with the path so far after each step of History
 /// \throws bem::InputError, Interrupted.
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
-                const std::vector<PathPoint>& earlier, PhaseTimer& timer,
+                const contact::State& first, const std::vector<PathPoint>& earlier,
+                PhaseTimer& timer,
                 const std::function<void(const Path&)>& handOut);
 
 }  // namespace epafi::drivers

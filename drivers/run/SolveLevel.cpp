@@ -248,13 +248,15 @@ void handOutStep(const Ground& ground, const Path& path, const NewLevel& begun) 
 
 /// All steps of a path on one mesh.
 Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
-                  const std::vector<PathPoint>& earlier, const NewLevel& begun) {
+                  const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
-  const Path path = followPath(ground, atZero, earlier, timer, [&](const Path& sofar) {
+  const contact::State first = atZero.joined(from.start, from.rigid);
+  const auto handOut = [&](const Path& sofar) {
     const bool another = begun.plan.denseInstead && !sofar.last().row.converged;
     if (begun.handOutStep && !another)
       timer.run(Phase::Results, [&] { handOutStep(ground, sofar, begun); });
-  });
+  };
+  const Path path = followPath(ground, atZero, first, from.path, timer, handOut);
   if (begun.plan.denseInstead && !path.report.converged())
     return path.reason;
   return finish(ground, atZero, solutionsOf(path), begun);
@@ -310,7 +312,7 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
     return contact::ContactSystem(inputs, scene.drivesAt(start));
   });
   checkResistance(scene, system);
-  return scene.history ? solvePath(ground, system, from.path, begun)
+  return scene.history ? solvePath(ground, system, from, begun)
                        : solveOnce(ground, system, first, from, begun);
 }
 

@@ -21,6 +21,13 @@ class Numbering {
   /// Number of coefficients of a body; of its pressures.
   Index sizeOf(std::size_t b) const { return starts_[b].size; }
   Index normalsOf(std::size_t b) const { return starts_[b].normals; }
+  /// The coefficients of body b, as it numbers them.
+  Vector of(std::size_t b, const Vector& all) const {
+    Vector own(at(sizeOf(b)));
+    for (Index i = 0; i < sizeOf(b); ++i)
+      own[at(i)] = all[at((*this)(b, i))];
+    return own;
+  }
   /// The part of body b in a vector with one entry per tangential coefficient of all
   /// bodies.
   Vector tangentialsOf(std::size_t b, const Vector& all) const {

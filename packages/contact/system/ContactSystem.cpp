@@ -322,9 +322,7 @@ Configuration ContactSystem::configuration(State state) const {
     state.rigid.assign(numbers().rigidMotions(), 0.0);
   const double* motions = state.rigid.data();
   for (std::size_t b = 0; b < size(); ++b) {
-    State own;
-    for (Index i = 0; i < numbering().sizeOf(b); ++i)
-      own.multiplier.push_back(state.multiplier[numbering()(b, i)]);
+    State own{numbering().of(b, state.multiplier), {}};
     own.rigid.assign(motions, motions + body(b).freeMotions());
     motions += body(b).freeMotions();
     result.bodies.push_back(std::move(own));
