@@ -208,7 +208,7 @@ for sentence, words, arguments in [
         ("a step of no path", "no History", ["fields", folder, "--step", "1"]),
         ("step 0", "--step", ["fields", path, "--step", "0"]),
         ("a step of no field", "--field", ["plot", path, "--step", "1"]),
-        ("an unknown field", "'von_mises'", ["plot", folder, "--field", "mises"])]:
+        ("an unknown field", "did you mean 'von_mises'", ["plot", folder, "--field", "mises"])]:
     code, text = epafi(*arguments)
     claim(code == 1 and words in text, "%s is refused: %s" % (sentence, text.strip()[:150]))
 finish()
