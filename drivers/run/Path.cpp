@@ -147,11 +147,14 @@ class Follower {
                      leastFriction * std::abs(here_.memory.outside())});
   }
 
-  /// The worn volume likewise.
+  /// The worn volume likewise; displacements, and rounding of slips with them, are as large as the
+  /// root of the work.
   double volumeOf(const Standing& before, double whole) const {
+    constexpr double rounding = 1e-9;
     const double sofar = here_.memory.wornVolume();
-    return std::max(sofar - before.memory.wornVolume(),
-                    whole / ground_.scene.endOfPath() * sofar);
+    return std::max({sofar - before.memory.wornVolume(),
+                     whole / ground_.scene.endOfPath() * sofar,
+                     rounding * std::sqrt(std::abs(here_.memory.outside()))});
   }
 
   /// Up to a time in steps, halved where one fails; the path may end before.  Returns the last

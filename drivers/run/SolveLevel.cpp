@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::drivers {
 
@@ -85,6 +86,8 @@ double relative(const Scene& scene, const std::vector<const SolvedBodies*>& stat
   const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
   double result = 0;
   for (std::size_t k = 0; k < estimates.size(); ++k) {
+    if (!std::isfinite(estimates[k]))
+      return std::numeric_limits<double>::infinity();
     const double square = estimates[k] * estimates[k];
     // rounding may leave an energy below zero
     const double norm = 2 * std::max({strainEnergies[k], largest / 100, 0.0});

@@ -184,20 +184,26 @@ struct Balance {
 
 /// The columns of a body's free rigid motions: what contacts feel of them.
 std::vector<Vector> columnsOf(const Scene& scene, const BodySpaces& spaces, std::size_t b,
-                              const FreeMotions& free,
+                              const std::vector<Vector>& free, const bem::Matrix& modes,
                               const contact::Numbering& numbering,
                               const contact::TraceCoupling& opposite) {
   contact::Stabilization none;  // rigid motions have no tractions
   none.form = contact::Stabilization::Form::None;
   const contact::Coupling own = contact::makeCoupling(
       spaces.space(b), spaces.multiplier(b), none, scene.lame(b), scene.units());
-  std::vector<Vector> columns;
-  for (const Vector& u : free[b]) {
+  const auto movedBy = [&](const Vector& u) {
     const Vector moved = own.trace.apply(u);
-    columns.push_back(opposite.rests.empty() ? Vector(numbering.size())
-                                             : opposite.apply(u));
+    Vector column = opposite.rests.empty() ? Vector(numbering.size()) : opposite.apply(u);
     for (bem::Index i = 0; i < numbering.sizeOf(b); ++i)
-      columns.back()[numbering(b, i)] += moved[i];
+      column[numbering(b, i)] += moved[i];
+    return column;
+  };
+  const Vector alongX = movedBy(bem::columnOf(modes, 0));
+  const Vector alongY = movedBy(bem::columnOf(modes, 1));
+  std::vector<Vector> columns;
+  for (const Vector& u : free) {
+    columns.push_back(movedBy(u));
+    contact::dropRounding(alongX, alongY, u, columns.back());
   }
   return columns;
 }
@@ -227,8 +233,8 @@ Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
     if (!balance.free[b].empty())
-      for (Vector& column :
-           columnsOf(scene, spaces, b, balance.free, numbering, opposite[b]))
+      for (Vector& column : columnsOf(scene, spaces, b, balance.free[b],
+                                      holding.modes.motions, numbering, opposite[b]))
         columns.push_back(std::move(column));
   }
   drives.addFreeMotions(columns);

@@ -167,6 +167,31 @@ TEUCHOS_UNIT_TEST(Curve, hasSegmentsForALimit) {
       1e-12);
 }
 
+// 2 Q_j(z) = 2 j!/(2j+1)!! z^-(j+1) (1 + O(z^-2)), whatever else is in the eight.
+TEUCHOS_UNIT_TEST(Curve, isSeenFromFarAndNearPlacesTogether) {
+  constexpr int top = 26;
+  bem::Pack z{};
+  for (int lane = 0; lane < bem::lanes; ++lane)
+    z[lane] = lane == 0 ? -2.2 : -std::pow(10.0, 2.0 * lane - 2);
+  for (const double b : {0.0, 1e-3}) {
+    const bem::TargetLanes targets({z - 1.0, bem::Pack{} + b},
+                                   {z + 1.0, bem::Pack{} + b});
+    bem::LegendreLanes<2> moments{};
+    moments.evaluate(targets, top);
+    for (int lane = 3; lane < bem::lanes; ++lane) {
+      // of z^-2, and of the logarithms, whose rounding all moments share
+      const double error = 1e-5 + 1e-15 * std::abs(z[lane]);
+      double leading = 2 / z[lane];
+      for (int j = 1; j <= top; ++j) {
+        leading *= j / ((2 * j + 1) * z[lane]);
+        if (std::abs(leading) > 1e-290)
+          TEST_FLOATING_EQUALITY(moments.c[0][j][lane], leading, error);
+        TEST_ASSERT(std::isfinite(moments.cubic(targets, j - 1).im[lane]));
+      }
+    }
+  }
+}
+
 // ∫ P_j log|w| dt = L_j(z) + ∫ P_j log|g| dt: closed forms of segments serve arcs.
 TEUCHOS_UNIT_TEST(Curve, isASegmentSeenFromAComplexPlace) {
   const bem::Rule& gauss = bem::gaussLegendre(24);

@@ -132,6 +132,19 @@ for folder in (pushed, moved):
 refused("nothing resists", SCENE, "Bodies->punch", "nothing resists",
         "Displacement", settings=[MOTION + "Force X=0"])
 refused("both", SCENE, "Motion->Force Y", "not both", settings=[MOTION + "Displacement Y=0"])
+# a round hub that may turn presses on its hole by rounding alone
+FIT, HUB = scene("press-fit.xml"), "Bodies->hub->"
+TURNS = [HUB + "Rigid Motions->Fix={X, Y}"]
+RIGID = [HUB + key for key in ("Rigid Motions=", "Mesh=", "Material={Rigid=true}", "Motion={Moment=1}")]
+for kind, settings in (("elastic", TURNS), ("rigid", RIGID)):
+    refused("an %s hub that turns freely" % kind, FIT, "Bodies->hub", "nothing resists",
+            settings=settings)
+for shear, code in ((4.9, 0), (4.95, 3)):  # on the bore; 0.2 x 6.15234375 x 20^2/10^2 = 4.922
+    twisted = TURNS + ["Contacts->fit->Friction={Law=Coulomb, Coefficient=0.2}", HUB +
+                       "Boundary Conditions={bore={Type=Neumann, Traction X=-%g*ny, Traction Y=%g*nx}}"
+                       % (shear, shear)]
+    fails("a hub under %.3f of the torque at which it slips" % (shear / 4.921875), (), "run", FIT,
+          "--output", fresh("twisted"), code=code, settings=twisted)
 refused("half a point", SCENE, "Reference Point", "two", settings=[MOTION + "Reference Point={1}"])
 refused("no number", SCENE, "Moment", settings=[MOTION + "Moment=1/0"])
 

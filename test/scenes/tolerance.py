@@ -3,6 +3,7 @@ reached or what is missing."""
 import os
 
 from runs import WORK, claim, epafi, finish, fresh, refused, rows, scene, solved, table
+from written import CLAMPED, block, body, condition, written
 
 NONE = ["Adaptivity->Strategy=", "Adaptivity->Maximum Levels=",
         "Adaptivity->Maximum Degrees of Freedom="]
@@ -32,6 +33,15 @@ for row in levels:
     worst = row["worst_step_estimate"] / (2 * own[int(row["worst_step"]) - 1]) ** 0.5
     claim(worst <= row["estimate_relative"] * (1 + 1e-12),
           "every step counts: %g, %g" % (worst, row["estimate_relative"]))
+
+# a prescribed displacement that is zero at all nodes is an error of all of it
+waves = [solved("waves %d" % degree, written("waves", [body("block", block(0, 0, 2, 1), 1.0, {
+    **condition("bottom", "Dirichlet", CLAMPED),
+    **condition("top", "Dirichlet", Displacement_X=0, Displacement_Y="0.001*sin(4*pi*x)")})],
+    degree=degree))[0] for degree in (1, 16)]
+coarse, fine = (rows(folder, "history.csv")[-1] for folder in waves)
+claim(coarse["energy_strain"] < 1e-25 and 0.3 < coarse["estimate"] / norm(fine) < 5,
+      "what nodes do not see is estimated: %.2f of the norm" % (coarse["estimate"] / norm(fine)))
 
 levels, text = solve("two-blocks.xml", "short", 0.02, *NONE, "Adaptivity->Maximum Levels=2")
 claim(len(levels) == 2 and "above Adaptivity->Tolerance = 0.02" in text,

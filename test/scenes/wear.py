@@ -1,7 +1,7 @@
 """Wear along paths: closed forms, its balance, fretting, jumps over cycles; dense and compressed,
 in all bases, either side first."""
 
-from runs import claim, differ, fails, finish, fresh, refused, rows, solved
+from runs import claim, differ, fails, finish, fresh, refused, rows, scene, solved
 from written import (CLAMPED, NONE, TIED, WALLS, block, body, condition, confined, contact,
                      friction, geometry, history, keys, listed, rigid, wear, written)
 
@@ -145,6 +145,10 @@ for kind, law in (("frictionless", NONE), ("gross", friction("0.2"))):
               "estimate %.1e" % (kind, key, off, max(estimate.values())))
 
 
+# nothing slides while a cylinder is pressed on: no step is halved for what rounding wears
+folder, _ = solved("pressed on", scene("fretting-wear.xml"), "History->Times={1}", "History->Steps={1}",
+                   "History->Tolerance=1e-2")
+claim(rows(folder, "steps.csv")[-1]["parts"] == 8, "rounding does not halve steps")
 # refused, and warned of
 refused("a bond", indented("bond", law=TIED), "Wear", "Tied", command="check")
 refused("no slip", indented("unslipped", sliding=""), "Wear", "give Sliding", command="check")

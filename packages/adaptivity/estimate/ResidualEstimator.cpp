@@ -38,13 +38,12 @@ class FixedTraction {
   Vector amplitudes_;
 };
 
-/// p/h |u_D - u|² of prescribed components on an element, if there are body loads, whose
-/// particular solution is interpolated there.
+/// p/h |u_D - u|² of prescribed components on an element, where they are interpolated.
 double clampSquares(const contact::Solved& solved, int e,
                     const std::vector<bem::BoundaryValue>& values) {
   const bem::Mesh& mesh = solved.space.mesh();
   const auto clamp = solved.conditions.dirichlet.find(mesh.boundary(e));
-  if (!solved.conditions.inside || clamp == solved.conditions.dirichlet.end())
+  if (clamp == solved.conditions.dirichlet.end())
     return 0;
   double square = 0;
   for (const bem::BoundaryValue& value : values) {

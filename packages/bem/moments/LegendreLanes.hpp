@@ -106,12 +106,17 @@ struct LegendreLanes {
   }
 
   // Miller's backward recurrence, scaled to 2 Q₀.  Errors decay by R^-2 a step; it starts where
-  // they decay to 1e-16.  Values are kept near 1 until the first one that is stored.
+  // they decay to 1e-16.  Values are kept near 1 until the first one that is stored, and behind it
+  // where a target is so far away that they would overflow: the first ones are as good as zero then.
   EPAFI_INLINE void backward(const TargetLanes& x, int top, double logR,
                              const LegendreLanes& first) {
     Pack above[2] = {};
     Pack here[2] = {Pack{} + 1.0, Pack{}};
     const int start = std::max(top, static_cast<int>(18.5 / logR + 0.5 * top)) + 2;
+    double farthest = 1;
+    for (int lane = 0; lane < lanes; ++lane)
+      farthest = std::max(farthest, std::abs(x.z[lane]) + std::abs(x.b[lane]));
+    const bool overflows = start * std::log(2 * farthest) > 230;  // e^230 = 1e100
     for (int j = start; j > 0; --j) {
       const double inverse = 1.0 / j;
       Pack real = x.z * here[0];
@@ -128,13 +133,16 @@ struct LegendreLanes {
       if (j - 1 <= top) {
         for (int part = 0; part < Parts; ++part)
           c[part][j - 1] = here[part];
-      } else if (j % 16 == 0) {
+      }
+      if (overflows ? j % 4 == 0 : j - 1 > top && j % 16 == 0) {
         const Pack scale = 1.0 / (here[0] * here[0] + here[1] * here[1]);
         Pack root;
         squareRoot(scale, root);
         for (int part = 0; part < Parts; ++part) {
           here[part] *= root;
           above[part] *= root;
+          for (int k = j - 1; k <= top; ++k)
+            c[part][k] *= root;
         }
       }
     }

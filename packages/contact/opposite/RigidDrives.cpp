@@ -1,6 +1,8 @@
 #include "contact/opposite/RigidDrives.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/opposite/SidePoints.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +33,13 @@ RigidDrives::Traces RigidDrives::tracesOf(int rigid,
                   chi * dot(point.weight * motions[k], direction);
           });
         });
-  for (Index i = 0; i < numbering.size() && result.lever > 0; ++i)
-    result.values(i, 2) /= result.lever;
+  if (result.lever > 0) {
+    Vector turned = bem::columnOf(result.values, 2);
+    dropRounding(bem::columnOf(result.values, 0), bem::columnOf(result.values, 1),
+                 {result.lever}, turned);
+    for (Index i = 0; i < numbering.size(); ++i)
+      result.values(i, 2) = turned[at(i)] / result.lever;
+  }
   return result;
 }
 

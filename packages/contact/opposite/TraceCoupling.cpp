@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace epafi::contact {
 
@@ -102,6 +103,17 @@ std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bod
       addMortar(bodies, a, b, numbering, coupling);
     }
   return result;
+}
+
+void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
+                  Vector& moved) {
+  constexpr double rounding = 1e-13;
+  double size = 0;
+  for (const double u : motion)
+    size = std::max(size, std::abs(u));
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    if (std::abs(moved[i]) <= rounding * size * std::hypot(alongX[i], alongY[i]))
+      moved[i] = 0;
 }
 
 Vector TraceCoupling::apply(const Vector& u) const {

@@ -25,6 +25,13 @@ struct TraceCoupling {
   void addTo(Matrix& transposed) const;
 };
 
+/// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its
+/// hole does not press on it.
+/// \param alongX, alongY  what the translations (1, 0) and (0, 1) do
+/// \param motion  displacements, of which the largest matters
+void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
+                  Vector& moved);
+
 /// Mortar couplings of all multipliers with the displacements of each body B as the opposite body,
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,

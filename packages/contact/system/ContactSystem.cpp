@@ -105,6 +105,13 @@ Matrix ContactSystem::multiplierMass() const {
   return all;
 }
 
+Vector ContactSystem::movedBy(std::size_t b, const Vector& motion) const {
+  const Matrix& modes = body(b).holding().modes.motions;
+  Vector moved = apply(b, motion);
+  dropRounding(apply(b, columnOf(modes, 0)), apply(b, columnOf(modes, 1)), motion, moved);
+  return moved;
+}
+
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
 void ContactSystem::condense(Index formedUpTo) {
   Matrix d = isFormed() ? multiplierMass() : Matrix();
@@ -112,7 +119,7 @@ void ContactSystem::condense(Index formedUpTo) {
   for (std::size_t b = 0; b < size(); ++b) {
     const Holding& rigidOf = body(b).holding();
     for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
-      Vector moved = apply(b, columnOf(rigidOf.allowed, k));
+      Vector moved = movedBy(b, columnOf(rigidOf.allowed, k));
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
           d(i, j) -= moved[at(i)] * moved[at(j)];

@@ -132,6 +132,8 @@ class ContactSystem {
   /// is opposite to.
   Vector gathered(std::size_t b, const Vector& own, const Vector& u) const;
   /// C_b u
+  /// C_b u of a rigid motion, zero where that is rounding.
+  Vector movedBy(std::size_t b, const Vector& motion) const;
   Vector apply(std::size_t b, const Vector& u) const {
     return gathered(b, body(b).form()->apply(u), u);
   }
