@@ -58,10 +58,10 @@ const Command& commandNamed(const std::string& name) {
   }
   const bool scene =
       name.find(".xml") != std::string::npos || name.find(".yaml") != std::string::npos;
-  throw bem::InputError("unknown command '", name, "'",
-                        scene ? "; to solve a scene: epafi run " + name
-                              : "; did you mean '" + bem::nearest(name, known) + "'?",
-                        "\n\n", listOf(commands()));
+  throw bem::InputError(
+      "unknown command '", name, "'",
+      scene ? "; to solve a scene: epafi run " + name : bem::meant(name, known), "\n\n",
+      listOf(commands()));
 }
 
 int helpCommand(const Given& given, std::ostream& out) {

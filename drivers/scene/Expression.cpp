@@ -121,8 +121,6 @@ class Parser {
                      meant(error));
   }
 
-  /// ", did you mean ...?" with the nearest known name, if at most half of the letters
-  /// differ.
   std::string meant(const mu::Parser::exception_type& error) const {
     if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
       return "";
@@ -136,10 +134,7 @@ class Parser {
     add(parser_.GetFunDef());
     std::string name = error.GetToken();  // the token includes the text behind it
     name.resize(std::min(name.size(), name.find_first_not_of(letters)));
-    const std::string near = bem::nearest(name, names);
-    const bool isNear =
-        2 * bem::editDistance(name, near) <= static_cast<int>(name.size());
-    return isNear ? "; did you mean '" + near + "'?" : "";
+    return bem::meant(name, names);
   }
 
   std::string known_;

@@ -65,6 +65,10 @@ TEUCHOS_UNIT_TEST(Schema, editDistanceCountsTheFewestChanges) {
   TEST_EQUALITY(bem::nearest("Tolerance of the solver", {"x", "Tolerance", "Solver"}),
                 "Tolerance");
   TEST_EQUALITY(bem::nearest("x", {}), "");
+  // capitals are no mistakes, and of a side its body may be missing
+  TEST_EQUALITY(bem::nearest("mesh size", {"Vertices", "Mesh Size"}), "Mesh Size");
+  TEST_EQUALITY(bem::meant("lap", {"map", "upper:lap"}), "; did you mean 'upper:lap'?");
+  TEST_EQUALITY(bem::meant("Mesh Size", {"Bodies", "Contacts"}), "");
 }
 
 TEUCHOS_UNIT_TEST(Schema, validationFillsInDefaultsOnAllLevels) {

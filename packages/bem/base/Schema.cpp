@@ -210,8 +210,8 @@ class Conversion {
   void check(const std::string& text) const {
     const Texts& names = row_.allowed;
     if (!names.empty() && std::find(names.begin(), names.end(), text) == names.end())
-      throw InputError(place_, " = '", text, "'; did you mean '", nearest(text, names),
-                       "'? allowed: ", quotedList(names));
+      throw InputError(place_, " = '", text, "'", meant(text, names),
+                       "; allowed: ", quotedList(names));
   }
 
   const ParameterEntry& entry_;
@@ -257,8 +257,19 @@ const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
   return nullptr;
 }
 
+/// "; it belongs to 'A' or 'B'": where a table has such a key; empty if nowhere.
+std::string placesOf(const SchemaRows& table, const std::string& name) {
+  std::vector<std::string> places;
+  for (const SchemaRow& row : table)
+    if (row.name() == name && !row.parent().empty() &&
+        std::find(places.begin(), places.end(), row.parent()) == places.end())
+      places.push_back(row.parent());
+  return places.empty() ? "" : "; it belongs to " + quotedList(places);
+}
+
 /// What has been found among these rows; \throws InputError if nothing.
-const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRow*>& rows,
+const SchemaRow& required(const SchemaRows& table, const SchemaRow* row,
+                          const std::vector<const SchemaRow*>& rows,
                           const std::string& path, const std::string& name) {
   if (row != nullptr)
     return *row;
@@ -266,7 +277,8 @@ const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRo
   known.reserve(rows.size());
   for (const SchemaRow* other : rows)
     known.push_back(example(other->name()));
-  throw InputError(join(path, name), ": unknown", suggestion(name, known));
+  throw InputError(join(path, name), ": unknown", placesOf(table, name),
+                   suggestion(name, known));
 }
 
 /// One level of the list against the rows under one pattern.
@@ -284,7 +296,7 @@ class Level {
 
   void complete(ParameterList& result) const {
     for (const auto& item : given_)
-      required(find(rows_, item.first), rows_, path_, item.first);
+      required(table_, find(rows_, item.first), rows_, path_, item.first);
     for (const SchemaRow* row : rows_) {
       if (!active(*row, result))
         continue;
@@ -387,7 +399,7 @@ const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
   const SchemaRow* row = nullptr;
   for (const std::string& name : namesOf(path)) {
     const auto rows = childrenOf(table, pattern);
-    row = &required(name.empty() ? nullptr : find(rows, name), rows, walked, name);
+    row = &required(table, name.empty() ? nullptr : find(rows, name), rows, walked, name);
     pattern = row->path;
     walked = join(walked, name);
   }

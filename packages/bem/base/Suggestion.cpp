@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <limits>
 #include <numeric>
@@ -23,18 +24,38 @@ int editDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+namespace {
+
+/// How many letters of a name are wrong, capitals aside; of some letters the ones before may be
+/// missing, as the body's of a side.
+int mistakes(const std::string& name, const std::string& candidate) {
+  constexpr std::size_t some = 3;
+  return name.size() >= some && boost::algorithm::ends_with(candidate, name)
+             ? 0
+             : editDistance(boost::algorithm::to_lower_copy(name),
+                            boost::algorithm::to_lower_copy(candidate));
+}
+
+}  // namespace
+
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
   int smallest = std::numeric_limits<int>::max();
   for (const std::string& candidate : candidates) {
-    const bool isEnd = boost::algorithm::ends_with(candidate, name);  // a side of a body
-    const int distance = isEnd ? 0 : editDistance(name, candidate);
+    const int distance = mistakes(name, candidate);
     if (distance < smallest) {
       smallest = distance;
       best = candidate;
     }
   }
   return best;
+}
+
+std::string meant(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(name, candidates);
+  return 2 * mistakes(name, near) <= static_cast<int>(name.size())
+             ? "; did you mean '" + near + "'?"
+             : "";
 }
 
 std::string quotedList(const std::vector<std::string>& names) {
@@ -51,8 +72,7 @@ std::string suggestion(const std::string& name,
                        const std::vector<std::string>& candidates) {
   if (candidates.empty())
     return "; nothing may stand here";
-  return message("; did you mean '", nearest(name, candidates),
-                 "'? known here: ", quotedList(candidates));
+  return meant(name, candidates) + "; known here: " + quotedList(candidates);
 }
 
 }  // namespace epafi::bem

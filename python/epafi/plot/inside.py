@@ -25,10 +25,14 @@ class Inside:
         self.values = {name: read[name] for name in NAMES if name in read}
         self.values["displacement"] = read["displacement"][:, :2]
 
-    def area(self):
-        """Of each triangle."""
-        a, b, c = (self.points[self.corners[:, k]] for k in range(3))
-        return 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+
+def shares(points, corners):
+    """Of each point a third of the area of its triangles."""
+    a, b, c = (points[corners[:, k]] for k in range(3))
+    area = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    result = np.zeros(len(points))
+    np.add.at(result, corners, area[:, None] / 3)
+    return result
 
 
 def range_of(values, weights):
@@ -77,9 +81,7 @@ def figure_for(extent, pictures):
 
 def draw(inside, name, rigid, title, pictures):
     values = inside.values[name]
-    weights = np.zeros(len(values))
-    np.add.at(weights, inside.corners, inside.area()[:, None] / 3)
-    low, high, colours, cut = limits(values, weights, name)
+    low, high, colours, cut = limits(values, shares(inside.points, inside.corners), name)
     extent = np.ptp(inside.points, axis=0)
     figure, axes = figure_for(extent, pictures)
     x, y = inside.points.T

@@ -59,7 +59,7 @@ def draw(folder, rows, title, pictures):
     view = pictures.window or window_of(steps[0])
     if view is None:
         return
-    from epafi.plot.inside import NAMES  # which reads files by this module
+    from epafi.plot.inside import NAMES, limits, shares  # which reads files by this module
 
     field = pictures.film
     insides = [arrays(files[k].replace("boundary.vtu", "fields.vtu")) for k in chosen
@@ -80,10 +80,12 @@ def draw(folder, rows, title, pictures):
     axes.set_ylim(view[1], view[3])
     drawn, colours = [], {}
     if field:
-        seen = [inside[field][within(inside["Points"][:, :2], view)] for inside in insides]
-        low, high = np.quantile(np.concatenate(seen), (0.001, 0.999))
-        colours = {"vmin": low, "vmax": high, "cmap": "viridis", "shading": "gouraud"}
-        bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(low, high), "viridis"), ax=axes)
+        seen = [within(inside["Points"][:, :2], view) for inside in insides]
+        low, high, cmap, _ = limits(*(np.concatenate(parts) for parts in zip(*(
+            (inside[field][here], shares(inside["Points"], inside["connectivity"].reshape(-1, 3))[here])
+            for inside, here in zip(insides, seen)))), field)
+        colours = {"vmin": low, "vmax": high, "cmap": cmap, "shading": "gouraud"}
+        bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(low, high), cmap), ax=axes)
         bar.set_label(pictures.looks.field_label(NAMES[field], field))
 
     def show(k):
