@@ -96,7 +96,7 @@ struct Grammar {
 /// Scenes and studies; one of them, or both for an empty name.
 std::vector<Grammar> grammars(const std::string& name = "");
 
-/// The type of a key in listings: "string: expression in x, y".
+/// The type of a key in listings: "string: expression".
 std::string typeOf(const Parameter& row);
 /// Its default, "required", or "may be left out": keys of such a list have their defaults then.
 std::string standardOf(const Parameter& row);

@@ -84,6 +84,8 @@ int plotCommand(const Given& given, std::ostream&) {
     more.push_back("--field=" + given.value("--field"));
     if (step == everyStep)
       more.emplace_back("--film");
+    else if (!step.empty())
+      more.push_back("--step=" + step);
   } else if (window) {
     checkWindow(given.value("--window"));
   }

@@ -32,7 +32,7 @@ std::string standardOf(const Parameter& row) {
 
 std::string typeOf(const Parameter& row) {
   const std::string type = textOf(row.kind).type;
-  return row.kind == Kind::Expression ? type + ": expression in x, y" : type;
+  return row.kind == Kind::Expression ? type + ": expression" : type;
 }
 
 std::string restriction(const Parameter& row) {

@@ -13,7 +13,7 @@ namespace epafi::drivers {
 struct LevelStart {
   int level = 0;
   std::vector<bem::Mesh> meshes;      ///< one per body
-  std::vector<contact::State> start;  ///< likewise, of a path in its first step; empty: zero
+  std::vector<contact::State> start;  ///< likewise, in the first step; empty: zero
   std::vector<PathPoint> path{};      ///< steps on this mesh solved by an earlier run
   std::vector<contact::RigidMotion> rigid{};  ///< start motions of rigid bodies
 };

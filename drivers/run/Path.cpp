@@ -183,7 +183,8 @@ class Follower {
                        ground_.processes, timer_);
     };
     // where solutions are not unique a path of one step shall find that of the load alone
-    const bool isFirst = path_.points.empty() && time == ground_.scene.history.times.front();
+    const bool isFirst =
+        path_.points.empty() && time == ground_.scene.history.times.front();
     SolvedProblem solved = solveFrom(isFirst ? &first_ : nullptr);
     double last = 1;
     for (int k = 0; system.wearsBySlip() && solved.solution.report.converged(); ++k) {
@@ -368,8 +369,7 @@ StepRow emptyRow(const Scene& scene, const BodySpaces& spaces) {
 
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
                 const contact::State& first, const std::vector<PathPoint>& earlier,
-                PhaseTimer& timer,
-                const std::function<void(const Path&)>& handOut) {
+                PhaseTimer& timer, const std::function<void(const Path&)>& handOut) {
   Follower follower(ground, atZero, first, earlier, timer);
   for (const double time : ground.scene.history.times) {
     const bool reached = follower.goTo(time);

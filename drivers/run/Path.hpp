@@ -86,7 +86,6 @@ struct Path {
 /// \throws bem::InputError, Interrupted.
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
                 const contact::State& first, const std::vector<PathPoint>& earlier,
-                PhaseTimer& timer,
-                const std::function<void(const Path&)>& handOut);
+                PhaseTimer& timer, const std::function<void(const Path&)>& handOut);
 
 }  // namespace epafi::drivers

@@ -26,6 +26,11 @@ void readWear(const Part& part, contact::Conditions::Contact& condition) {
     throw InputError(part.place.path,
                      ": bonded sides do not slip, so that they do not wear; take "
                      "another law of friction than Tied");
+  if (!condition.friction && !condition.sliding)
+    throw InputError(
+        part.place.path,
+        ": without friction the slip of the sides is not computed; take the law "
+        "Coulomb, of Coefficient 0 if need be, or give Sliding");
   condition.wear = part.nonNegative("Coefficient");
 }
 

@@ -78,11 +78,6 @@ class Run:
     def _steps_of_last_level(self) -> int:
         return np.count_nonzero(self.steps["level"] == self.steps["level"][-1])
 
-    def _when(self, step: Optional[int]) -> str:
-        """What titles say of a step that is chosen."""
-        return "" if step is None else ", t = %g" % (
-            self.steps["t"][-self._steps_of_last_level():][step - 1])
-
     def profiles(self, column: str, contact: Optional[str] = None) -> np.ndarray:
         """A column of contact.csv in each step of the last level's path, "worn_depth", "pressure", of
         one contact or of all: a row per step, as those of `steps` with that level, a column per
@@ -187,7 +182,7 @@ class Run:
         """
         from epafi.plot import contact
         from epafi.plot.figures import Looks, Pictures, plt
-        from epafi.plot.folder import NAMES, draw_field, draw_run
+        from epafi.plot.folder import NAMES, draw_field, draw_run, when
         from epafi.plot.inside import NAMES as FIELDS
 
         known = [*NAMES, *FIELDS]
@@ -202,9 +197,10 @@ class Run:
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
             if what in FIELDS:
                 draw_field(what, self._field_file(place, window, step), pictures,
-                           self._when(step))
+                           when(self.folder, step))
             elif step is not None:
-                contact.draw(self.step(step), title_of(self.folder) + self._when(step), pictures)
+                contact.draw(self.step(step), title_of(self.folder) + when(self.folder, step),
+                             pictures)
             else:
                 draw_run(pictures)
         if not pictures.names:
@@ -229,7 +225,7 @@ class Run:
         if field is not None:
             self._field_file(self.folder, window, step)
         return [os.path.join(self.folder, name + ".png")
-                for name in draw_folder(pictures, field, self._when(step))]
+                for name in draw_folder(pictures, field, step)]
 
     def report(self) -> str:
         """Writes what `epafi report` writes, a page of HTML with all in it; its file."""

@@ -80,12 +80,12 @@ for first, second in (("upper", "lower"), ("lower", "upper")):
 page += ["", "## Loops", "",
          "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "", "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
 
-for q in (0.2, 0.3, 0.4, 0.5, 0.7):
+for q in (0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9):
     folder = solve("loop %g" % q, scene("fretting.xml"), path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
         LOOP % q, "pi/400*min(t, 1)"))
     done = {row["step"]: row["energy_dissipated"] for row in steps(folder)}
     first, second = done[51] - done[11], done[91] - done[51]
-    claim(abs(first / loop(q) - 1) < 0.01,
+    claim(abs(first / loop(q) - 1) < 5e-4,
           "loop of q = %g: work per cycle %.5e, exact %.5e" % (q, first, loop(q)))
     claim(abs(second / first - 1) < 1e-6,
           "loop of q = %g: the second cycle differs by %.1e" % (q, second / first - 1))

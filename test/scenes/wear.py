@@ -147,6 +147,7 @@ for kind, law in (("frictionless", NONE), ("gross", friction("0.2"))):
 
 # refused, and warned of
 refused("a bond", indented("bond", law=TIED), "Wear", "Tied", command="check")
+refused("no slip", indented("unslipped", sliding=""), "Wear", "give Sliding", command="check")
 refused("no path", indented("pathless", path=None), "'rub' wears", "History->Times", command="check")
 refused("a jump", indented("jump", jump=0.5), "Cycle Jump", "0.5", command="check")
 refused("growth", indented("growth", coefficient="-x"), "Wear->Coefficient", ">= 0", command="check")

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <limits>
 #include <numeric>
 
@@ -26,8 +27,8 @@ std::string nearest(const std::string& name, const std::vector<std::string>& can
   std::string best;
   int smallest = std::numeric_limits<int>::max();
   for (const std::string& candidate : candidates) {
-    const bool isSide = candidate.substr(candidate.find(':') + 1) == name;
-    const int distance = isSide ? 0 : editDistance(name, candidate);
+    const bool isEnd = boost::algorithm::ends_with(candidate, name);  // a side of a body
+    const int distance = isEnd ? 0 : editDistance(name, candidate);
     if (distance < smallest) {
       smallest = distance;
       best = candidate;

@@ -8,8 +8,8 @@ namespace epafi::bem {
 /// Levenshtein distance: least number of insertions, deletions and replacements.
 int editDistance(const std::string& a, const std::string& b);
 
-/// The candidate with the smallest editDistance, which is 0 for body:side from side; empty if there
-/// is none.
+/// The candidate with the smallest editDistance, which is 0 for one that ends with the name, as
+/// body:side with side; empty if there is none.
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
 
 /// "'A', 'B' or 'C'"

@@ -54,6 +54,7 @@ def main():
     for option in ("--field", "--window", "--size", "--dpi", "--font", "--units", "--scene",
                    "--title", "--report"):
         arguments.add_argument(option, default="")
+    arguments.add_argument("--step", type=int)
     arguments.add_argument("--warning", action="append", default=[])
     for flag in ("--quiet", "--pdf", "--no-title", "--film"):
         arguments.add_argument(flag, action="store_true")
@@ -72,7 +73,7 @@ def main():
     window = tuple(float(end) for end in given.window.split(",")) if given.window else None
     pictures = Pictures(given.folder, looks, window, given.field if given.film else None)
     try:
-        names = draw_folder(pictures, given.field)
+        names = draw_folder(pictures, given.field, given.step)
         if given.report:
             write_report(given.report, pictures, given.warning)
     except (KeyError, ValueError, OSError) as error:

@@ -82,8 +82,17 @@ def draw_field(field: str, file: str, pictures: Pictures, when: str = "") -> Non
         inside.draw(inside.Inside(file), field, rigid, title, pictures)
 
 
-def draw_folder(pictures: Pictures, field: Optional[str] = None, when: str = "") -> list[str]:
-    """Draws what the folder of a run or a study holds, and a field if one is named, of
+def when(folder: str, step: Optional[int]) -> str:
+    """What titles say of a step that is chosen, one of the last level's."""
+    steps = None if step is None else read(folder, "steps.csv")
+    if not steps:
+        return ""
+    return ", t = %g" % steps["t"][steps["level"] == steps["level"][-1]][step - 1]
+
+
+def draw_folder(pictures: Pictures, field: Optional[str] = None,
+                step: Optional[int] = None) -> list[str]:
+    """Draws what the folder of a run or a study holds, and a field if one is named, at `step`, of
     fields-window.csv where there is a window, else of fields.vtu; the pictures' names, without
     endings.
 
@@ -100,7 +109,7 @@ def draw_folder(pictures: Pictures, field: Optional[str] = None, when: str = "")
         draw_run(pictures)
         if field:
             draw_field(field, os.path.join(folder, "fields-window.csv" if pictures.window else
-                                           "fields.vtu"), pictures, when)
+                                           "fields.vtu"), pictures, when(folder, step))
     if not pictures.names:
         raise ValueError("'%s' holds no history.csv, contact.csv, boundary.csv or study.csv of a "
                          "run or a study" % folder)
