@@ -1,5 +1,6 @@
 """What the tests in Python share: claims, and the tables that epafi writes.  Standard library
 only."""
+import contextlib
 import csv
 import os
 import shutil
@@ -13,6 +14,17 @@ def claim(true, sentence):
     print(("ok      " if true else "FAILED  ") + sentence)
     if not true:
         failures.append(sentence)
+
+
+@contextlib.contextmanager
+def raises(kind, sentence, *words, absent=()):
+    """Claims that what stands below raises an error whose message has these words."""
+    try:
+        yield
+        claim(False, sentence)
+    except kind as error:
+        claim(all(word in str(error) for word in words) and
+              not any(word in str(error) for word in absent), "%s: %s" % (sentence, error))
 
 
 def finish():

@@ -1,15 +1,12 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
 #include "Largest.hpp"
-#include "Processes.hpp"
 #include "Rectangle.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/compressed/CompressedOperators.hpp"
+#include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/Solve.hpp"
-#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
-#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -128,57 +125,31 @@ double difference(const Vector& a, const Vector& b, double size) {
   return test::largestDifference(a, b) / size;
 }
 
-/// What both ways to know a stiffness make of a case.
-struct Pair {
-  contact::Conditions conditions;
-  bem::Lame lame;
-  bem::Units units;
-  Stabilization stabilization;
-  bem::Space space;
-  const contact::MultiplierBasis& basis;
-  contact::MultiplierSpace multiplier;
-  contact::Opposite opposite;
-  bem::SteklovPoincare dense;
-  std::vector<bem::SteklovPoincare> compressed;
+bem::Mesh meshOf(const Case& c) {
+  bem::Loop loop = test::rectangle({0, 0}, 1, 1);
+  if (c.bulge != 0)
+    loop.bulges = {c.bulge, 0, -c.bulge, c.bulge};
+  const int elements = c.degree == 1 ? 40 : c.degree > 3 ? 6 : 16;
+  return bem::makeMesh(test::outlineOf(loop), std::vector<int>(4, elements), c.degree);
+}
 
-  explicit Pair(const Case& c) : Pair(c, outlineOf(c)) {}
+/// What both ways to know a stiffness make of a case.
+struct Pair : test::BodyScene {
+  bem::SteklovPoincare dense = BodyScene::dense();
+  bem::SteklovPoincare compressed = BodyScene::compressed();
+
+  explicit Pair(const Case& c)
+      : BodyScene({meshOf(c),
+                   {1, c.nu, false},
+                   conditionsOf(c),
+                   c.basis,
+                   test::ofForm(c.form)}) {}
 
   contact::BodyInput input(const bem::SteklovPoincare& stiffness,
                            Index formedUpTo = 0) const {
-    return {space, stiffness,     lame, units,     conditions,
-            basis, stabilization, {},   formedUpTo};
-  }
-
- private:
-  Pair(const Case& c, const std::shared_ptr<const bem::Outline>& outline)
-      : conditions(conditionsOf(c)),
-        lame({1, c.nu, false}),
-        units(outline->units(1)),
-        stabilization(test::ofForm(c.form)),
-        space(contact::makeSpace(bem::makeMesh(outline,
-                                               std::vector<int>(4, c.degree == 1  ? 40
-                                                                   : c.degree > 3 ? 6
-                                                                                  : 16),
-                                               c.degree),
-                                 conditions, stabilization)),
-        basis(contact::multiplierBasis(c.basis)),
-        multiplier(space.mesh(), basis, conditions),
-        opposite(space.mesh(), units.length),
-        dense(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
-        compressed(contact::makeCompressedStiffness({{space, multiplier, opposite}},
-                                                    {lame}, stabilization, units,
-                                                    test::processes(), smallLeaves())) {}
-
-  static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
-    bem::Loop loop = test::rectangle({0, 0}, 1, 1);
-    if (c.bulge != 0)
-      loop.bulges = {c.bulge, 0, -c.bulge, c.bulge};
-    return test::outlineOf(loop);
-  }
-  static bem::Compression smallLeaves() {
-    bem::Compression options;
-    options.leafUnknowns = 60;
-    return options;
+    contact::BodyInput result = BodyScene::input(stiffness);
+    result.formedUpTo = formedUpTo;
+    return result;
   }
 };
 
@@ -187,13 +158,13 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     out << c.name << "\n";
     const Pair pair(c);
     const Results exact(pair.input(pair.dense));
-    const Results own(pair.input(pair.compressed.front()));
+    const Results own(pair.input(pair.compressed));
 
     const contact::Problem& a = exact.system.numbers();
     const contact::Problem& b = own.system.numbers();
     TEST_ASSERT(!b.flexibility.isFormed());
     const bem::Matrix columns = entriesOf(b.flexibility);
-    const contact::ContactSystem formed({pair.input(pair.compressed.front(), a.size())});
+    const contact::ContactSystem formed({pair.input(pair.compressed, a.size())});
     const contact::Flexibility& entries = formed.numbers().flexibility;
     double size = 0;
     double error = 0;
@@ -267,7 +238,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, isSolvedWhereNewtonsStepsFail) {
   for (const Case& c : cases()) {
     const Pair pair(c);
     const Results exact(pair.input(pair.dense));
-    const contact::ContactSystem own({pair.input(pair.compressed.front())});
+    const contact::ContactSystem own({pair.input(pair.compressed)});
     const contact::ContactSolver solver(newton);
     const auto coulomb = makeCoulomb(solver, {});
     const contact::Solution solution = coulomb->solve(own.numbers(), {});
@@ -311,7 +282,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFactorStaysWhateverIsFactoredAfterIt) {
   for (const Case& c : cases()) {
     out << c.name << "\n";
     const Pair pair(c);
-    const contact::ContactSystem own({pair.input(pair.compressed.front())});
+    const contact::ContactSystem own({pair.input(pair.compressed)});
     const contact::Problem& problem = own.numbers();
     const contact::Flexibility& d = problem.flexibility;
     const auto first = d.factor(systemOf(problem, 2));
@@ -351,8 +322,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFailedStepLeavesNothingBehind) {
   for (const Case& c : cases()) {
     out << c.name << "\n";
     const Pair pair(c);
-    for (const bem::SteklovPoincare* stiffness :
-         {&pair.dense, &pair.compressed.front()}) {
+    for (const bem::SteklovPoincare* stiffness : {&pair.dense, &pair.compressed}) {
       const auto lastStep = [&](bool failsBefore) {
         const contact::ContactSystem atZero({pair.input(*stiffness)});
         if (failsBefore) {

@@ -3,12 +3,10 @@
 #include "contact/solve/DefectCorrection.hpp"
 
 #include "Largest.hpp"
-#include "Processes.hpp"
 #include "Rectangle.hpp"
-#include "bem/compressed/CompressedOperators.hpp"
+#include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/Solve.hpp"
-#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/path/PathMemory.hpp"
@@ -38,50 +36,25 @@ struct Case {
 };
 
 /// A body of height 1 on a plane: what presses it down varies along it, a push from the left.
-struct Body {
-  contact::Conditions conditions;
-  bem::Lame lame{{1, 0.3, false}};
-  Stabilization stabilization;
-  std::shared_ptr<const bem::Outline> outline;
-  bem::Units units;
-  bem::Space space;
-  const contact::MultiplierBasis& basis;
-  contact::MultiplierSpace multiplier;
-
+struct Body : test::BodyScene {
   explicit Body(const Case& c)
-      : conditions(conditionsOf(c)),
-        stabilization(test::ofForm(c.form)),
-        outline(outlineOf(c)),
-        units(outline->units(1)),
-        space(contact::makeSpace(
-            bem::makeMesh(outline, {elements(c), 4, elements(c), 4}, c.degree),
-            conditions, stabilization)),
-        basis(contact::multiplierBasis(c.basis)),
-        multiplier(space.mesh(), basis, conditions) {}
+      : BodyScene({meshOf(c),
+                   {1, 0.3, false},
+                   conditionsOf(c),
+                   c.basis,
+                   test::ofForm(c.form)}) {}
 
   contact::ContactSystem system(const bem::SteklovPoincare& stiffness) const {
-    return contact::ContactSystem(
-        {{space, stiffness, lame, units, conditions, basis, stabilization}});
-  }
-  bem::SteklovPoincare dense() const {
-    return contact::makeStiffness(space, multiplier, stabilization, lame, units);
-  }
-  bem::SteklovPoincare compressed() const {
-    bem::Compression options;
-    options.leafUnknowns = 60;
-    auto all = contact::makeCompressedStiffness(
-        {{space, multiplier, contact::Opposite(space.mesh(), units.length)}}, {lame},
-        stabilization, units, test::processes(), options);
-    return std::move(all.front());
+    return contact::ContactSystem({input(stiffness)});
   }
 
  private:
-  static int elements(const Case& c) { return static_cast<int>(4 * c.length); }
-  static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
+  static bem::Mesh meshOf(const Case& c) {
+    const int elements = static_cast<int>(4 * c.length);
     bem::Loop loop = test::rectangle({0, 0}, c.length, 1);
     if (c.bulge != 0)
       loop.bulges = {c.bulge, 0, 0, 0};
-    return test::outlineOf(loop);
+    return bem::makeMesh(test::outlineOf(loop), {elements, 4, elements, 4}, c.degree);
   }
   static contact::Conditions conditionsOf(const Case& c) {
     contact::Conditions conditions;

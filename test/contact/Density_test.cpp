@@ -6,9 +6,9 @@
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
+#include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/results/Summary.hpp"
-#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -25,8 +25,6 @@ using bem::Matrix;
 using bem::Vec2;
 using bem::Vector;
 using contact::Stabilization;
-
-const bem::Units units{1, 1};
 
 /// A square of diameter one whose bottom touches, and its right side if asked for.
 bem::Mesh squareMesh(const std::vector<int>& elements, int degree) {
@@ -83,18 +81,13 @@ contact::State stateOf(Index size) {
 }
 
 Condensed condensed(const Case& c) {
-  const bem::Lame lame({1, c.nu, false});
-  const contact::Conditions conditions = conditionsOf(c.law);
-  const Stabilization stabilization = stabilizationOf(c);
-  const contact::MultiplierBasis& basis = contact::multiplierBasis(c.basis);
-  const bem::Space space =
-      contact::makeSpace(squareMesh(c.elements, c.degree), conditions, stabilization);
-  const contact::MultiplierSpace multiplier(space.mesh(), basis, conditions);
-  const bem::SteklovPoincare stiffness(
-      bem::assembleOperators(space, lame),
-      contact::densityCompliance(space, multiplier, stabilization, lame, units));
-  const contact::ContactSystem system(
-      {{space, stiffness, lame, units, conditions, basis, stabilization}});
+  const test::BodyScene scene({squareMesh(c.elements, c.degree),
+                               {1, c.nu, false},
+                               conditionsOf(c.law),
+                               c.basis,
+                               stabilizationOf(c)});
+  const bem::SteklovPoincare stiffness = scene.dense();
+  const contact::ContactSystem system({scene.input(stiffness)});
   const contact::Problem& numbers = system.numbers();
   const contact::ContactBody& body = system.body(0);
   const contact::State state = stateOf(numbers.size());

@@ -2,10 +2,9 @@
 // one that slips; rates in displacement and contact stress for every basis.
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/Form.hpp"
-#include "contact/Solve.hpp"
+#include "contact/SolvedScene.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/results/ContactFields.hpp"
-#include "contact/system/ContactSystem.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -22,7 +21,6 @@ using bem::Vec2;
 using contact::Stabilization;
 using reference::ExactField;
 using reference::PlaneStressTensor;
-using test::solve;
 
 const bem::Lame lame({1, 0.3, false});
 
@@ -123,23 +121,14 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
                 const Choice& choice) {
   const bem::Mesh mesh =
       bem::makeMesh(exact.outline, {elements, elements, elements, elements}, degree);
-  const bem::Space space(mesh);
-  const contact::Conditions conditions = exact.conditions(choice.law);
-  const contact::MultiplierBasis& basis = contact::multiplierBasis(choice.basis);
-  const Stabilization stabilization = test::ofForm(choice.form);
-  const contact::MultiplierSpace multiplier(mesh, basis, conditions);
-  const bem::SteklovPoincare stiffness(bem::assembleOperators(
-      space, lame, contact::tractionElements(multiplier, stabilization)));
-  const bem::Units units{exact.outline->diameter(), 1};
-  const contact::ContactSystem system(
-      {{space, stiffness, lame, units, conditions, basis, stabilization}});
-  const contact::ContactBody& body = system.body(0);
-  const auto solution = solve(system.numbers(), {}, {});
-  if (solution.report.status != contact::Status::Converged)
-    throw std::runtime_error(told(solution.report.stages));
-  const bem::Vector u = body.displacement(solution.state);
-  const contact::ContactFields fields(
-      {space, stiffness, body, conditions, units, solution.state, u});
+  const test::SolvedScene scene({mesh,
+                                 {1, 0.3, false},
+                                 exact.conditions(choice.law),
+                                 choice.basis,
+                                 test::ofForm(choice.form)});
+  if (!scene.report().converged())
+    throw std::runtime_error(told(scene.report().stages));
+  const contact::ContactFields fields(scene.solved());
   const auto rule = bem::gaussLegendre(degree + 6);
   Errors errors;
   for (const auto& element : fields.elements()) {

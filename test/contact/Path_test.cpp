@@ -1,6 +1,7 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
 #include "Largest.hpp"
 #include "Rectangle.hpp"
+#include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
@@ -24,8 +25,6 @@ using contact::Vector;
 using test::largest;
 using test::largestDifference;
 using Form = contact::Stabilization::Form;
-
-constexpr bem::Units units{1.4142135623730951, 1};
 
 /// A unit square that stands on a plane, on a curved side where that has a bulge; its top is
 /// moved, its right side pushed.
@@ -77,24 +76,16 @@ struct Result {
 };
 
 /// The square's problem under the conditions at a time.
-struct Square {
-  contact::Conditions conditions;
-  contact::Stabilization stabilization;
-  bem::Lame lame{{1, 0.3, false}};
-  const contact::MultiplierBasis& basis =
-      contact::multiplierBasis("Gauss-Legendre-Lagrange");
-  bem::Space space;
-  contact::MultiplierSpace multiplier;
-  bem::SteklovPoincare stiffness;
-  contact::ContactSystem problem;
+struct Square : test::BodyScene {
+  bem::SteklovPoincare stiffness = dense();
+  contact::ContactSystem problem = contact::ContactSystem({input(stiffness)});
 
   Square(Form form, double time, double bulge = 0)
-      : conditions(conditionsAt(time)),
-        stabilization(test::ofForm(form)),
-        space(contact::makeSpace(mesh(2, bulge), conditions, stabilization)),
-        multiplier(space.mesh(), basis, conditions),
-        stiffness(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
-        problem({{space, stiffness, lame, units, conditions, basis, stabilization}}) {}
+      : BodyScene({mesh(2, bulge),
+                   {1, 0.3, false},
+                   conditionsAt(time),
+                   "Gauss-Legendre-Lagrange",
+                   test::ofForm(form)}) {}
 };
 
 Result follow(Form form, int steps) {

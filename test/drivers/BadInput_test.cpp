@@ -9,19 +9,14 @@ namespace epafi {
 
 namespace {
 
-using test::complaintOf;
-using test::contains;
-using test::real;
-using test::SceneText;
-using test::withDiscretization;
-using test::withVertices;
+using namespace test;
 
 const std::string body = "Bodies->block->";
 const std::string base = body + "Boundary Conditions->base->";
 
 SceneText withYoung(const std::string& value) {
   SceneText scene;
-  scene.material = real("Young's Modulus", value) + real("Poisson's Ratio", "0.3");
+  scene.material = elastic(value, "0.3");
   return scene;
 }
 
@@ -32,56 +27,47 @@ TEUCHOS_UNIT_TEST(BadInput, theSceneThatTheTestsSpoilIsValid) {
 }
 
 TEUCHOS_UNIT_TEST(BadInput, anUnknownKeyNamesTheNearestOne) {
-  TEST_COMPLAINT(
-      withDiscretization(R"(<Parameter name="Degre" type="int" value="2"/>)").xml(),
-      "Discretization->Degre", "'Degree'");
+  TEST_COMPLAINT(withDiscretization(entry("Degre", "int", "2")).xml(),
+                 "Discretization->Degre", "'Degree'");
   SceneText scene;
   scene.rest = R"(<ParameterList name="Adaptivty"/>)";
   TEST_COMPLAINT(scene.xml(), "Adaptivty", "'Adaptivity'");
-  scene.rest = R"(<ParameterList name="Solver"><ParameterList name="Linear">
-    <Parameter name="Methd" type="string" value="Dense"/></ParameterList></ParameterList>)";
+  scene.rest = list("Solver", list("Linear", parameter("Methd", "Dense")));
   TEST_COMPLAINT(scene.xml(), "Solver->Linear->Methd", "'Method'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aKeyOfAnotherTypeOfConditionSaysWhereItBelongs) {
   SceneText scene;
-  scene.top += R"(<Parameter name="Gap" type="string" value="1"/>)";
+  scene.top += parameter("Gap", "1");
   TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top->Gap", "'Contact'",
                  "'Dirichlet'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aWrongTypeSaysWhatIsWanted) {
-  TEST_COMPLAINT(
-      withDiscretization(R"(<Parameter name="Degree" type="double" value="2.0"/>)").xml(),
-      "Discretization->Degree", "double", "int");
-  TEST_COMPLAINT(withDiscretization(R"(<ParameterList name="Degree"/>)").xml(),
-                 "Discretization->Degree", "sublist", "int");
+  TEST_COMPLAINT(withDiscretization(real("Degree", "2.0")).xml(),
+                 "Discretization->Degree", "double", "int");
+  TEST_COMPLAINT(withDiscretization(list("Degree", "")).xml(), "Discretization->Degree",
+                 "sublist", "int");
   SceneText scene;
-  scene.rest = R"(<Parameter name="Solver" type="string" value="Newton"/>)";
+  scene.rest = parameter("Solver", "Newton");
   TEST_COMPLAINT(scene.xml(), "Solver", "'Newton'", "sublist");
-  scene.rest = R"(<ParameterList name="Output">
-                    <Parameter name="Fields" type="int" value="1"/></ParameterList>)";
+  scene.rest = list("Output", entry("Fields", "int", "1"));
   TEST_COMPLAINT(scene.xml(), "Output->Fields", "int", "true");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aValueOutOfRangeSaysWhatIsAllowed) {
   TEST_COMPLAINT(withYoung("0").xml(), body + "Material->Young's Modulus", "> 0");
-  TEST_COMPLAINT(
-      withDiscretization(R"(<Parameter name="Degree" type="int" value="26"/>)").xml(),
-      "Discretization->Degree", "26", "1", "25");
+  TEST_COMPLAINT(withDiscretization(entry("Degree", "int", "26")).xml(),
+                 "Discretization->Degree", "26", "1", "25");
   SceneText scene;
-  scene.discretization =
-      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 0, 2}"/>)";
+  scene.discretization = elements("{4, 2, 0, 2}");
   TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "0", ">= 1");
-  TEST_COMPLAINT(withDiscretization(
-                     R"(<Parameter name="Multiplier" type="string" value="Bernstien"/>)")
-                     .xml(),
+  TEST_COMPLAINT(withDiscretization(parameter("Multiplier", "Bernstien")).xml(),
                  "Discretization->Multiplier", "'Bernstien'", "'Bernstein'");
   for (const char* nu : {"0.5", "-1", "0.7"}) {
-    SceneText soft = withDiscretization(
-        R"(<ParameterList name="Stabilization"><Parameter name="Form" type="string"
-             value="Projected"/></ParameterList>)");
-    soft.material = real("Young's Modulus", "1") + real("Poisson's Ratio", nu);
+    SceneText soft =
+        withDiscretization(list("Stabilization", parameter("Form", "Projected")));
+    soft.material = elastic("1", nu);
     TEST_COMPLAINT(soft.xml(), "Material->Poisson's Ratio",
                    nu == std::string("0.5") ? "Density" : nu);
   }
@@ -93,16 +79,11 @@ TEUCHOS_UNIT_TEST(BadInput, lettersHexDExponentsAndOverflowAreNoNumbers) {
     TEST_COMPLAINT(withYoung(text).xml(), body + "Material->Young's Modulus",
                    "'" + std::string(text));
   for (const char* text : {"3.7", "99999999999", "0x2", "two", "1e1", "+", "+-2"})
-    TEST_COMPLAINT(withDiscretization("<Parameter name=\"Degree\" type=\"int\" value=\"" +
-                                      std::string(text) + "\"/>")
-                       .xml(),
+    TEST_COMPLAINT(withDiscretization(entry("Degree", "int", text)).xml(),
                    "Discretization->Degree", "'" + std::string(text));
   for (const char* text : {"2", "yes", "True", ""}) {
     SceneText scene;
-    scene.rest =
-        "<ParameterList name=\"Output\"><Parameter name=\"Fields\" type=\"bool\" "
-        "value=\"" +
-        std::string(text) + "\"/></ParameterList>";
+    scene.rest = list("Output", entry("Fields", "bool", text));
     TEST_COMPLAINT(scene.xml(), "Output->Fields", "'" + std::string(text));
   }
 }
@@ -112,9 +93,7 @@ TEUCHOS_UNIT_TEST(BadInput, arraysAndTablesAreReadEntryByEntry) {
        {"{4, x, 4, 2}", "{4, 2.5, 4, 2}", "{4, , 4, 2}", "{4, 2, 4, 2,}", "4, 2, 4, 2",
         "{4, 2, 4, 2", "{{4, 2, 4, 2}}", "{4 2 4 2}"}) {
     SceneText scene;
-    scene.discretization =
-        "<Parameter name=\"Elements per Edge\" type=\"Array(int)\" value=\"" +
-        std::string(text) + "\"/>";
+    scene.discretization = elements(text);
     TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge");
   }
   const std::string edges = "{base, right, top, left}";
@@ -127,13 +106,10 @@ TEUCHOS_UNIT_TEST(BadInput, arraysAndTablesAreReadEntryByEntry) {
 }
 
 TEUCHOS_UNIT_TEST(BadInput, duplicatesAndMissingAttributesAreRefused) {
-  const std::string elements =
-      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 4, 2}"/>)";
-  TEST_COMPLAINT(withDiscretization(elements).xml(), "Discretization->Elements per Edge",
-                 "twice");
+  TEST_COMPLAINT(withDiscretization(elements("{4, 2, 4, 2}")).xml(),
+                 "Discretization->Elements per Edge", "twice");
   SceneText scene;
-  scene.rest =
-      R"(<ParameterList name="Solver"/><Parameter name="Solver" type="int" value="1"/>)";
+  scene.rest = list("Solver", "") + entry("Solver", "int", "1");
   TEST_COMPLAINT(scene.xml(), "Solver", "twice");
   scene.rest = R"(<ParameterList/>)";
   TEST_COMPLAINT(scene.xml(), "ParameterList", "name");
@@ -143,9 +119,8 @@ TEUCHOS_UNIT_TEST(BadInput, duplicatesAndMissingAttributesAreRefused) {
                  "Discretization->Degree", "type");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Degree" type="int"/>)").xml(),
                  "Discretization->Degree", "value");
-  TEST_COMPLAINT(
-      withDiscretization(R"(<Parameter name="Degree" type="itn" value="1"/>)").xml(),
-      "Discretization->Degree", "'itn'", "'int'");
+  TEST_COMPLAINT(withDiscretization(entry("Degree", "itn", "1")).xml(),
+                 "Discretization->Degree", "'itn'", "'int'");
   TEST_COMPLAINT(
       withDiscretization("<Paramter name=\"Degree\" type=\"int\" value=\"1\"/>").xml(),
       "Discretization", "<Paramter>", "'Parameter'");
@@ -243,7 +218,7 @@ TEUCHOS_UNIT_TEST(BadInput, aZeroByteIsNamedByItsPlace) {
 
 TEUCHOS_UNIT_TEST(BadInput, aSecondBodyIsWholeToo) {
   SceneText scene;
-  scene.bodies = R"(<ParameterList name="second"/>)";
+  scene.bodies = list("second", "");
   TEST_COMPLAINT(scene.xml(), "Bodies->second->Material", "missing");
 }
 
@@ -252,13 +227,13 @@ TEUCHOS_UNIT_TEST(BadInput, whatABodyNeedsIsMissed) {
   scene.material = real("Young's Modulus", "1");
   TEST_COMPLAINT(scene.xml(), body + "Material->Poisson's Ratio", "missing");
   scene = SceneText();
-  scene.geometry = R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
+  scene.geometry = entry("Edges", "Array(string)", "{base}");
   TEST_COMPLAINT(scene.xml(), body + "Geometry->Vertices", "missing");
   scene = SceneText();
   scene.discretization = "";
   TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "missing", "4");
   scene = SceneText();
-  scene.base = R"(<Parameter name="Gap" type="string" value="0"/>)";
+  scene.base = parameter("Gap", "0");
   TEST_COMPLAINT(scene.xml(), base + "Type", "missing");
 }
 

@@ -8,22 +8,14 @@ namespace epafi {
 
 namespace {
 
-using test::complaintOf;
-using test::contains;
-using test::real;
-using test::SceneText;
-using test::withDiscretization;
-using test::withVertices;
+using namespace test;
 
 const std::string body = "Bodies->block->";
 const std::string base = body + "Boundary Conditions->base->";
 
 SceneText withGap(const std::string& gap) {
   SceneText scene;
-  scene.base =
-      R"(<Parameter name="Type" type="string" value="Contact"/>
-         <Parameter name="Gap" type="string" value=")" +
-      gap + "\"/>";
+  scene.base = parameter("Type", "Contact") + parameter("Gap", gap);
   return scene;
 }
 
@@ -50,26 +42,23 @@ TEUCHOS_UNIT_TEST(BadScenes, openCrossingAndClockwisePolygonsAreRefused) {
       withVertices("4x2:{0,0, 0,1, 2,1, 2,0}", "{base, right, top, left}").xml(),
       body + "Geometry", "outer polygon", "clockwise");
   SceneText disc = withVertices("4x2:{1,0, 0,-1, -1,0, 0,1}", "{base, right, top, left}");
-  disc.geometry += R"(<Parameter name="Bulges" type='Array(double)'
-    value="{0.6, 0.6, 0.6, 0.6}"/>)";
+  disc.geometry += entry("Bulges", "Array(double)", "{0.6, 0.6, 0.6, 0.6}");
   TEST_COMPLAINT(disc.xml(), body + "Geometry", "crosses", "clockwise");
   TEST_COMPLAINT(
       withVertices("4x2:{0,0, 2,0, 2,1, 0,0}", "{base, right, top, left}").xml(),
       body + "Geometry", "first vertex");
   SceneText hole;
-  hole.geometry += R"(<Parameter name="Hole 1 Vertices" type='TwoDArray(double)'
-    value="3x2:{0.5,0.5, 1.5,0.5, 1,1}"/>)";
-  TEST_COMPLAINT(hole.xml(), body + "Geometry->Hole 1 Edges", "missing");
   hole.geometry +=
-      R"(<Parameter name="Hole 1 Edges" type='Array(string)' value="{h, h, h}"/>)";
+      entry("Hole 1 Vertices", "TwoDArray(double)", "3x2:{0.5,0.5, 1.5,0.5, 1,1}");
+  TEST_COMPLAINT(hole.xml(), body + "Geometry->Hole 1 Edges", "missing");
+  hole.geometry += entry("Hole 1 Edges", "Array(string)", "{h, h, h}");
   TEST_COMPLAINT(hole.xml(), body + "Geometry", "outer polygon", "hole 1");
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, arcsFitTogether) {
   const auto with = [](const std::string& key, const std::string& values) {
     SceneText scene;
-    scene.geometry +=
-        "<Parameter name=\"" + key + "\" type='Array(double)' value=\"" + values + "\"/>";
+    scene.geometry += entry(key, "Array(double)", values);
     return scene.xml();
   };
   const std::string geometry = body + "Geometry";
@@ -79,10 +68,8 @@ TEUCHOS_UNIT_TEST(BadScenes, arcsFitTogether) {
   TEST_COMPLAINT(with("Bulges", "{0, 0.1, 0, inf}"), geometry + "->Bulges", "inf");
   TEST_COMPLAINT(with("Bulges", "{-1, 0, -1, 0}"), geometry, "touches or crosses");
   SceneText coarse;
-  coarse.geometry +=
-      R"(<Parameter name="Bulges" type='Array(double)' value="{0, 1.1, 0, 0}"/>)";
-  coarse.discretization =
-      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 1, 4, 2}"/>)";
+  coarse.geometry += entry("Bulges", "Array(double)", "{0, 1.1, 0, 0}");
+  coarse.discretization = elements("{4, 1, 4, 2}");
   TEST_COMPLAINT(coarse.xml(), "Discretization->Elements per Edge", "'right'", "180");
   TEST_COMPLAINT(with("Bulges", "{0, 0.1x, 0, 0}"), geometry + "->Bulges", "0.1x");
   TEST_COMPLAINT(with("Hole 1 Bulges", "{0, 0, 0}"), geometry + "->Hole 1 Bulges");
@@ -92,23 +79,22 @@ TEUCHOS_UNIT_TEST(BadScenes, unnamedEdgesAndConditionsForNoEdgeAreRefused) {
   TEST_COMPLAINT(withVertices("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, , top, left}").xml(),
                  body + "Geometry->Edges", "1", "''");
   SceneText scene;
-  scene.conditions = R"(<ParameterList name="lefft">
-    <Parameter name="Type" type="string" value="Neumann"/></ParameterList>)";
+  scene.conditions = list("lefft", parameter("Type", "Neumann"));
   TEST_COMPLAINT(scene.xml(), body + "Boundary Conditions->lefft", "'left'");
 }
 
 std::string withHistory(const std::string& content) {
   SceneText scene;
-  scene.rest = "<ParameterList name=\"History\">" + content + "</ParameterList>";
+  scene.rest = list("History", content);
   return scene.xml();
 }
 
 std::string times(const std::string& value) {
-  return R"x(<Parameter name="Times" type="Array(double)" value=")x" + value + "\"/>";
+  return entry("Times", "Array(double)", value);
 }
 
 std::string steps(const std::string& type, const std::string& value) {
-  return "<Parameter name=\"Steps\" type=\"" + type + "\" value=\"" + value + "\"/>";
+  return entry("Steps", type, value);
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
@@ -133,24 +119,20 @@ TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
 
 /// A used.xml of an earlier program holds all defaults of its time.
 TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
-  const auto withSolver = [](const std::string& key) {
+  const auto withSolver = [](const std::string& content) {
     SceneText scene;
-    scene.rest =
-        "<ParameterList name=\"Solver\"><Parameter " + key + "/></ParameterList>";
+    scene.rest = list("Solver", content);
     return scene;
   };
-  const std::string steps = R"(name="Load Steps" type="int" value=)";
-  TEST_COMPLAINT(withSolver(steps + R"("4")").xml(), "Solver->Load Steps", "History");
-  TEST_NOTHROW(test::read(withSolver(steps + R"("1")")));
-  const std::string function = R"(name="Complementarity" type="string" value=)";
-  TEST_COMPLAINT(withSolver(function + R"("Fischer-Burmeister")").xml(),
+  TEST_COMPLAINT(withSolver(entry("Load Steps", "int", "4")).xml(), "Solver->Load Steps",
+                 "History");
+  TEST_NOTHROW(test::read(withSolver(entry("Load Steps", "int", "1"))));
+  TEST_COMPLAINT(withSolver(parameter("Complementarity", "Fischer-Burmeister")).xml(),
                  "Solver->Complementarity", "merit");
-  TEST_NOTHROW(test::read(withSolver(function + R"("Projection")")));
+  TEST_NOTHROW(test::read(withSolver(parameter("Complementarity", "Projection"))));
   const auto withReach = [](const std::string& reach) {
     SceneText scene;
-    scene.rest = R"(<ParameterList name="Adaptivity"><ParameterList name="Grading">)"
-                 R"(<Parameter name="Reach" type="double" value=")" +
-                 reach + R"("/></ParameterList></ParameterList>)";
+    scene.rest = list("Adaptivity", list("Grading", real("Reach", reach)));
     return scene;
   };
   TEST_COMPLAINT(withReach("0.5").xml(), "Adaptivity->Grading->Reach", "nodes stay");
@@ -159,34 +141,28 @@ TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
 
 TEUCHOS_UNIT_TEST(BadScenes, theMeshFitsTheOutline) {
   SceneText scene;
-  scene.discretization =
-      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 4}"/>)";
+  scene.discretization = elements("{4, 2, 4}");
   TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "3", "4");
   TEST_COMPLAINT(withDiscretization(real("Mesh Size", "0.5")).xml(),
                  "Discretization->Elements per Edge", "Mesh Size");
   scene.discretization = real("Mesh Size", "1e-9");
   TEST_COMPLAINT(scene.xml(), "Discretization->Mesh Size", "1e-09");
-  TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Hole 1 Elements per Edge"
-    type='Array(int)' value="{1, 1, 1}"/>)")
-                     .xml(),
-                 "Discretization->Hole 1 Elements per Edge", "0");
+  const std::string hole = "Hole 1 Elements per Edge";
+  TEST_COMPLAINT(withDiscretization(entry(hole, "Array(int)", "{1, 1, 1}")).xml(),
+                 "Discretization->" + hole, "0");
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, conditionsAreComplete) {
   SceneText scene;
-  scene.top = R"(<Parameter name="Type" type="string" value="Dirichlet"/>)";
+  scene.top = parameter("Type", "Dirichlet");
   TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top", "Displacement");
   scene = SceneText();
-  scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-    <ParameterList name="Friction">
-      <Parameter name="Law" type="string" value="Tresca"/></ParameterList>)";
+  scene.base = parameter("Type", "Contact") + friction("Tresca");
   TEST_COMPLAINT(scene.xml(), base + "Friction->Threshold", "missing");
-  scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-    <ParameterList name="Friction">
-      <Parameter name="Law" type="string" value="Columb"/></ParameterList>)";
+  scene.base = parameter("Type", "Contact") + friction("Columb");
   TEST_COMPLAINT(scene.xml(), base + "Friction->Law", "'Columb'", "'Coulomb'");
   scene = SceneText();
-  scene.rigid = R"(<Parameter name="Fix" type='Array(string)' value="{X, Rotatoin}"/>)";
+  scene.rigid = entry("Fix", "Array(string)", "{X, Rotatoin}");
   TEST_COMPLAINT(scene.xml(), body + "Rigid Motions->Fix", "'Rotatoin'", "'Rotation'");
 }
 
@@ -199,8 +175,7 @@ TEUCHOS_UNIT_TEST(BadScenes, expressionsAreOneNumberAndAssignNothing) {
   TEST_COMPLAINT(withGap("foo(x)").xml(), base + "Gap", "'foo(x)'");
   TEST_COMPLAINT(withGap(" ").xml(), base + "Gap");
   SceneText scene;
-  scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-                  <Parameter name="Gap" type="bool" value="true"/>)";
+  scene.base = parameter("Type", "Contact") + entry("Gap", "bool", "true");
   TEST_COMPLAINT(scene.xml(), base + "Gap", "bool");
 }
 
@@ -211,20 +186,16 @@ TEUCHOS_UNIT_TEST(BadScenes, checkFindsThePointWhereAnExpressionIsNotFinite) {
               contains(root, "(0.") && contains(root, "scene.xml: "));
   TEST_ASSERT(contains(complaintOfCheck(withGap("1/x")), "(0, 0)"));
   SceneText scene;
-  scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-    <ParameterList name="Friction">
-      <Parameter name="Law" type="string" value="Coulomb"/>
-      <Parameter name="Coefficient" type="string" value="0.5 - x"/></ParameterList>)";
+  scene.base = parameter("Type", "Contact") +
+               friction("Coulomb", parameter("Coefficient", "0.5 - x"));
   TEST_ASSERT(contains(complaintOfCheck(scene), base + "Friction->Coefficient"));
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, checkLooksWhereARunIntegratesLoads) {
   const auto withTraction = [](const std::string& traction) {
     SceneText scene;
-    scene.rigid = R"(<Parameter name="Fix" type='Array(string)' value="{X, Rotation}"/>)";
-    scene.top = R"(<Parameter name="Type" type="string" value="Neumann"/>
-        <Parameter name="Traction Y" type="string" value=")" +
-                traction + "\"/>";
+    scene.rigid = entry("Fix", "Array(string)", "{X, Rotation}");
+    scene.top = parameter("Type", "Neumann") + parameter("Traction Y", traction);
     return scene;
   };
   TEST_ASSERT(
@@ -234,8 +205,8 @@ TEUCHOS_UNIT_TEST(BadScenes, checkLooksWhereARunIntegratesLoads) {
 
 TEUCHOS_UNIT_TEST(BadScenes, interiorPointsLieInside) {
   SceneText scene;
-  scene.rest = R"(<ParameterList name="Output"><Parameter name="Interior Points"
-    type='TwoDArray(double)' value="2x2:{1, 0.5, 2, 0.5}"/></ParameterList>)";
+  scene.rest = list(
+      "Output", entry("Interior Points", "TwoDArray(double)", "2x2:{1, 0.5, 2, 0.5}"));
   TEST_COMPLAINT(scene.xml(), "Output->Interior Points", "1", "(2, 0.5)");
 }
 

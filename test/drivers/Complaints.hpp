@@ -32,10 +32,6 @@ inline bool isAt(const std::string& complaint, const std::string& place) {
       TEST_ASSERT(::epafi::test::contains(complaint, word));              \
   }
 
-inline std::string real(const std::string& key, const std::string& value) {
-  return "<Parameter name=\"" + key + R"(" type="double" value=")" + value + "\"/>";
-}
-
 inline SceneText withDiscretization(const std::string& content) {
   SceneText scene;
   scene.discretization += content;
@@ -44,10 +40,7 @@ inline SceneText withDiscretization(const std::string& content) {
 
 inline SceneText withVertices(const std::string& table, const std::string& edges) {
   SceneText scene;
-  scene.geometry = R"(<Parameter name="Vertices" type='TwoDArray(double)' value =
-      ")" + table + R"("/><Parameter name="Edges" type='Array(string)' value =
-          ")" + edges +
-                   "\"/>";
+  scene.geometry = outline(table, edges);
   return scene;
 }
 

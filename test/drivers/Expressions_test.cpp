@@ -12,22 +12,12 @@ namespace {
 
 using namespace epafi;
 using drivers::Interpolant;
-using test::complaintOf;
-using test::contains;
-using test::read;
-using test::SceneText;
+using namespace test;
 
-std::string parameter(const std::string& name, const std::string& value) {
-  return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
-}
-
-std::string constants(const std::string& content) {
-  return "<ParameterList name=\"Constants\">" + content + "</ParameterList>";
-}
+std::string constants(const std::string& content) { return list("Constants", content); }
 
 std::string neumann(const std::string& boundary, const std::string& content) {
-  return "<ParameterList name=\"" + boundary + "\">" + parameter("Type", "Neumann") +
-         content + "</ParameterList>";
+  return list(boundary, parameter("Type", "Neumann") + content);
 }
 
 const contact::Conditions::Neumann& loadOn(const drivers::Scene& scene,
@@ -37,12 +27,10 @@ const contact::Conditions::Neumann& loadOn(const drivers::Scene& scene,
 
 TEUCHOS_UNIT_TEST(Constants, areKnownToAllExpressions) {
   SceneText text;
-  text.rest = constants(parameter("mu", "0.2") +
-                        R"(<Parameter name="depth" type="double" value="0.5"/>)" +
+  text.rest = constants(parameter("mu", "0.2") + real("depth", "0.5") +
                         parameter("twice", "2*depth + 0*mu*pi"));
   text.base = parameter("Type", "Contact") + parameter("Gap", "twice*x") +
-              "<ParameterList name=\"Friction\">" + parameter("Law", "Coulomb") +
-              parameter("Coefficient", "mu") + "</ParameterList>";
+              friction("Coulomb", parameter("Coefficient", "mu"));
   text.conditions = neumann("right", parameter("Force X", "depth"));
   for (const double mu : {0.2, 0.7}) {
     const drivers::Scene scene = read(text, {"Constants->mu=" + std::to_string(mu)});
@@ -96,12 +84,11 @@ TEUCHOS_UNIT_TEST(Expressions, ofFieldsHaveFiniteSquares) {
 }
 
 std::string table(const std::string& name, const std::string& content) {
-  return "<ParameterList name=\"Tables\"><ParameterList name=\"" + name + "\">" +
-         content + "</ParameterList></ParameterList>";
+  return list("Tables", list(name, content));
 }
 
 std::string points(const std::string& value) {
-  return R"(<Parameter name="Points" type='TwoDArray(double)' value=")" + value + "\"/>";
+  return entry("Points", "TwoDArray(double)", value);
 }
 
 bem::Function gapOf(const SceneText& text) {
@@ -200,10 +187,8 @@ TEUCHOS_UNIT_TEST(Tables, splinesAreExactForCubicsAndSmooth) {
 
 TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
   SceneText text;  // half a disc over the square's upper half, radius 1
-  text.geometry =
-      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
-         <Parameter name="Edges" type='Array(string)' value="{base, side, top, side}"/>
-         <Parameter name="Bulges" type='Array(double)' value="{0, 0, 1, 0}"/>)";
+  text.geometry = outline("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, side, top, side}") +
+                  entry("Bulges", "Array(double)", "{0, 0, 1, 0}");
   text.top = parameter("Type", "Neumann") + parameter("Traction X", "-3*nx") +
              parameter("Traction Y", "-3*ny");
   text.conditions =
@@ -222,14 +207,11 @@ TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
 
 TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
   SceneText text;
-  text.geometry =
-      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
-         <Parameter name="Edges" type='Array(string)' value="{base, load, top, load}"/>
-         <Parameter name="Bulges" type='Array(double)' value="{0, 1, 0, 0}"/>)";
+  text.geometry = outline("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, load, top, load}") +
+                  entry("Bulges", "Array(double)", "{0, 1, 0, 0}");
   text.conditions =
       neumann("load", parameter("Force X", "6*t^2") + parameter("Force Y", "-1"));
-  text.rest = R"(<ParameterList name="History">
-    <Parameter name="Times" type='Array(double)' value="{2}"/></ParameterList>)";
+  text.rest = list("History", entry("Times", "Array(double)", "{2}"));
   const drivers::Scene scene = read(text);
   const double length =
       std::acos(-1.0) / 2 + 1;  // half a circle of diameter 1, and a side
@@ -259,13 +241,12 @@ TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
 TEUCHOS_UNIT_TEST(Forces, aMomentTurnsTheBoundaryAboutItsCentroid) {
   SceneText text;
   text.geometry =
-      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
-         <Parameter name="Edges" type='Array(string)' value="{base, load, top, load}"/>
-         <Parameter name="Bulges" type='Array(double)' value="{0, 0.7, 0, 0}"/>
-         <Parameter name="Hole 1 Vertices" type='TwoDArray(double)' value="2x2:{0.75,0.5, 1.25,0.5}"/>
-         <Parameter name="Hole 1 Edges" type='Array(string)' value="{bore, bore}"/>
-         <Parameter name="Hole 1 Bulges" type='Array(double)' value="{1, 1}"/>)";
-  text.discretization = R"(<Parameter name="Mesh Size" type="double" value="0.25"/>)";
+      outline("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, load, top, load}") +
+      entry("Bulges", "Array(double)", "{0, 0.7, 0, 0}") +
+      entry("Hole 1 Vertices", "TwoDArray(double)", "2x2:{0.75,0.5, 1.25,0.5}") +
+      entry("Hole 1 Edges", "Array(string)", "{bore, bore}") +
+      entry("Hole 1 Bulges", "Array(double)", "{1, 1}");
+  text.discretization = real("Mesh Size", "0.25");
   text.conditions =
       neumann("load", parameter("Moment", "6*t") + parameter("Force Y", "2")) +
       neumann("bore", parameter("Moment", "-5"));
@@ -307,13 +288,10 @@ TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
        {"Displacement X", "Displacement Y", "Rotation", "Force X", "Force Y", "Moment"})
     for (const char* text : {"t", "x", "y", "nx", "ny"}) {
       SceneText scene;
-      scene.bodies = R"(<ParameterList name="punch"><ParameterList name="Material">
-          <Parameter name="Rigid" type="bool" value="true"/></ParameterList>
-        <ParameterList name="Geometry">
-          <Parameter name="Vertices" type='TwoDArray(double)' value="3x2:{0,2, 1,2, 0,3}"/>
-          <Parameter name="Edges" type='Array(string)' value="{a, b, c}"/></ParameterList>
-        <ParameterList name="Motion">)" +
-                     parameter(key, text) + "</ParameterList></ParameterList>";
+      scene.bodies = list(
+          "punch", list("Material", entry("Rigid", "bool", "true")) +
+                       list("Geometry", outline("3x2:{0,2, 1,2, 0,3}", "{a, b, c}")) +
+                       list("Motion", parameter(key, text)));
       const std::string complaint = complaintOf(scene.xml());
       TEST_EQUALITY(complaint,
                     std::string(text) == "t"

@@ -18,8 +18,8 @@ const std::string meshes = EPAFI_MESHES;
 
 SceneText withFile(const std::string& name) {
   SceneText scene;
-  scene.geometry = R"(<Parameter name="File" type="string" value=")" + name + "\"/>";
-  scene.discretization = R"(<Parameter name="Mesh Size" type="double" value="0.25"/>)";
+  scene.geometry = test::parameter("File", name);
+  scene.discretization = test::real("Mesh Size", "0.25");
   return scene;
 }
 
@@ -72,7 +72,7 @@ TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {
   complains(withFile(""), "folder");
   complains(withFile("/dev/zero"), "File = '/dev/zero': is a device");
   SceneText both = withFile("plate.msh");
-  both.geometry += R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
+  both.geometry += test::entry("Edges", "Array(string)", "{base}");
   complains(both, "Edges");
   SceneText neither;
   neither.geometry = "";

@@ -12,35 +12,56 @@
 
 namespace epafi::test {
 
+inline std::string entry(const std::string& name, const std::string& type,
+                         const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value +
+         "\"/>\n";
+}
+
+/// A word or an expression.
+inline std::string parameter(const std::string& name, const std::string& value) {
+  return entry(name, "string", value);
+}
+
+inline std::string real(const std::string& name, const std::string& value) {
+  return entry(name, "double", value);
+}
+
+inline std::string elastic(const std::string& young, const std::string& poisson) {
+  return real("Young's Modulus", young) + real("Poisson's Ratio", poisson);
+}
+
+inline std::string outline(const std::string& vertices, const std::string& edges) {
+  return entry("Vertices", "TwoDArray(double)", vertices) +
+         entry("Edges", "Array(string)", edges);
+}
+
+inline std::string elements(const std::string& perEdge) {
+  return entry("Elements per Edge", "Array(int)", perEdge);
+}
+
+inline std::string list(const std::string& name, const std::string& content) {
+  return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>\n";
+}
+
+inline std::string friction(const std::string& law, const std::string& fields = "") {
+  return list("Friction", parameter("Law", law) + fields);
+}
+
 /// A small valid scene as XML, by its parts, so that a test can spoil one of them.
 struct SceneText {
-  std::string material =
-      R"(<Parameter name="Young's Modulus" type="double" value="200"/>
-         <Parameter name="Poisson's Ratio" type="double" value="0.25"/>)";
-  std::string geometry =
-      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
-         <Parameter name="Edges" type='Array(string)' value="{base, right, top, left}"/>)";
-  std::string base =
-      R"(<Parameter name="Type" type="string" value="Contact"/>
-         <Parameter name="Gap" type="string" value="0.1*x^2"/>
-         <ParameterList name="Friction">
-           <Parameter name="Law" type="string" value="Coulomb"/>
-           <Parameter name="Coefficient" type="string" value="0.3"/>
-         </ParameterList>)";
-  std::string top =
-      R"(<Parameter name="Type" type="string" value="Dirichlet"/>
-         <Parameter name="Displacement Y" type="string" value="-0.01"/>)";
+  std::string material = elastic("200", "0.25");
+  std::string geometry = outline("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, right, top, left}");
+  std::string base = parameter("Type", "Contact") + parameter("Gap", "0.1*x^2") +
+                     friction("Coulomb", parameter("Coefficient", "0.3"));
+  std::string top = parameter("Type", "Dirichlet") + parameter("Displacement Y", "-0.01");
   std::string conditions;
-  std::string rigid = R"(<Parameter name="Fix" type='Array(string)' value="{X}"/>)";
+  std::string rigid = entry("Fix", "Array(string)", "{X}");
   std::string bodies;
-  std::string discretization =
-      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 4, 2}"/>)";
+  std::string discretization = elements("{4, 2, 4, 2}");
   std::string rest;
 
   std::string xml() const {
-    const auto list = [](const std::string& name, const std::string& content) {
-      return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>\n";
-    };
     return list(
         "A test",
         list("Bodies",

@@ -12,8 +12,7 @@ namespace epafi {
 
 namespace {
 
-using test::read;
-using test::SceneText;
+using namespace test;
 
 const char* const yaml = R"(A test:
   Bodies:
@@ -135,14 +134,10 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
 /// What reading a scene finds once holds on all of its path.
 TEUCHOS_UNIT_TEST(Scene, pinsIncompressibleBodiesAtAllTimes) {
   SceneText text;
-  text.material =
-      R"(<Parameter name="Young's Modulus" type="double" value="200"/>
-         <Parameter name="Poisson's Ratio" type="double" value="0.5"/>)";
-  text.base = R"(<Parameter name="Type" type="string" value="Neumann"/>
-                 <Parameter name="Traction Y" type="string" value="t"/>)";
+  text.material = elastic("200", "0.5");
+  text.base = parameter("Type", "Neumann") + parameter("Traction Y", "t");
   text.rigid = "";
-  text.discretization += R"(<ParameterList name="Stabilization">
-    <Parameter name="Form" type="string" value="Density"/></ParameterList>)";
+  text.discretization += list("Stabilization", parameter("Form", "Density"));
   const drivers::Scene once = read(text);
   TEST_ASSERT((once.bodies[0].conditions.pins == std::vector<int>{1}));
   const drivers::Scene path = read(text, {"History->Times={1, 2}"});
@@ -200,20 +195,16 @@ TEUCHOS_UNIT_TEST(Scene, numbersAreExpressionsInConstants) {
 
 TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
   SceneText text;
-  text.material =
-      R"(<Parameter name="Young's Modulus" type="double" value="0.30000000000000004"/>
-         <Parameter name="Poisson's Ratio" type="double" value="0.33333333333333331"/>)";
-  text.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-                 <Parameter name="Gap" type="string" value="x &lt; 1 ? 0 : x - 1 &amp;&amp;
-                   1"/>)";
-  text.rest = R"(
-    <ParameterList name="Solver"><ParameterList name="NOX"><ParameterList name="Line Search">
-      <Parameter name="Method" type="string" value="Full Step"/>
-      <Parameter name="Step" type="double" value="0.1000000000000000055"/>
-      <Parameter name="Steps" type='Array(double)' value="{0.1, 1e-300, 3.3333333333333335}"/>
-    </ParameterList></ParameterList></ParameterList>
-    <ParameterList name="Output"><Parameter name="Interior Points" type='TwoDArray(double)'
-      value="2x2:{0.1, 0.70000000000000007, 0.033333333333333347, 0.5}"/></ParameterList>)";
+  text.material = elastic("0.30000000000000004", "0.33333333333333331");
+  text.base = parameter("Type", "Contact") +
+              parameter("Gap", "x &lt; 1 ? 0 : x - 1 &amp;&amp;\n 1");
+  const std::string search =
+      parameter("Method", "Full Step") + real("Step", "0.1000000000000000055") +
+      entry("Steps", "Array(double)", "{0.1, 1e-300, 3.3333333333333335}");
+  text.rest =
+      list("Solver", list("NOX", list("Line Search", search))) +
+      list("Output", entry("Interior Points", "TwoDArray(double)",
+                           "2x2:{0.1, 0.70000000000000007, 0.033333333333333347, 0.5}"));
   const std::vector<std::string> overrides = {
       "Discretization->Degree=3", "Discretization->Stabilization->Gamma0=7.1e-3"};
   const drivers::Scene first = read(text, overrides);
@@ -273,12 +264,10 @@ TEUCHOS_UNIT_TEST(Scene, overridesReadTheDeclaredType) {
 
 TEUCHOS_UNIT_TEST(Scene, wholeNumbersAndNumbersStandForDoublesAndExpressions) {
   SceneText text;
-  text.material = R"(<Parameter name="Young's Modulus" type="int" value="200"/>
-                     <Parameter name="Poisson's Ratio" type="int" value="0"/>)";
-  text.base = R"(<Parameter name="Type" type="string" value="Contact"/>
-                 <Parameter name="Gap" type="double" value="0.1"/>)";
-  text.top = R"(<Parameter name="Type" type="string" value="Neumann"/>
-                <Parameter name="Traction Y" type="int" value="-3"/>)";
+  text.material =
+      entry("Young's Modulus", "int", "200") + entry("Poisson's Ratio", "int", "0");
+  text.base = parameter("Type", "Contact") + real("Gap", "0.1");
+  text.top = parameter("Type", "Neumann") + entry("Traction Y", "int", "-3");
   const drivers::Scene scene = read(text);
   TEST_EQUALITY(scene.bodies[0].material.youngsModulus, 200.0);
   TEST_EQUALITY(scene.bodies[0].conditions.contact.at("base").gap({7, 7}), 0.1);
@@ -293,19 +282,17 @@ TEUCHOS_UNIT_TEST(Scene, meshSizeGivesTheFewestElementsThatAreNotLarger) {
                                                         {0.1, {20, 10, 20, 10}},
                                                         {9, {1, 1, 1, 1}}}) {
     SceneText text;
-    text.discretization = R"(<Parameter name="Mesh Size" type="double" value=")" +
-                          std::to_string(size) + "\"/>";
+    text.discretization = real("Mesh Size", std::to_string(size));
     TEST_ASSERT(read(text).bodies[0].elementsPerEdge == wanted);
   }
 }
 
 TEUCHOS_UNIT_TEST(Scene, elementsOfAHoleFollowItsEdges) {
   SceneText text;
-  text.geometry += R"(
-    <Parameter name="Hole 1 Vertices" type='TwoDArray(double)' value="3x2:{0.5,0.2, 1.5,0.2, 1,0.8}"/>
-    <Parameter name="Hole 1 Edges" type='Array(string)' value="{h0, h1, h2}"/>)";
-  text.discretization += R"(
-    <Parameter name="Hole 1 Elements per Edge" type='Array(int)' value="{10, 11, 12}"/>)";
+  text.geometry +=
+      entry("Hole 1 Vertices", "TwoDArray(double)", "3x2:{0.5,0.2, 1.5,0.2, 1,0.8}") +
+      entry("Hole 1 Edges", "Array(string)", "{h0, h1, h2}");
+  text.discretization += entry("Hole 1 Elements per Edge", "Array(int)", "{10, 11, 12}");
   const drivers::Scene scene = read(text);
   for (std::size_t e = 4; e < 7; ++e) {
     const std::string& name = scene.bodies[0].outline->edges()[e].boundary;

@@ -4,6 +4,7 @@ law; the stress inside is right up to 1e-6 element lengths from the boundary.
 
     partial_slip.py EPAFI WORK [TABLE.md]     writes what it measured as a page, too
 """
+import json
 import math
 import os
 import subprocess
@@ -36,28 +37,16 @@ STRATEGIES = {
 REFERENCE = ["Adaptivity->Strategy=None", "Discretization->Degree=14"]
 
 
-def sublist(name, inner):
-    return '<ParameterList name="%s">%s</ParameterList>\n' % (name, inner)
-
-
-def settings(values):
-    return ('<Parameter name="Set" type="Array(string)" value="{%s}"/>' % ", ".join(values)
-            ).replace("->", "-&gt;")
-
-
 def study(law, scene):
     """The rows of study.csv, by variant."""
     os.makedirs(WORK, exist_ok=True)
-    files = {kind: os.path.join(WORK, law + kind) for kind in (".xml", ".study.xml", ".out")}
+    files = {kind: os.path.join(WORK, law + kind) for kind in (".xml", ".study.yaml", ".out")}
     write(files[".xml"], scene)
-    compared = "".join(sublist("%s / %s" % (basis, strategy.replace(",", "")),
-                               settings(BASES[basis] + STRATEGIES[strategy]))
-                       for basis in BASES for strategy in STRATEGIES)
-    write(files[".study.xml"], sublist("Partial slip", sublist("Scenes", sublist(
-            "block", '<Parameter name="File" type="string" value="%s"/>' % os.path.abspath(
-                files[".xml"]) + sublist("Reference", settings(REFERENCE)))) +
-            sublist("Variants", compared)))
-    done = subprocess.run([EPAFI, "study", files[".study.xml"], "--quiet", "--force", "--no-plot",
+    write(files[".study.yaml"], json.dumps({"Partial slip": {
+        "Scenes": {"block": {"File": os.path.abspath(files[".xml"]), "Reference": {"Set": REFERENCE}}},
+        "Variants": {"%s / %s" % (basis, strategy.replace(",", "")): {
+            "Set": BASES[basis] + STRATEGIES[strategy]} for basis in BASES for strategy in STRATEGIES}}}))
+    done = subprocess.run([EPAFI, "study", files[".study.yaml"], "--quiet", "--force", "--no-plot",
                            "--output", files[".out"]], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, universal_newlines=True)
     if done.returncode != 0:

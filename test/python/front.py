@@ -16,13 +16,13 @@ import typing
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import claim, finish, read, write  # noqa: E402
+from claims import claim, finish, raises, read, write  # noqa: E402
 
 EPAFI, WORK = sys.argv[1:]
 shutil.rmtree(WORK, ignore_errors=True)
 os.makedirs(WORK)
 import epafi  # noqa: E402
-from epafi import program, scenes  # noqa: E402
+from epafi import program  # noqa: E402
 
 SHIPPED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "drivers", "scenes")
 FRICTION = "Bodies->block->Boundary Conditions->foundation->Friction"
@@ -74,12 +74,8 @@ for settings, words in [
         ({"Bodies->block->Geometry->Vertices": [[0, 0], [1]]}, ["one length"]),
         ({"Output->Nothing": None}, ["cannot be removed"]),
         ({"Discretization->Degree": 99}, ["Discretization->Degree = 99", "from 1 to 25"])]:
-    try:
+    with raises(epafi.InputError, "%s is refused" % settings, *words, absent=["/tmp"]):
         epafi.run(coulomb, set=settings)
-        claim(False, "%s is refused" % settings)
-    except epafi.InputError as error:
-        claim(all(word in str(error) for word in words) and "/tmp" not in str(error),
-              "%s is refused: %s" % (settings, error))
 claim(issubclass(epafi.InputError, ValueError), "as a ValueError")
 
 # a run is what the program does; numpy's arrays and numbers are taken
@@ -105,16 +101,10 @@ cells = run.fields(grid=(4, 3), window=(-0.25, -0.5, 0.25, 0))
 claim(cells.size == 12 and abs(cells["x"]).max() < 0.25 and cells["y"].max() < 0, "of a window")
 beyond = run.fields([[0, 0.1], [0, 99]])
 claim(np.isfinite(beyond["syy"][0]) and np.isnan(beyond["syy"][1]), "NaN outside")
-try:
+with raises(KeyError, "an unknown column names the nearest", "'force_normal'"):
     run.history["force_norml"]
-    claim(False, "an unknown column")
-except KeyError as error:
-    claim("'force_normal'" in str(error), "an unknown column names the nearest: %s" % error)
-try:
+with raises(KeyError, "a row is no column", "no column -1; columns: level"):
     run.history[-1]
-    claim(False, "a row is no column")
-except KeyError as error:
-    claim("no column -1; columns: level" in str(error), "a row is no column: %s" % error)
 claim(list(dict(run.history)) == [*run.history] == list(run.history.columns) and
       len(run.history) == 2, "a table has the names of its columns, and its length is that of these")
 page = run._repr_html_()
@@ -165,11 +155,8 @@ claim(figure is own and axes is panels[0] and axes.get_images()[0].get_clip_path
 for wrong, what, words in ((ValueError, "contact", "2 axes"),
                            (epafi.InputError, "contakt", "'contact'"),
                            (epafi.InputError, "path", "nothing for")):
-    try:
+    with raises(wrong, what + " is refused", words):
         run.plot(what, axes=panels if what == "contact" else None)
-        claim(False, what + " is refused")
-    except wrong as error:
-        claim(words in str(error), "%s is refused: %s" % (what, error))
 claim([text.get_text() for text in run.plot("temperature")[1].texts] ==
       ["temperature is 0 everywhere"] and not run.plot("syy")[1].texts, "a field of zeros says so")
 plt.close("all")
@@ -257,16 +244,10 @@ for words, slip in (
         ("'von_mises'", lambda: worn.pictures("von_mise")),
         ("a list of values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": "2"})),
         ("at least 1", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": [2]}, jobs=0))):
-    try:
+    with raises(epafi.InputError, "a slip is noticed", words):
         slip()
-        claim(False, "a slip is not noticed: " + words)
-    except epafi.InputError as error:
-        claim(words in str(error), "a slip: %s" % error)
-try:
+with raises(epafi.InputError, "a file that is not there is named", "steps.csv"):
     run.steps
-    claim(False, "steps.csv of a scene without a History")
-except epafi.InputError as error:
-    claim("steps.csv" in str(error), "a file that is not there is named: %s" % error)
 more = epafi.run(coulomb, restart=run, set={"Adaptivity->Maximum Levels": 3})
 claim(more.history.size == 3, "a run goes on")
 temporary = more.folder
@@ -287,11 +268,8 @@ done = subprocess.run([sys.executable, "-X", "dev", "-W", "error::ResourceWarnin
                        os.path.join(SHIPPED, "coulomb.xml")], stdout=subprocess.PIPE,
                       stderr=subprocess.STDOUT, text=True, cwd=WORK)
 claim(done.stdout == "refused\n", "a relative folder, no warning: " + done.stdout)
-try:
+with raises(epafi.InputError, "an earlier run is not overwritten", "--force"):
     epafi.run(coulomb, folder)
-    claim(False, "an earlier run is in the way")
-except epafi.InputError as error:
-    claim("--force" in str(error), "an earlier run is not overwritten: %s" % error)
 FIXED_POINT = {"Solver->Coulomb Iteration": "Fixed Point"}
 try:
     epafi.run(coulomb, set={**FIXED_POINT, "Solver->Coulomb Maximum Iterations": 1})
@@ -313,11 +291,8 @@ claim(sweep._repr_html_().count("<tr>") == 7 and "data:image" in sweep._repr_htm
       "in a notebook with a picture")
 claim(abs(epafi.sweep(coulomb, {FRICTION + "->Coefficient": [0.2, 0.4]}, jobs=1)["energy_strain"]
           / sweep["energy_strain"][0, 1:] - 1).max() < 1e-9, "cases are alike one after the other")
-try:
+with raises(epafi.InputError, "an earlier sweep is not overwritten", "force"):
     epafi.sweep(coulomb, sweep.parameters, os.path.join(WORK, "sweep"))
-    claim(False, "a sweep replaces an earlier one")
-except epafi.InputError as error:
-    claim("force" in str(error), "an earlier sweep is not overwritten: %s" % error)
 high = vertices * [1, 2]
 shapes = epafi.sweep(coulomb, {"Bodies->block->Geometry->Vertices": (v for v in (vertices, high))},
                      os.path.join(WORK, "shapes"))
@@ -325,20 +300,12 @@ claim(sorted(os.listdir(os.path.join(WORK, "shapes"))) == ["01_#1", "02_#2"] and
       [line.split()[0] for line in str(shapes).splitlines()] == ["Vertices", "#1", "#2"] and
       [text.get_text() for text in shapes.plot()[1][0].get_legend().get_texts()] ==
       ["Vertices = #1", "Vertices = #2"], "arrays have numbers in a sweep:\n%s" % shapes)
-for wrong, words, settings in (
-        (epafi.InputError, "no such constant; did you mean 'load'", {"Constants->lod": [1]}),
-        (epafi.InputError, "no such constant", {"Constants->f": [1]})):
-    try:
-        epafi.sweep(coulomb.changed({"Constants": {"load": 1}} if "mean" in words else {}),
-                    settings)
-        claim(False, "an unknown constant is swept")
-    except wrong as error:
-        claim(words in str(error), "an unknown constant is refused: %s" % error)
-try:
+with raises(epafi.InputError, "an unknown constant is refused", "no such constant; did you mean 'load'"):
+    epafi.sweep(coulomb.changed({"Constants": {"load": 1}}), {"Constants->lod": [1]})
+with raises(epafi.InputError, "an unknown constant is refused", "no such constant"):
+    epafi.sweep(coulomb, {"Constants->f": [1]})
+with raises(KeyError, "an unknown column of a sweep names the nearest", "'contact_length'"):
     sweep["contact_lenght"]
-    claim(False, "an unknown column of a sweep")
-except KeyError as error:
-    claim("'contact_length'" in str(error), "an unknown column of a sweep: %s" % error)
 claim(sweep["energy_strain"].shape == (2, 3) and
       sweep["energy_strain"][1, 2] == single.history["energy_strain"][-1],
       "a case of a sweep is a run")

@@ -3,8 +3,13 @@ import math
 import random
 
 from outlines import polygon
-from scene_text import parameter, real, sublist, text
 from scenes import BASES, DOF, LAWS, STRATEGIES
+
+FREE = ["X", "Y", "Rotation"]
+
+
+def elastic(modulus, ratio):
+    return {"Young's Modulus": modulus, "Poisson's Ratio": ratio}
 
 
 class TwoBodies:
@@ -61,43 +66,45 @@ class TwoBodies:
         count = len(corners)
         names = ["contact"] + ["s%d" % k for k in range(1, count)]
         rigid = name == "lower" and self.held == "rigid"
-        inner = sublist("Material", parameter("Rigid", "bool", "true") if rigid else
-                        real("Young's Modulus", modulus) + real("Poisson's Ratio", ratio))
-        inner += sublist("Geometry", parameter("Vertices", "TwoDArray(double)", "%dx2:{%s}" % (
-            count, ", ".join("%.15g,%.15g" % c for c in corners))) + parameter(
-                "Edges", "Array(string)", "{%s}" % ", ".join(names)) + parameter(
-                    "Bulges", "Array(double)", "{%s}" % ", ".join("%.9g" % b for b in values)))
+        whole = {"Material": {"Rigid": True} if rigid else elastic(modulus, ratio),
+                 "Geometry": {"Vertices": corners, "Edges": names, "Bulges": values}}
         if rigid:
-            return sublist(name, inner)
-        away = names[2]  # no neighbour of the contact side
-        condition, fix = "", ""
+            return whole
+        condition, fix = {}, []
         if name == "upper":
-            condition = sublist(away, text("Type", "Neumann") + text(
-                "Traction X", "%.6g" % (self.stress * draw.uniform(-0.2, 0.2))) + text(
-                    "Traction Y", "%.6g" % (-self.stress * draw.uniform(0.1, 1))))
-            fix = "X, Rotation"
+            condition = {"Type": "Neumann",
+                         "Traction X": self.stress * draw.uniform(-0.2, 0.2),
+                         "Traction Y": -self.stress * draw.uniform(0.1, 1)}
+            fix = ["X", "Rotation"]
         elif self.held == "clamp":
-            condition = sublist(away, text("Type", "Dirichlet") + text("Displacement X", "0") +
-                                text("Displacement Y", "0"))
+            condition = {"Type": "Dirichlet", "Displacement X": "0", "Displacement Y": "0"}
         else:
-            fix = "X, Y, Rotation"
-        inner += sublist("Boundary Conditions", condition)
+            fix = FREE
+        away = names[2]  # no neighbour of the contact side
+        whole["Boundary Conditions"] = {away: condition} if condition else {}
         if fix:
-            inner += sublist("Rigid Motions", parameter("Fix", "Array(string)", "{%s}" % fix))
+            whole["Rigid Motions"] = {"Fix": fix}
         elements = [draw.randint(2, 7)] + [draw.randint(1, 4) for _ in range(count - 1)]
-        inner += sublist("Mesh", parameter("Elements per Edge", "Array(int)", "{%s}" % ", ".join(
-            map(str, elements))) + parameter("Degree", "int", "%d" % draw.randint(1, 4)))
-        return sublist(name, inner)
+        whole["Mesh"] = {"Elements per Edge": elements, "Degree": draw.randint(1, 4)}
+        return whole
 
-    def xml(self):
+    def between(self):
+        """Further bodies, below the upper one."""
+        return {}
+
+    def bodies(self):
         draw = self.draw
+        return {"upper": self.body("upper", self.modulus, draw.uniform(0, 0.49)),
+                **self.between(),
+                "lower": self.body("lower", self.modulus * 10 ** draw.uniform(-3, 3),
+                                   draw.uniform(0, 0.49))}
+
+    def scene(self):
         interference = self.interference(self.gaps[0])
         friction = self.friction(self.law)
         second = {"upper": "lower", "lower": "upper"}[self.first]
-        bodies = self.body("upper", self.modulus, draw.uniform(0, 0.49)) + self.body(
-            "lower", self.modulus * 10 ** draw.uniform(-3, 3), draw.uniform(0, 0.49))
-        return self.scene("two bodies", bodies, self.contact(
-            "joint", self.first + ":contact", second + ":contact", interference, friction))
+        return self.of(self.bodies(), {"joint": self.contact(
+            self.first + ":contact", second + ":contact", interference, friction)})
 
     def interference(self, gap):
         draw, length = self.draw, self.size * self.stress / self.modulus  # what the load moves
@@ -111,21 +118,16 @@ class TwoBodies:
         draw = self.draw
         fields = {"Threshold": draw.uniform(0, 1) * self.stress, "Cap": draw.uniform(0, 1) * self.stress,
                   "Coefficient": draw.uniform(0, 1)}
-        return text("Law", law) + "".join(
-            text(field, "%.6g" % fields[field]) for field in self.LAWS[law])
+        return {"Law": law, **{field: fields[field] for field in self.LAWS[law]}}
 
-    def contact(self, name, first, second, interference, friction):
-        return sublist(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)) +
-                       text("Interference", interference) + sublist("Friction", friction))
+    def contact(self, first, second, interference, friction):
+        return {"Between": [first, second], "Interference": interference, "Friction": friction}
 
-    def scene(self, kind, bodies, contacts):
-        return sublist("Random scene %d of %s" % (self.seed, kind), sublist("Bodies", bodies) +
-                       sublist("Contacts", contacts) +
-                       sublist("Discretization", text("Multiplier", self.basis) +
-                               real("Mesh Size", 10 * self.size)) +
-                       sublist("Adaptivity", text("Strategy", self.strategy) +
-                               parameter("Maximum Degrees of Freedom", "int", "%d" % self.dof)) +
-                       sublist("Output", parameter("Fields", "bool", "false")))
+    def of(self, bodies, contacts):
+        return {"Bodies": bodies, "Contacts": contacts,
+                "Discretization": {"Multiplier": self.basis, "Mesh Size": 10 * self.size},
+                "Adaptivity": {"Strategy": self.strategy, "Maximum Degrees of Freedom": self.dof},
+                "Output": {"Fields": False}}
 
 
 class ThreeBodies(TwoBodies):
@@ -141,30 +143,23 @@ class ThreeBodies(TwoBodies):
         self.lower = [(x, y - self.height) for x, y in corners], values
         self.plate = 0.5 * self.size * 10 ** draw.uniform(-0.3, 0.5)  # half its width
 
-    def middle(self):
+    def between(self):
         draw, w, h = self.draw, self.plate, self.height
-        return sublist("middle", sublist("Material", real(
-            "Young's Modulus", self.modulus * 10 ** draw.uniform(-2, 2)) +
-            real("Poisson's Ratio", draw.uniform(0, 0.49))) + sublist("Geometry", parameter(
-                "Vertices", "TwoDArray(double)", "4x2:{%.15g,%.15g, %.15g,%.15g, %.15g,0, %.15g,0}" % (
-                    -w, -h, w, -h, w, -w)) + parameter(
-                        "Edges", "Array(string)", "{bottom, side, top, side}")) +
-            sublist("Rigid Motions", parameter("Fix", "Array(string)", "{X, Rotation}")) +
-            sublist("Mesh", parameter("Elements per Edge", "Array(int)", "{%d, 1, %d, 1}" % (
-                draw.randint(2, 7), draw.randint(2, 7))) +
-                parameter("Degree", "int", "%d" % draw.randint(1, 4))))
+        return {"middle": {
+            "Material": elastic(self.modulus * 10 ** draw.uniform(-2, 2), draw.uniform(0, 0.49)),
+            "Geometry": {"Vertices": [(-w, -h), (w, -h), (w, 0), (-w, 0)],
+                         "Edges": ["bottom", "side", "top", "side"]},
+            "Rigid Motions": {"Fix": ["X", "Rotation"]},
+            "Mesh": {"Elements per Edge": [draw.randint(2, 7), 1, draw.randint(2, 7), 1],
+                     "Degree": draw.randint(1, 4)}}}
 
-    def xml(self):
+    def scene(self):
         draw = self.draw
-        bodies = self.body("upper", self.modulus, draw.uniform(0, 0.49)) + self.middle() + self.body(
-            "lower", self.modulus * 10 ** draw.uniform(-3, 3), draw.uniform(0, 0.49))
-        contacts = ""
-        for name, sides, law, gap in zip(("above", "below"), (
+        return self.of(self.bodies(), {
+            name: self.contact(*draw.sample(sides, 2), self.interference(gap), self.friction(law))
+            for name, sides, law, gap in zip(("above", "below"), (
                 ["upper:contact", "middle:top"], ["middle:bottom", "lower:contact"]),
-                self.laws, self.gaps):
-            contacts += self.contact(name, *draw.sample(sides, 2), self.interference(gap),
-                                     self.friction(law))
-        return self.scene("three bodies", bodies, contacts)
+                self.laws, self.gaps)})
 
 
 class Rings(TwoBodies):
@@ -195,39 +190,34 @@ class Rings(TwoBodies):
         start = draw.uniform(0, 2 * math.pi)
         corners = [(radius * math.cos(start + 2 * math.pi * k / count),
                     radius * math.sin(start + 2 * math.pi * k / count)) for k in range(count)]
-        return parameter(hole + "Vertices", "TwoDArray(double)", "%dx2:{%s}" % (
-            count, ", ".join("%.16g,%.16g" % c for c in corners))) + parameter(
-                hole + "Edges", "Array(string)", "{%s}" % ", ".join([name] * count)) + parameter(
-                    hole + "Bulges", "Array(double)", "{%s}" % ", ".join(
-                        ["%.16g" % math.tan(math.pi / (2 * count))] * count))
+        return {hole + "Vertices": corners, hole + "Edges": [name] * count,
+                hole + "Bulges": [math.tan(math.pi / (2 * count))] * count}
 
     def ring(self, k):
         """Between circle k - 1 and circle k."""
         draw = self.draw
         if k == 0 and self.held == "rigid":
-            return sublist("body0", sublist("Material", parameter("Rigid", "bool", "true")) +
-                           sublist("Geometry", self.circle(self.radii[0], "outside")))
+            return {"Material": {"Rigid": True},
+                    "Geometry": self.circle(self.radii[0], "outside")}
         inner = self.radii[k - 1] if k > 0 else draw.uniform(0.2, 0.8) * self.radii[0]
         loops = self.circle(self.radii[k], "outside")
         if k > 0 or self.held == "hole":
-            loops += self.circle(inner, "inside", "Hole 1 ")
+            loops.update(self.circle(inner, "inside", "Hole 1 "))
         last = k == len(self.radii) - 1
         load = "%.6g + %.6g*cos(2*atan2(y, x))" % (
             self.stress * draw.uniform(0.5, 1), self.stress * draw.uniform(-1, 1))
-        return sublist("body%d" % k, sublist("Material", real(
-            "Young's Modulus", self.modulus * 10 ** draw.uniform(-1.5, 1.5)) +
-            real("Poisson's Ratio", draw.uniform(0, 0.49))) + sublist("Geometry", loops) +
-            (sublist("Boundary Conditions", sublist("outside", text("Type", "Neumann") + text(
-                "Traction X", "-nx*(%s)" % load) + text("Traction Y", "-ny*(%s)" % load)))
-             if last else "") +
-            sublist("Rigid Motions", parameter("Fix", "Array(string)", "{X, Y, Rotation}")) +
-            sublist("Mesh", real("Mesh Size", self.radii[k] * draw.uniform(0.5, 1.5)) +
-                    parameter("Degree", "int", "%d" % draw.randint(1, 4))))
+        pressed = {"outside": {"Type": "Neumann", "Traction X": "-nx*(%s)" % load,
+                               "Traction Y": "-ny*(%s)" % load}}
+        return {
+            "Material": elastic(self.modulus * 10 ** draw.uniform(-1.5, 1.5), draw.uniform(0, 0.49)),
+            "Geometry": loops, **({"Boundary Conditions": pressed} if last else {}),
+            "Rigid Motions": {"Fix": FREE},
+            "Mesh": {"Mesh Size": self.radii[k] * draw.uniform(0.5, 1.5),
+                     "Degree": draw.randint(1, 4)}}
 
-    def xml(self):
+    def scene(self):
         draw, rings = self.draw, range(len(self.radii))
-        bodies = "".join(self.ring(k) for k in rings)
-        contacts = "".join(self.contact(
-            "fit%d" % k, *draw.sample(["body%d:outside" % (k - 1), "body%d:inside" % k], 2),
-            self.interference(self.gaps[k - 1]), self.friction(self.laws[k - 1])) for k in rings[1:])
-        return self.scene("rings", bodies, contacts)
+        bodies = {"body%d" % k: self.ring(k) for k in rings}
+        return self.of(bodies, {"fit%d" % k: self.contact(
+            *draw.sample(["body%d:outside" % (k - 1), "body%d:inside" % k], 2),
+            self.interference(self.gaps[k - 1]), self.friction(self.laws[k - 1])) for k in rings[1:]})

@@ -1,7 +1,6 @@
 """Random scenes with one thing out of the ordinary, each made from its seed alone."""
 import random
 
-from scene_text import parameter, sublist, text
 from scenes import Scene
 
 
@@ -73,21 +72,20 @@ class Oddities(Scene):
     def condition(self, k):
         if self.twist == "loose" and self.kinds[k] == "contact":
             self.laws.append("Coulomb")
-            return text("Type", "Contact") + text("Gap", "0") + sublist(
-                "Friction", text("Law", "Coulomb") + text("Coefficient", self.strength(k, "")))
+            return {"Type": "Contact", "Gap": "0", "Friction": {
+                "Law": "Coulomb", "Coefficient": self.strength(k, "")}}
         return super().condition(k)
 
     def traction(self, k):
         if self.twist == "loose":  # well within the base and the friction cone
             push = self.twisted.uniform(-0.03, 0.03)
-            return text("Traction X", "%.6g" % (push * self.stress)) + text(
-                "Traction Y", "%.6g" % -self.stress)
+            return {"Traction X": push * self.stress, "Traction Y": -self.stress}
         if self.twist == "path":
             x, y = ("(%s)*%s" % (self.stress * self.draw.uniform(-1, 1), phase)
                     for phase in ("cos(2*t)", "sin(3*t)"))
             if self.held == "pressed":
                 y = "%.6g*(0.55 + 0.45*sin(3*t))" % -self.stress
-            return text("Traction X", x) + text("Traction Y", y)
+            return {"Traction X": x, "Traction Y": y}
         return super().traction(k)
 
     def fixed(self):
@@ -95,11 +93,9 @@ class Oddities(Scene):
 
     def more(self):
         if self.twist == "path":
-            return sublist("History", parameter("Times", "Array(double)", "{0.5, 2}") +
-                           parameter("Steps", "Array(int)", "{2, 4}"))
+            return {"History": {"Times": [0.5, 2], "Steps": [2, 4]}}
         if self.twist == "table":
-            values = ", ".join("%.4g, %.4g" % (k / 6, self.twisted.uniform(0, 1)) for k in range(-6, 13))
-            return sublist("Tables", sublist("profile", text("Interpolation", self.twisted.choice(
-                ("Linear", "Cubic", "Spline"))) + parameter(
-                    "Points", "TwoDArray(double)", "19x2:{%s}" % values)))
-        return ""
+            points = [(k / 6, self.twisted.uniform(0, 1)) for k in range(-6, 13)]
+            return {"Tables": {"profile": {"Points": points, "Interpolation": self.twisted.choice(
+                ("Linear", "Cubic", "Spline"))}}}
+        return {}

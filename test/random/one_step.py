@@ -6,14 +6,12 @@ against themselves without.
 Claimed are equal levels, elements and unknowns, and equal energies, by SAME of a level's largest; what
 is below NOTHING of the body's size times Young's modulus is rounding of no load.
 """
-import argparse
-import concurrent.futures
 import functools
 import os
 import sys
 
 from products import Products
-from run_random import Result, claim, finish
+from run_random import Result, claim, finish, of_each, parser_of
 
 SAME, NOTHING = 1e-10, 1e-30
 SIZES = ("elements", "dof_displacement", "dof_multiplier", "degree_min", "degree_max")
@@ -51,17 +49,8 @@ def differ(a, b, nothing):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("epafi")
-    parser.add_argument("work")
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--seed", type=int, action="append", default=[])
-    options = parser.parse_args()
-    seeds = options.seed or range(options.first, options.first + options.count)
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        pairs = list(pool.map(lambda seed: Pair(seed, options.epafi, options.work), seeds))
+    options = parser_of(20).parse_args()
+    pairs = of_each(options, lambda seed: Pair(seed, options.epafi, options.work))
     for pair in pairs:
         if not (pair.isSolved and pair.isAlike and pair.off <= SAME):
             print(pair)

@@ -11,6 +11,7 @@ is negative and that friction takes energy.
 import argparse
 import concurrent.futures
 import csv
+import json
 import os
 import shutil
 import statistics
@@ -40,8 +41,8 @@ class Result:
         self.scene = kind(seed)
         folder = absent(os.path.join(work, "%d" % seed))
         os.makedirs(folder)
-        self.file = os.path.join(folder, "scene.xml")
-        write(self.file, self.scene.xml())
+        self.file = write(os.path.join(folder, "scene.yaml"), json.dumps(
+            {"Random scene %d" % seed: self.scene.scene()}))
         out = os.path.join(folder, "out")
         start = time.monotonic()
         try:
@@ -102,22 +103,33 @@ def summary(results):
                statistics.median(steps), max(steps), sum(step > FEW for step in steps))
 
 
-def main():
+def parser_of(count):
+    """Of what is said of seeds; so many if nothing is."""
     parser = argparse.ArgumentParser()
     parser.add_argument("epafi")
     parser.add_argument("work")
     parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seed", type=int, action="append", default=[])
+    return parser
+
+
+def of_each(options, make):
+    """What is made of each seed, some at a time."""
+    seeds = options.seed or range(options.first, options.first + options.count)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        return list(pool.map(make, seeds))
+
+
+def main():
+    parser = parser_of(40)
     parser.add_argument("--bodies", default="1", choices=KINDS)
     parser.add_argument("--set", action="append", default=[], help="said to every scene")
     parser.add_argument("--table", help="a row for each scene, csv")
     options = parser.parse_args()
-    seeds = options.seed or range(options.first, options.first + options.count)
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = list(pool.map(lambda seed: Result(KINDS[options.bodies], seed, options.epafi,
-                                                    options.work, options.set), seeds))
+    results = of_each(options, lambda seed: Result(KINDS[options.bodies], seed, options.epafi,
+                                                   options.work, options.set))
     for result in results:
         if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s, %s\n        %s" % (

@@ -10,7 +10,6 @@ import math
 import random
 
 from outlines import bulges, polygon
-from scene_text import parameter, real, sublist, text
 
 LAWS = {"None": (), "Tresca": ("Threshold",), "Coulomb": ("Coefficient",),
         "Capped Coulomb": ("Coefficient", "Cap")}
@@ -24,7 +23,7 @@ DOF = 600
 
 
 class Scene:
-    """One scene: what was drawn, and its text."""
+    """One scene: what was drawn, and its keys."""
 
     def __init__(self, seed):
         self.seed = seed
@@ -107,16 +106,13 @@ class Scene:
         if self.kinds[k] == "contact":
             law = draw.choice(list(LAWS))
             self.laws.append(law)
-            friction = text("Law", law) + "".join(text(field, self.strength(k, field))
-                                                  for field in LAWS[law])
-            return text("Type", "Contact") + text("Gap", self.gap(k)) + sublist(
-                "Friction", friction)
+            friction = {"Law": law, **{field: self.strength(k, field) for field in LAWS[law]}}
+            return {"Type": "Contact", "Gap": self.gap(k), "Friction": friction}
         if self.kinds[k] == "support":
-            both = text("Displacement X", "0") + text("Displacement Y", "0")
-            return text("Type", "Dirichlet") + (both if self.held == "clamp" else
-                                                text("Displacement " + draw.choice("XY"), "0"))
+            held = "XY" if self.held == "clamp" else draw.choice("XY")
+            return {"Type": "Dirichlet", **{"Displacement " + axis: "0" for axis in held}}
         if self.kinds[k] == "load":
-            return text("Type", "Neumann") + self.traction(k)
+            return {"Type": "Neumann", **self.traction(k)}
         return None
 
     def traction(self, k):
@@ -128,7 +124,7 @@ class Scene:
         if self.held == "pressed":  # downward everywhere
             mean, slope = self.stress * draw.uniform(-1, -0.1), draw.uniform(-1, 1)
             parts[1] = "%.6g*(1 + %.6g*(%s - 0.5))" % (mean, slope, place)
-        return text("Traction X", parts[0]) + text("Traction Y", parts[1])
+        return {"Traction X": parts[0], "Traction Y": parts[1]}
 
     def fixed(self):
         """Motions held in the mean."""
@@ -140,34 +136,27 @@ class Scene:
             return ["Y" if "Displacement X" in support else "X"]
         return ["X", "Rotation"] if self.held == "pressed" else ["X", "Y", "Rotation"]
 
-    def xml(self):
+    def scene(self):
         draw = self.draw
         names = ["s%d" % k for k in range(self.sides)]
-        points = ", ".join("%.12g,%.12g" % corner for corner in self.corners)
         # A dual basis wants a free node in each element of contact.
-        elements = [str(max(draw.randint(1, 5), 2 if kind == "contact" else 1))
+        elements = [max(draw.randint(1, 5), 2 if kind == "contact" else 1)
                     for kind in self.kinds]
-        body = sublist("Material", real("Young's Modulus", self.modulus) +
-                       real("Poisson's Ratio", self.ratio))
-        body += sublist("Geometry", parameter("Vertices", "TwoDArray(double)", "%dx2:{%s}" % (
-            self.sides, points)) + parameter("Edges", "Array(string)",
-                                             "{%s}" % ", ".join(names)) +
-                       (parameter("Bulges", "Array(double)", "{%s}" % ", ".join(
-                           "%.9g" % bulge for bulge in self.bulges)) if self.bulges else ""))
-        body += sublist("Boundary Conditions", "".join(
-            sublist(name, condition) for name, condition in zip(names, self.conditions)
-            if condition))
+        body = {
+            "Material": {"Young's Modulus": self.modulus, "Poisson's Ratio": self.ratio},
+            "Geometry": {"Vertices": self.corners, "Edges": names},
+            "Boundary Conditions": {name: condition for name, condition in zip(
+                names, self.conditions) if condition}}
+        if self.bulges:
+            body["Geometry"]["Bulges"] = self.bulges
         if self.fixed():
-            body += sublist("Rigid Motions", parameter(
-                "Fix", "Array(string)", "{%s}" % ", ".join(self.fixed())))
-        return sublist("Random scene %d" % self.seed, sublist("Bodies", sublist("body", body)) +
-                       sublist("Discretization", parameter(
-                           "Elements per Edge", "Array(int)", "{%s}" % ", ".join(elements)) +
-                           text("Multiplier", self.basis)) +
-                       sublist("Adaptivity", text("Strategy", self.strategy) +
-                               parameter("Maximum Degrees of Freedom", "int", "%d" % DOF)) +
-                       sublist("Output", parameter("Fields", "bool", "false")) + self.more())
+            body["Rigid Motions"] = {"Fix": self.fixed()}
+        return {
+            "Bodies": {"body": body},
+            "Discretization": {"Elements per Edge": elements, "Multiplier": self.basis},
+            "Adaptivity": {"Strategy": self.strategy, "Maximum Degrees of Freedom": DOF},
+            "Output": {"Fields": False}, **self.more()}
 
     def more(self):
         """Further lists of the scene."""
-        return ""
+        return {}

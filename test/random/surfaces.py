@@ -2,7 +2,6 @@
 import random
 
 from bodies import TwoBodies
-from scene_text import parameter, real, sublist, text
 
 BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
 
@@ -28,35 +27,32 @@ class Surfaces(TwoBodies):
         self.wears = self.law != "Tied" and self.wear.random() < 1 / 3
         self.features = ["wears"] * self.wears + [self.normal] + ["shears"] * self.shears + ["slides"] * self.slides
 
-    def contact(self, name, first, second, interference, friction):
+    def contact(self, first, second, interference, friction):
         draw, length = self.surface, self.size * self.stress / self.modulus
 
         def soft(unit):
             return "%.6g" % (unit * 10 ** draw.uniform(-2, 2))
 
-        law = text("Law", self.normal)
+        law = {"Law": self.normal}
         if self.normal == "Linear":
-            law += text("Compliance", soft(length / self.stress))
+            law["Compliance"] = soft(length / self.stress)
         elif self.normal != "Rigid":
-            law += text("Length", soft(length)) + text("Pressure", soft(self.stress))
+            law.update({"Length": soft(length), "Pressure": soft(self.stress)})
         if self.normal == "Power":
-            law += real("Exponent", draw.choice((0.3, 0.5, 1.5, 3.0)))
+            law["Exponent"] = draw.choice((0.3, 0.5, 1.5, 3.0))
         if self.shears:
-            friction += text("Compliance", soft(length / self.stress))
-        sliding = text("Sliding", "%s*t" % soft(draw.choice((-1, 1)) * length))
-        return sublist(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)) +
-                       text("Interference", interference) + sublist("Friction", friction) +
-                       sublist("Normal", law) + sliding * self.slides + self.worn())
+            friction["Compliance"] = soft(length / self.stress)
+        sliding = "%s*t" % soft(draw.choice((-1, 1)) * length)
+        return {**super().contact(first, second, interference, friction), "Normal": law,
+                **({"Sliding": sliding} if self.slides else {}), **self.worn()}
 
     def worn(self):
         if not self.wears:
-            return ""
+            return {}
         jump = self.wear.choice((1, 10))
-        return sublist("Wear", text("Coefficient", "%.6g" % (
-            0.3 * 10 ** self.wear.uniform(-3, 0) / jump / self.stress)) + text("Cycle Jump", "%d" % jump))
+        return {"Wear": {"Cycle Jump": jump, "Coefficient":
+                         0.3 * 10 ** self.wear.uniform(-3, 0) / jump / self.stress}}
 
-    def scene(self, kind, bodies, contacts):
-        path = sublist("History", parameter("Times", "Array(double)", "{1, 2}") + parameter(
-            "Steps", "Array(int)", "{1, 3}"))
-        return super().scene(kind, bodies, contacts).replace(
-            '<ParameterList name="Contacts">', path * self.wears + '<ParameterList name="Contacts">')
+    def of(self, bodies, contacts):
+        path = {"History": {"Times": [1, 2], "Steps": [1, 3]}} if self.wears else {}
+        return {**super().of(bodies, contacts), **path}

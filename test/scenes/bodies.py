@@ -3,8 +3,8 @@ swapped sides, restart, loads that nothing holds."""
 import os
 
 from runs import RANKS, WORK, claim, epafi, finish, fresh, imbalance, largest, run, scene, table
-from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, contact, friction,
-                     geometry, listed, loop, mesh, rigid, written)
+from written import (CLAMPED, NONE, block, body, condition, contact, disc, friction, geometry, listed,
+                     mesh, rigid, round_hole, written)
 
 
 def off_balance(name):
@@ -82,13 +82,10 @@ for motion, gap in ((NONE, "0.01*x^2"), (listed("Motion", Displacement_Y=0.004),
           "history.csv has the force of a rigid body as that of an obstacle")
 
 # a pin in a lug, on coarse arcs of low degree: what is met turns as a rigid body, too
-ROUND = "s, s, s, s"
-HOLE = "Hole 1 "
-lug = body("lug", geometry(block(-3, -3, 3, 3), holes=loop(circle(1), ROUND, QUARTERS, HOLE)), 1.0,
+lug = body("lug", geometry(block(-3, -3, 3, 3), holes=round_hole(1, "s")), 1.0,
            condition("left", "Dirichlet", CLAMPED))
-pin = body("pin", geometry(circle(0.99), ROUND, QUARTERS, loop(
-    circle(0.5), "in, in, in, in", QUARTERS, HOLE)), 3.0,
-    condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "Rotation")
+pin = body("pin", disc(0.99, "s", holes=round_hole(0.5, "in")), 3.0,
+           condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "Rotation")
 for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
     for degree in (1, 2):
         run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,

@@ -1,13 +1,11 @@
 """Several bodies: what is refused, with the key and the reason."""
 from runs import changed, finish, refused
-from written import (CLAMPED, NONE, QUARTERS, Keys, block, body, circle, condition, contact,
-                     friction, geometry, keys, listed, loop, rigid, written)
+from written import (CLAMPED, NONE, Keys, block, body, condition, contact, disc, friction, geometry,
+                     keys, listed, rigid, round_hole, written)
 
 PRESS = condition("top", "Neumann", Traction_Y="-1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
 CLAMP = condition("bottom", "Dirichlet", CLAMPED)
-ROUND = "s, s, s, s"
-HOLE = "Hole 1 "
 
 
 def spoiled(what, bodies, contacts, *words):
@@ -74,10 +72,10 @@ for what, outline, words in (
         ("a circle the wrong way round", geometry([(0, 0), (1, 0)], "bottom, top", (-1, -1)),
          ("clockwise",)),
         ("a side without length", geometry([(0, 0), (1, 0), (1, 0), (1, 1)]), ("no length",)),
-        ("a hole outside", geometry(block(0, 0, 1, 1), holes=loop(
-            circle(0.1, 5, 5), ROUND, QUARTERS, HOLE)), ("hole 1", "inside")),
-        ("a hole that an arc makes too large", geometry(block(0, 0, 1, 1), holes=loop(
-            circle(0.5, 0.5, 0.5), ROUND, QUARTERS, HOLE)), ("hole 1", "touch or cross"))):
+        ("a hole outside", geometry(block(0, 0, 1, 1), holes=round_hole(0.1, "s", 5, 5)),
+         ("hole 1", "inside")),
+        ("a hole that an arc makes too large", geometry(block(0, 0, 1, 1), holes=round_hole(
+            0.5, "s", 0.5, 0.5)), ("hole 1", "touch or cross"))):
     spoiled(what, [body("a", outline, 1.0), B], contact("c", "a:bottom", "b:top"),
             "Bodies->a->Geometry", *words)
 SIDES = keys(Between=["a:bottom", "b:top"])
@@ -100,9 +98,8 @@ for what, second, words in (("two bodies of one name", "a2", "Bodies->a"),
 spoiled("a motion given twice",
         [A, rigid("floor", block(0, -1, 1, 0), listed("Motion", Displacement_Y=0, Force_Y=1))],
         contact("c", "a:bottom", "floor:top"), "Bodies->floor->Motion->Force Y", "not both")
-spoiled("a disc that may spin", [body("d", geometry(circle(0.3, 0.5, 0.3), ROUND, QUARTERS), 1.0, NONE,
-                                      "X"), B], contact("c", "d:s", "b:top"), "Bodies->d",
-        "nothing resists")
+spoiled("a disc that may spin", [body("d", disc(0.3, "s", 0.5, 0.3), 1.0, NONE, "X"), B],
+        contact("c", "d:s", "b:top"), "Bodies->d", "nothing resists")
 spoiled("a free motion", [body("a", block(0, 0, 1, 1), 1.0, PRESS), B],
         contact("c", "a:bottom", "b:top"), "Bodies->a", "nothing resists")
 spoiled("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],

@@ -3,23 +3,18 @@
 Uniform stress sigma_yy = -p, sigma_xy = s, sigma_xx = 0 in plane strain, u linear and larger
 than zero along the base: lambda_n = p and lambda_t = s = min(F p, C), for every basis.
 """
-from runs import claim, finish, run, saved
+from runs import claim, finish, run
+from written import block, body, condition, listed, written
 
 YOUNG, NU, P = 100.0, 0.3, 1.0
 
 
-def scene(law, along, shear, discretization):
-    return {"Bodies": {"block": {
-        "Material": {"Young's Modulus": YOUNG, "Poisson's Ratio": NU},
-        "Geometry": {"Vertices": [[-1, 0], [1, 0], [1, 1], [-1, 1]],
-                     "Edges": ["base", "right", "top", "left"]},
-        "Boundary Conditions": {
-            "base": {"Type": "Contact", "Friction": {"Law": "Capped Coulomb", **law}},
-            "top": {"Type": "Dirichlet", "Displacement X": along,
-                    "Displacement Y": "%r" % (-P * (1 - NU ** 2) / YOUNG)},
-            "right": {"Type": "Neumann", "Traction Y": "%r" % shear},
-            "left": {"Type": "Neumann", "Traction Y": "-%r" % shear}}}},
-        "Discretization": {"Elements per Edge": [4, 2, 3, 2], **discretization}}
+def conditions(along, shear, **law):
+    return (condition("bottom", "Contact", listed("Friction", Law="Capped Coulomb", **law)) +
+            condition("top", "Dirichlet", Displacement_X=along,
+                      Displacement_Y=-P * (1 - NU ** 2) / YOUNG) +
+            condition("right", "Neumann", Traction_Y=shear) +
+            condition("left", "Neumann", Traction_Y=-shear))
 
 
 CASES = {  # coefficient, cap, shear
@@ -34,8 +29,9 @@ for name, (coefficient, cap, shear) in CASES.items():
             case = "%s.%s.%d" % (name, basis, degree)
             stretch = P * NU * (1 + NU) / YOUNG
             along = "%r*x + %r" % (stretch, shear * 2 * (1 + NU) / YOUNG + 0.05)
-            file = saved(case, scene({"Coefficient": coefficient, "Cap": cap}, along, shear,
-                                     {"Degree": degree, "Multiplier": basis}))
+            file = written(case, [body(
+                "block", block(-1, 0, 1, 1), YOUNG, conditions(along, shear, Coefficient=coefficient, Cap=cap),
+                mesh=listed("Mesh", Elements_per_Edge=[4, 2, 3, 2], Degree=degree))], Multiplier=basis)
             _, contact = run(file, case)
             claim(max(abs(c["lambda_n"] - P) for c in contact) < 1e-9, case + ": pressure")
             claim(max(abs(c["lambda_t"] - shear) for c in contact) < 1e-9, case + ": shear")

@@ -2,29 +2,23 @@
 import math
 import os
 
-from runs import WORK, changed, claim, differ, finish, read, run, scene, table, write
+from runs import (WORK, changed, claim, differ, finish, imbalance, keys_of, read, run, saved, scene,
+                  table)
 from written import with_sides_swapped
 
 
 def solved(name, *settings):
     """Its last level, its contact points and bodies.csv of the last level."""
     history, points = run(scene(name + ".xml"), name, settings)
-    bodies = [row for row in table(os.path.join(WORK, name, "bodies.csv"))
-              if row["level"] == history[-1]["level"]]
-    for row in bodies:
-        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
-                 for c in ("x", "y", "moment")]
-        largest = max(abs(value) for part in parts for value in
-                      part + [history[-1]["force_normal"]])
-        claim(all(abs(sum(part)) < 1e-10 * largest for part in parts),
-              "%s: %s balances" % (name, row["body"]))
-    return history, points, bodies
+    folder = os.path.join(WORK, name)
+    claim(imbalance(folder, abs(history[-1]["force_normal"])) < 1e-10, name + ": its bodies balance")
+    return history, points, [row for row in table(os.path.join(folder, "bodies.csv"))
+                             if row["level"] == history[-1]["level"]]
 
 
 def swapped(name, *settings):
     """The same with the other side of each contact first: its last level, its points."""
-    file = write(os.path.join(WORK, name + "-swapped.xml"),
-                 with_sides_swapped(read(scene(name + ".xml"))))
+    file = saved(name + "-swapped", with_sides_swapped(keys_of(scene(name + ".xml"))))
     history, points = run(file, name + "-swapped", settings)
     return history[-1], points
 

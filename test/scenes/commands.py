@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from runs import SCENES, WORK, claim, epafi, finish, fresh, read, scene, table, write
+from runs import SCENES, WORK, claim, epafi, fails, finish, fresh, raises, read, scene, table, write
 
 code, usage = epafi("--help")
 names = re.findall(r"^  epafi ([a-z]+)", usage, re.M)
@@ -23,23 +23,17 @@ for name in names:
           all(option.replace("-", r"\-") in man for option in options) and
           all(option in completion for option in options),
           "%s's options stand in all pages: %s" % (name, " ".join(options)))
-    code, text = epafi(name, "--hepl")
-    claim(code == 1 and "'--help'" in text, "%s: an unknown option is refused" % name)
-code, text = epafi("solve")
-claim(code == 1 and all("  " + name in text for name in names),
-      "a wrong command is answered by the list of commands")
-code, text = epafi(scene("tresca.xml"))
-claim(code == 1 and "epafi run " in text, "a scene without a command as well: how to run it")
+    fails("%s: an unknown option" % name, ["'--help'"], name, "--hepl")
+fails("a wrong command is answered by the list of commands", ["  " + name for name in names], "solve")
+fails("a scene without a command: how to run it", ["epafi run "], scene("tresca.xml"))
 study = os.path.join(SCENES, "..", "studies", "ablation.xml")
 for arguments, words in [(("run", study), "epafi study " + study),
                          (("study", scene("tresca.xml")), "epafi run " + scene("tresca.xml"))]:
-    code, text = epafi(*arguments)
-    claim(code == 1 and words in text, "a study is no scene, nor the other way: " + text.strip())
+    fails("a study is no scene, nor the other way", [words], *arguments)
 for arguments, words in [
         (["--output", "a", "--output", "b"], "2 times"), (["--output="], "needs a value"),
         (["--force=yes"], "takes no value"), (["--output", ""], "empty")]:
-    code, text = epafi("run", scene("tresca.xml"), *arguments)
-    claim(code == 1 and words in text, "%s: %s" % (arguments, text.strip()))
+    fails(" ".join(arguments), [words], "run", scene("tresca.xml"), *arguments)
 
 # the completion completes
 script = os.path.join(WORK, "completion.bash")
@@ -169,11 +163,8 @@ A block:
     claim(True, "so does the JSON Schema")
     for before, after in [("Coulomb", "Colomb"), ("Gap", "Gapp"), ("500", "-500"),
                           ("Bodies", "Body")]:
-        try:
+        with raises(jsonschema.ValidationError, "JSON Schema refuses " + after):
             jsonschema.validate(yaml.safe_load(SCENE.replace(before, after)), schema)
-            claim(False, "JSON Schema refuses " + after)
-        except jsonschema.ValidationError:
-            claim(True, "JSON Schema refuses " + after)
 except ImportError as error:
     print("%s: JSON Schema not tried" % error)
 finish()

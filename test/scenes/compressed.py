@@ -2,10 +2,9 @@
 Method "Automatic" takes them by sizes and shape."""
 import os
 
-from runs import (ENERGIES, WORK, claim, differ, epafi, finish, fresh, read, refused, run, scene,
-                  table, write)
-from written import (QUARTERS, block, body, circle, condition, geometry, listed, loop,
-                     with_moduli, written)
+from runs import (ENERGIES, claim, differ, epafi, finish, fresh, keys_of, refused, run, saved, scene,
+                  table)
+from written import block, body, condition, geometry, listed, round_hole, with_moduli, written
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
 SCENES = {
@@ -42,13 +41,12 @@ def compare(name, file, settings):
 for each, choices in SCENES.items():
     compare(each, scene(each + ".xml"), choices)
 for ratio in (1000, 0.001):
-    path = write(os.path.join(WORK, "moduli.xml"), with_moduli(read(scene("two-blocks.xml")), ratio))
+    path = saved("moduli", with_moduli(keys_of(scene("two-blocks.xml")), ratio))
     compare("two-blocks, E %g" % ratio, path, LEVELS)
 
 # nu = 1/2, no line in contact, and clamps that alone would change the volume
 pressed = written("incompressible", [body(
-    "A", geometry(block(0, 0, 1, 1), holes=loop(circle(0.2, 0.5, 0.5), ["hole"] * 4,
-                                                QUARTERS, "Hole 1 ")),
+    "A", geometry(block(0, 0, 1, 1), holes=round_hole(0.2, "hole", 0.5, 0.5)),
     1.0, condition("bottom", "Dirichlet", Displacement_X=0, Displacement_Y="0.01*x^2"), "",
     listed("Mesh", Elements_per_Edge=[64] * 4, Hole_1_Elements_per_Edge=[32] * 4), 0.5)],
     form="Density")

@@ -2,6 +2,7 @@
 Boussinesq's and Flamant's forces; Cattaneo's and Mindlin's closed forms.  a = E* = 1, R = 100."""
 import math
 
+from runs import claim, largest, points, steps
 from written import NONE, body, condition, geometry, listed
 
 P, P0, F = math.pi / 400, 0.005, 0.5
@@ -16,6 +17,15 @@ def path(times, counts):
     """The same as settings."""
     return ["History->Times={%s}" % ", ".join(map(repr, times)),
             "History->Steps={%s}" % ", ".join(map(str, counts))]
+
+
+def contact_side(cuts, counts):
+    """Settings of fretting.xml for edges and elements on the contact's side."""
+    return ["Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" % ", ".join(
+                "%g, 0" % x for x in cuts),
+            "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
+                ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
+            "Discretization->Elements per Edge={%s, 6, 6, 6}" % ", ".join(map(str, counts))]
 
 
 def loads(push, press, stress="0"):
@@ -66,6 +76,27 @@ def loading(x, q):
 def after(x, qm, q):
     """The shear on the way back from qm to q (in f P)."""
     return F * P0 * (partial(x, math.sqrt(1 - qm)) - 2 * partial(x, math.sqrt(1 - (qm - q) / 2)))
+
+
+# Cattaneo's loop, one step each behind the pressing: step, push, shear, half the stick width
+SIDES = [(2, "Q = Qm", lambda x: loading(x, 0.5), math.sqrt(0.5)),
+         (3, "Q = 0 after unloading", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
+         (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))]
+
+
+def remembers(folder):
+    """Claims that a path is that loop."""
+    claim([(row["step"], row["t"]) for row in steps(folder)] == [(k, k) for k in (1, 2, 3, 4)],
+          "a row per step")
+    for step, what, exact, c in SIDES:
+        here = points(folder, step)
+        left, right = stick(here)
+        width = (right - left) / 2
+        claim(abs(width - c) < 1e-2, "%s: stick to %.4f a, exact %.4f" % (what, width, c))
+        worst = error(here, exact)
+        claim(worst < 0.02, "%s: shear within %.2e of f p0" % (what, worst))
+    claim(largest(p["lambda_t"] for p in points(folder, 3)) > 0.1 * F * P0,
+          "the shear at Q = 0 after unloading is not zero")
 
 
 def loop(q):

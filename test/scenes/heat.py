@@ -3,10 +3,10 @@ import cmath
 import math
 import os
 
-from runs import (WORK, claim, epafi, finish, fresh, largest, refused, run, saved, scene, solved,
-                  table)
-from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, contact, friction,
-                     geometry, history, keys, listed, loop, points_at, rigid, with_more, written)
+from runs import (WORK, acting, claim, epafi, finish, fresh, largest, refused, run, saved, scene,
+                  solved, table)
+from written import (CLAMPED, NONE, block, body, condition, contact, disc, friction, geometry, history,
+                     keys, listed, loop, points_at, primed, rigid, round_hole, with_more, written)
 
 
 def heated(whole, expansion=None, conductivity=None, plane=None, loads=NONE, **boundaries):
@@ -28,27 +28,14 @@ def inside(name):
 
 
 def off_balance(name):
-    """Of all bodies' forces and moments, over the first contact's or body's largest stress."""
-    worst = 0
-    for row in table(os.path.join(WORK, name, "bodies.csv")):
-        for c in ("x", "y", "moment"):
-            worst = max(worst, abs(sum(row[part + "_" + c] for part in (
-                "load", "contact", "reaction")) + row["body_" + (
-                    "moment" if c == "moment" else "force_" + c)]))
-    return worst
+    """The largest sum of forces or moments on a body."""
+    return max(largest(map(sum, parts)) for parts in acting(os.path.join(WORK, name)))
 
 
 def ring(name, inner, outer, modulus, at, ratio):
-    return body(name, geometry(
-        circle(outer, *at), ["outside"] * 4, QUARTERS,
-        loop(circle(inner, *at), ["bore"] * 4, QUARTERS, "Hole 1 ")), modulus, NONE,
+    return body(name, disc(outer, "outside", *at, round_hole(inner, "bore", *at)), modulus, NONE,
                 "X, Y, Rotation", listed("Mesh", Elements_per_Edge=[2] * 4,
                                          Hole_1_Elements_per_Edge=[2] * 4), ratio)
-
-
-def primed(ratio, alpha, plane):
-    """E'/E, alpha' of a plane state."""
-    return (1, alpha) if plane == "Plane Stress" else (1 / (1 - ratio ** 2), (1 + ratio) * alpha)
 
 
 def tube(name, a, b, modulus, ratio, alpha, plane, hot, degree, at=(0.0, 0.0), flow=None):
@@ -61,7 +48,7 @@ def tube(name, a, b, modulus, ratio, alpha, plane, hot, degree, at=(0.0, 0.0), f
     text = heated(ring("tube", a, b, modulus, at, ratio=ratio), alpha, conductivity, plane,
                   bore=flux(into) if flow else hot, outside=0)
     level = run(written(name, [text], NONE, "Density", 1, degree, points_at(points)), name)[0][-1]
-    e, al = primed(ratio, alpha, plane)
+    e, _, al = primed(ratio, alpha, plane)
     log = math.log(b / a)
     scale = modulus * e * al * hot / (2 * log)
     share = a ** 2 / (b ** 2 - a ** 2) * log
@@ -124,7 +111,7 @@ for plane, ratio, degree in (("Plane Strain", 0.3, 10), ("Plane Stress", 0.3, 10
     plate = heated(ring("plate", A, B, E, where, ratio=ratio), ALPHA, None, plane,
                    outside="%r*(x - %r)" % (G * (1 + (A / B) ** 2), where[0]))
     levels = run(written(name, [plate], NONE, "Density", 1, degree, points_at(spots)), name)[0]
-    e, al = primed(ratio, ALPHA, plane)
+    e, _, al = primed(ratio, ALPHA, plane)
     size = E * e * al * G * A ** 2 / 2
     worst = 0
     for k, (r, p) in enumerate(zip(radii, inside(name))):

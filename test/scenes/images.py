@@ -1,7 +1,6 @@
 """Images of scenes under motions of the plane: rotations by quarter turns, reflections, shifts.
 Standard library only."""
 import re
-import xml.etree.ElementTree as tree
 
 # the rows of an orthogonal matrix with one entry in each
 IDENTITY = ((1, 0), (0, 1))
@@ -40,76 +39,64 @@ class Image:
             text = re.sub(r"\b(%s|%s)\b" % (old, new), lambda m: back[m.group(1)], text)
         return text
 
-    # -- a scene's tree ----------------------------------------------------------------------
+    # -- a scene's keys ----------------------------------------------------------------------
 
-    def scene(self, text):
-        root = tree.fromstring(text)
-        for body in child(root, "Bodies"):
+    def scene(self, keys):
+        """A scene of the package, changed in place."""
+        meshes = [keys.get("Discretization", {})]
+        for body in keys["Bodies"].values():
             self.body(body)
-        for parameter in root.iter("Parameter"):
-            if parameter.get("name").endswith("Elements per Edge"):
-                parameter.set("value", self.order(parameter.get("value")))
-            if parameter.get("name") == "Interior Points":
-                parameter.set("value", self.points(parameter.get("value"), False))
-        contacts = child(root, "Contacts")
-        for parameter in contacts.iter("Parameter") if contacts is not None else ():
-            if parameter.get("type") == "string":
-                parameter.set("value", self.expression(parameter.get("value")))
-        return tree.tostring(root, encoding="unicode")
+            meshes.append(body.get("Mesh", {}))
+        for mesh in meshes:
+            for name in mesh:
+                if name.endswith("Elements per Edge"):
+                    mesh[name] = self.order(mesh[name])
+        if "Interior Points" in keys.get("Output", {}):
+            keys["Output"]["Interior Points"] = self.points(keys["Output"]["Interior Points"], False)
+        if "Contacts" in keys:
+            keys["Contacts"] = self.functions(keys["Contacts"])
+        return keys
 
     def body(self, body):
-        geometry = child(body, "Geometry")
-        for parameter in geometry:
-            name = parameter.get("name")
+        geometry = body["Geometry"]
+        for name, value in geometry.items():
             if name.endswith("Vertices"):
-                parameter.set("value", self.points(parameter.get("value"), self.reflects))
+                geometry[name] = self.points(value, self.reflects)
             elif name.endswith(("Edges", "Bulges")):
-                parameter.set("value", self.order(parameter.get("value")))
-        for conditions in child(body, "Boundary Conditions") or ():
-            self.vectors(conditions)
-        for motion in body.iter("ParameterList"):
-            if motion.get("name") == "Motion":
-                self.vectors(motion)
-        for fix in body.iter("Parameter"):
-            if fix.get("name") == "Fix":
-                fix.set("value", self.axes(fix.get("value")))
-            if fix.get("name") == "Reference Point":
-                numbers = [float(w) for w in fix.get("value").strip("{} ").split(",")]
-                fix.set("value", "{%r, %r}" % self.point(*numbers))
+                geometry[name] = self.order(value)
+        for name in {"Boundary Conditions", "Motion"} & body.keys():
+            body[name] = self.functions(body[name])
+        if "Reference Point" in body.get("Motion", {}):
+            body["Motion"]["Reference Point"] = self.point(*body["Motion"]["Reference Point"])
+        if "Fix" in body.get("Rigid Motions", {}):
+            body["Rigid Motions"]["Fix"] = self.axes(body["Rigid Motions"]["Fix"])
 
-    def vectors(self, functions):
+    def functions(self, keys):
         """Displacement X and the like become those of the image, absent ones stay absent."""
-        for parameter in functions.iter("Parameter"):
-            name, value = parameter.get("name"), parameter.get("value")
-            if name == "Type" or name == "Law" or parameter.get("type") != "string":
-                continue
-            value = self.expression(value)
-            sign = 1
-            if name.endswith((" X", " Y")):
-                origin = "XY".index(name[-1])
-                axis = next(k for k in (0, 1) if self.source(k)[0] == origin)
-                sign = self.source(axis)[1]
-                parameter.set("name", name[:-1] + "XY"[axis])
-            elif name in ("Rotation", "Moment") and self.reflects:
-                sign = -1
-            parameter.set("value", value if sign > 0 else "-(%s)" % value)
+        image = {}
+        for name, value in keys.items():
+            if isinstance(value, dict):
+                value = self.functions(value)
+            elif isinstance(value, str) and name not in ("Type", "Law"):
+                value, sign = self.expression(value), 1
+                if name.endswith((" X", " Y")):
+                    origin = "XY".index(name[-1])
+                    axis = next(k for k in (0, 1) if self.source(k)[0] == origin)
+                    sign = self.source(axis)[1]
+                    name = name[:-1] + "XY"[axis]
+                elif name in ("Rotation", "Moment") and self.reflects:
+                    sign = -1
+                value = value if sign > 0 else "-(%s)" % value
+            image[name] = value
+        return image
 
-    def points(self, value, turned):
-        numbers = [float(w) for w in value[value.index("{"):].strip("{} ").split(",")]
-        points = [self.point(*pair) for pair in zip(numbers[::2], numbers[1::2])]
-        if turned:
-            points[1:] = points[:0:-1]
-        return "%dx2:{%s}" % (len(points), ", ".join("%r" % c for p in points for c in p))
+    def points(self, pairs, turned):
+        points = [self.point(*pair) for pair in pairs]
+        return points[:1] + points[:0:-1] if turned else points
 
-    def order(self, value):
-        words = [word.strip() for word in value.strip("{} ").split(",")]
-        return "{%s}" % ", ".join(reversed(words) if self.reflects else words)
+    def order(self, values):
+        return values[::-1] if self.reflects else values
 
-    def axes(self, value):
-        words = [word.strip() for word in value.strip("{} ").split(",")]
+    def axes(self, names):
         turned = abs(self.matrix[0][0]) == 0
-        return "{%s}" % ", ".join({"X": "Y", "Y": "X"}.get(w, w) if turned else w for w in words)
-
-
-def child(node, name):
-    return next((c for c in node if c.get("name") == name), None)
+        return [{"X": "Y", "Y": "X"}.get(name, name) if turned else name for name in names]

@@ -6,7 +6,7 @@ import os
 import sys
 
 from images import DIAGONAL, IDENTITY, MIRROR_X, MIRROR_Y, QUARTER, Image
-from runs import WORK, claim, finish, read, run, scene, table, write
+from runs import WORK, claim, finish, keys_of, run, saved, scene, table
 
 EVERY = sys.argv[4:] == ["all"]
 # name: levels (None: as shipped)
@@ -84,13 +84,11 @@ def compare(name, what, image, here, there, shift):
 
 
 for name, levels in SCENES.items():
-    text = read(scene(name + ".xml"))
     results = {}
     for what, image in {"": Image(), **IMAGES}.items():
         if name in FINE and what == "shifted":
             continue
-        file = os.path.join(WORK, name + ".xml")
-        write(file, image.scene(text))
+        file = saved(name, image.scene(keys_of(scene(name + ".xml"))))
         history, contact = run(file, name, ["Adaptivity->Maximum Levels=%d" % levels]
                                if levels else [])
         results[what] = history, contact, table(os.path.join(WORK, name, "boundary.csv"))

@@ -1,25 +1,22 @@
 """A path of one step is the solve without a path: Coulomb and Tresca, bodies in contact, and a
 body of nu = 1/2 with closed lines that carry no stress of contact."""
-from runs import ENERGIES, claim, differ, finish, levels, run, saved, scene
+from runs import ENERGIES, claim, differ, finish, levels, run, scene
+from written import block, body, condition, friction, geometry, listed, loop, written
 
 
 def ring(name, base):
-    return saved(name, {"Bodies": {"ring": {
-        "Material": {"Young's Modulus": 200, "Poisson's Ratio": 0.5},
-        "Geometry": {"Vertices": [[0, 0], [2, 0], [2, 1], [0, 1]],
-                     "Edges": ["base", "right", "top", "left"],
-                     "Hole 1 Vertices": [[0.8, 0.5], [1.2, 0.5]],
-                     "Hole 1 Edges": ["hole", "hole"], "Hole 1 Bulges": [1, 1]},
-        "Boundary Conditions": {"base": base, "top": {
-            "Type": "Dirichlet", "Displacement X": 0.002, "Displacement Y": -0.01}}}},
-        "Discretization": {"Elements per Edge": [8, 4, 8, 4], "Hole 1 Elements per Edge": [4, 4],
-                           "Stabilization": {"Form": "Density"}}})
+    outline = geometry(block(0, 0, 2, 1), "base, right, top, left", holes=loop(
+        [(0.8, 0.5), (1.2, 0.5)], "hole, hole", (1, 1), "Hole 1 "))
+    top = condition("top", "Dirichlet", Displacement_X=0.002, Displacement_Y=-0.01)
+    mesh = listed("Mesh", Elements_per_Edge=[8, 4, 8, 4], Hole_1_Elements_per_Edge=[4, 4], Degree=1)
+    return written(name, [body("ring", outline, 200, base + top, mesh=mesh, ratio=0.5)], form="Density")
 
 
-SLIDES = {"Type": "Contact", "Friction": {"Law": "Coulomb", "Coefficient": 0.3}}
+SLIDES = condition("base", "Contact", friction(0.3))
+FREE = condition("base", "Neumann", Traction_Y=10)
 for name, file, settings, slips in [
         ("a hole alone is pinned", ring("hole", SLIDES), [], True),
-        ("no line is in contact", ring("free", {"Type": "Neumann", "Traction Y": 10}), [], False),
+        ("no line is in contact", ring("free", FREE), [], False),
         ("Tresca", scene("tresca.xml"), levels(2), True),
         ("Coulomb", scene("coulomb.xml"), levels(2), True),
         ("two blocks", scene("two-blocks.xml"), levels(2), True)]:

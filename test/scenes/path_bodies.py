@@ -3,9 +3,7 @@ of two that differ; an interference and a rigid body that move; energies, balanc
 
 Two blocks 80 half-widths of the contact wide, pressed by P and pushed by Q: their outer sides
 carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a = E* = 1."""
-import math
-
-from halves import COARSE, F, FINE, P, P0, PRESS, after, half, partial
+from halves import COARSE, F, FINE, P, P0, PRESS, half, remembers
 from runs import claim, epafi, finish, fresh, imbalance, largest, never_falls, points, steps
 from written import (CLAMPED, NONE, block, body, condition, contact, friction, history, keys,
                      listed, rigid, written)
@@ -35,20 +33,7 @@ PAIR = contact("fret", "upper:contact", "lower:contact", friction("0.5") + PARAB
 
 # two equal bodies: pressure and shear do not mix, whatever Poisson's ratio
 folder = solve("equal", equal(LOOP, side=FINE), PAIR, history([1, 2, 3, 4], [1, 1, 1, 1]))
-claim([(row["step"], row["t"]) for row in steps(folder)] == [(k, k) for k in (1, 2, 3, 4)],
-      "a row per step")
-for step, what, exact, c in (
-        (2, "Q = Qm", lambda x: F * P0 * partial(x, math.sqrt(0.5)), math.sqrt(0.5)),
-        (3, "Q = 0 after unloading", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
-        (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))):
-    here = points(folder, step)
-    worst = largest(p["lambda_t"] - exact(p["x"]) for p in here) / (F * P0)
-    claim(worst < 0.02, "%s: shear within %.2e of f p0" % (what, worst))
-    stuck = [p["x"] for p in here if p["friction"] == 1 and p["contact"] == 1]
-    width = (max(stuck) - min(stuck)) / 2
-    claim(abs(width - c) < 1e-2, "%s: stick to %.4f a, exact %.4f" % (what, width, c))
-claim(largest(p["lambda_t"] for p in points(folder, 3)) > 0.1 * F * P0,
-      "the shear at Q = 0 after unloading is not zero")
+remembers(folder)
 claim(imbalance(folder) < 1e-10, "both bodies balance in every step, %.1e" % imbalance(folder))
 never_falls(folder)
 claim(abs(steps(folder)[-1]["fret.force_y"] / P - 1) < 1e-6, "P presses the upper body up")

@@ -5,15 +5,12 @@ Fourth argument: the page that the tables are written to, doc/benchmarks/paths.m
 import math
 import sys
 
-from halves import F, P, P0, after, error, half, loading, loads, loop, path, rms, stick
+from halves import F, P, P0, SIDES, contact_side, error, half, loads, loop, path, rms, stick
 from runs import claim, finish, never_falls, points, scene, solved, steps, write
 from written import contact, friction, history, keys, written
 
 LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
 PARABOLA = keys(Interference="-x^2/200")
-SIDES = [(2, "Q = Qm", lambda x: loading(x, 0.5), math.sqrt(0.5)),
-         (3, "Q = 0", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
-         (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))]
 page = []
 
 
@@ -105,11 +102,7 @@ for count in (1, 8):
     folder = solve("bulk stress, %d steps" % count, scene("fretting.xml"),
                    path([1, 2], [1, count]) +
                    loads("0.25*pi/400*max(0, t - 1)", "pi/400*min(t, 1)", BULK) +
-                   ["Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" %
-                    ", ".join("%g, 0" % x for x in CUTS),
-                    "Bodies->block->Geometry->Edges={%s, far, far, far}" %
-                    ", ".join(["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
-                    "Discretization->Elements per Edge={4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4, 6, 6, 6}"])
+                   contact_side(CUTS, [4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4]))
     here = points(folder, 1 + count)
     left, right = stick(here)
     side_ = 1 if right > -left else -1

@@ -5,33 +5,26 @@ Fourth argument: the folder of the hard scenes."""
 import glob
 import os
 import sys
-import xml.etree.ElementTree as xml
 
-from runs import SCENES, WORK, claim, epafi, finish, fresh, table
+from runs import SCENES, claim, epafi, finish, fresh, keys_of, saved, table
 
-LOADS = ("Displacement X", "Displacement Y", "Traction X", "Traction Y", "Force X", "Force Y")
+LOADS = {"Displacement X", "Displacement Y", "Traction X", "Traction Y", "Force X", "Force Y"}
 
 
 def path(file):
     """The scene along a path, or nothing where there is no friction."""
-    tree = xml.parse(file)
-    root = tree.getroot()
-    laws = [p.get("value") for p in root.iter("Parameter") if p.get("name") == "Law"]
-    if not set(laws) & {"Coulomb", "Tresca"} or root.find("ParameterList[@name='History']") is not None:
+    keys = keys_of(file)
+    conditions = [condition for body in keys["Bodies"].values()
+                  for condition in body.get("Boundary Conditions", {}).values()]
+    laws = {side.get("Friction", {}).get("Law")
+            for side in (*conditions, *keys.get("Contacts", {}).values())}
+    if not laws & {"Coulomb", "Tresca"} or "History" in keys:
         return None
-    for conditions in root.iter("ParameterList"):
-        if conditions.get("name") != "Boundary Conditions":
-            continue
-        for load in conditions.iter("Parameter"):
-            if load.get("name") in LOADS and load.get("value") != "0":
-                load.set("type", "string")
-                load.set("value", "(%s)*(0.55 + 0.45*sin(pi/2*t))" % load.get("value"))
-    history = xml.SubElement(root, "ParameterList", name="History")
-    xml.SubElement(history, "Parameter", name="Times", type="Array(double)", value="{1, 2, 3, 4, 5}")
-    xml.SubElement(history, "Parameter", name="Steps", type="Array(int)", value="{4, 4, 4, 4, 4}")
-    name = os.path.join(WORK, os.path.basename(file))
-    tree.write(name)
-    return name
+    for condition in conditions:
+        for load in LOADS & {key for key, value in condition.items() if value != "0"}:
+            condition[load] = "(%s)*(0.55 + 0.45*sin(pi/2*t))" % condition[load]
+    keys["History"] = {"Times": [1, 2, 3, 4, 5], "Steps": [4] * 5}
+    return saved(os.path.basename(file)[:-4], keys)
 
 
 solved = 0

@@ -2,7 +2,7 @@
 import os
 import signal
 
-from halves import loads, loop
+from halves import contact_side, loads, loop
 from runs import claim, epafi, finish, fresh, options, refused, scene, solved, steps, stopped
 from scales import worst
 
@@ -19,7 +19,6 @@ def path(times, count, tolerance):
         ["History->Tolerance=%g" % tolerance] if tolerance else [])
 
 
-
 # where bounds stay, few steps are exact; what the mesh errs by is in paths.py
 folder, text = solve("loop", path([1, 2, 4, 6], 1, 1e-3))
 rows = steps(folder)
@@ -31,11 +30,7 @@ claim(abs(cycle / loop(0.5) - 1) < 1e-3, "a cycle's work is off by %.1e" % (cycl
 
 # loops of other amplitudes, on small elements where slip is
 CUTS = [-40, -16, -6, -2.5, -1.25, -1.02, -0.8, 0.8, 1.02, 1.25, 2.5, 6, 16, 40]
-LAYERS = ["Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" %
-          ", ".join("%g, 0" % x for x in CUTS),
-          "Bodies->block->Geometry->Edges={%s, far, far, far}" %
-          ", ".join(["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
-          "Discretization->Elements per Edge={4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4, 6, 6, 6}"]
+LAYERS = contact_side(CUTS, [4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4])
 for q in (0.2, 0.9):
     folder, text = solve("loop of %g" % q,
                          LAYERS + ["Constants->Q=%g*f*P" % q] + path([1, 2, 4, 6], 1, 1e-3))

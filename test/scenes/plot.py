@@ -15,8 +15,8 @@ from epafi.plot.figures import Pictures, plt
 from epafi.plot.folder import draw_field
 from epafi.plot.inside import NAMES as FIELDS
 from epafi.runs import Run
-from runs import (EPAFI, RANKS, WORK, claim, epafi, finish, fresh, levels, read, run, scene, table,
-                  write)
+from runs import (EPAFI, RANKS, WORK, claim, epafi, fails, finish, fresh, levels, read, run, scene,
+                  table, write)
 from written import (CLAMPED, NONE, block, body, condition, friction, geometry, history, mesh,
                      written)
 
@@ -137,8 +137,7 @@ with plt.rc_context(pictures.looks.style()):
 drawn(folder, FIELDS, "inside")
 for name in ("mine.png", "sweep_contact_a.svg"):
     shutil.copy(os.path.join(folder, "path.png"), os.path.join(folder, name))
-code, text = epafi("run", scene("patch.xml"), "--output", folder)
-claim(code == 1 and "--force" in text, "they are the run's: " + text.strip())
+fails("they are the run's", ["--force"], "run", scene("patch.xml"), "--output", folder)
 code, text = epafi("run", scene("patch.xml"), "--output", folder, "--force")
 new = fresh("patch")
 epafi("run", scene("patch.xml"), "--output", new)
@@ -202,8 +201,7 @@ def drawing(*arguments):
 
 for option, value in (("--size", "5"), ("--size", "0,3"), ("--dpi", "many"), ("--font", "-1"),
                       ("--units", "mm")):
-    code, text = epafi("plot", folder, option, value)
-    claim(code == 1 and option in text, "%s %s is refused: %s" % (option, value, text))
+    fails("%s %s" % (option, value), [option], "plot", folder, option, value)
 
 # a page with all in it
 code, text = epafi("report", folder)
@@ -218,8 +216,7 @@ balances = [float(row.rsplit("<td>", 1)[1].split("<")[0]) for row in page.split(
     "</table>")[0].split("</tr>")[1:-1]]
 claim("Stress intensities" in page and "exponent" in page, "it has the stress intensities")
 claim(len(balances) == 3 and max(map(abs, balances)) < 1e-9, "what acts is balanced: %s" % balances)
-code, text = epafi("report", WORK)
-claim(code == 1 and "history.csv" in text, "a folder without a run has none: " + text.strip())
+fails("a folder without a run has none", ["history.csv"], "report", WORK)
 
 file = os.path.join(WORK, "sides.svg")
 code, text = epafi("check", scene("two-blocks.xml"), "--plot", file)
@@ -241,18 +238,17 @@ if RANKS == 1:
     claim(done.returncode == 1 and "missing" in done.stderr and
           not os.path.exists(os.path.join(WORK, "no.png.csv.part")),
           "a program without its plotting leaves nothing: " + done.stderr.strip())
-code, text = epafi("check", scene("disc.xml"), "--plot", "/nowhere/disc.png")
-claim(code == 1 and "/nowhere" in text, "a picture that cannot be written: " + text[-120:])
+fails("a picture that cannot be written", ["/nowhere"], "check", scene("disc.xml"), "--plot",
+      "/nowhere/disc.png")
 for window, words in [("3,0,-3,3", "X0,Y0,X1,Y1"), ("1,2", "X0,Y0,X1,Y1"),
                       ("100,0,101,1", "shows nothing")]:
-    code, text = epafi("plot", os.path.join(WORK, "one"), "--field", "syy", "--window", window)
-    claim(code == 1 and words in text, "the window %s is refused: %s" % (window, text.strip()))
+    fails("the window " + window, [words], "plot", os.path.join(WORK, "one"), "--field", "syy",
+          "--window", window)
 for arguments, words, sentence in [
         ([], ["no folder is given"], "no folder"),
         ([os.path.join(WORK, "nowhere")], ["no folder", "nowhere"], "a missing folder"),
         (["--help-me"], ["unknown option"], "an option")]:
-    code, text = epafi("plot", *arguments)
-    claim(code == 1 and all(word in text for word in words), sentence + " is refused")
+    fails(sentence, words, "plot", *arguments)
 empty = fresh("empty")
 os.makedirs(empty)
 claim("history.csv" in drawing(empty), "an empty folder is refused, with what was sought")
@@ -267,6 +263,5 @@ for name, content in (("contact.csv", "garbage"), ("history.csv", ""), ("boundar
     shutil.copytree(whole, fresh("damaged"))
     with open(os.path.join(damaged, name), "w", encoding="latin-1") as stream:
         stream.write(content)
-    code, text = epafi("plot", damaged)
-    claim(code == 1 and "'%s' cannot be read" % name in text, "it is named: " + text.strip())
+    fails("it is named", ["'%s' cannot be read" % name], "plot", damaged)
 finish()

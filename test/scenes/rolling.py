@@ -1,10 +1,8 @@
 """Rolling under a given force against Carter's closed form, and the motion found replayed as
 Sliding over an obstacle.  Fourth argument: elements in the contact's half-width."""
-import os
-import re
 import sys
 
-from runs import WORK, claim, finish, read, scene, solved, steps, write
+from runs import claim, finish, keys_of, saved, scene, solved, steps
 
 FINE = int(sys.argv[4])
 LENGTH, R, F, P = 3.25, 1000.0, 0.3, 3.141592653589793 / 3000
@@ -41,32 +39,16 @@ claim(all(abs(row["roller.force_tangential"] / (0.64 * F * P) - 1) < 1e-9 for ro
       "the force is the given one")
 
 # the same rail under an obstacle that slides as the slab did
-text = read(scene("rolling.xml"))
+def motion(key):
+    return {"Points": [(0, 0)] + [(row["t"], row[key]) for row in rolled]}
 
 
-def points(key):
-    rows = [(0, 0)] + [(row["t"], row[key]) for row in rolled]
-    return '<ParameterList name="%s"><Parameter name="Points" type="TwoDArray(double)" ' \
-        'value="%dx2:{%s}"/></ParameterList>' % (key[5:].replace("_", ""), len(rows), ", ".join(
-            "%.17g, %.17g" % row for row in rows))
-
-
-obstacle = """<ParameterList name="face"><Parameter name="Type" type="string" value="Contact"/>
-  <Parameter name="Gap" type="string" value="(x - max(0, t - 2))^2/(2*R) + motiony(t)"/>
-  <Parameter name="Sliding" type="string" value="-motionx(t)"/>
-  <ParameterList name="Friction"><Parameter name="Law" type="string" value="Coulomb"/>
-  <Parameter name="Coefficient" type="string" value="f"/></ParameterList></ParameterList>
-  <ParameterList name="base">"""
-text = text.replace('<ParameterList name="base">', obstacle)
-text = re.sub(
-    r'<ParameterList name="slab">.*?(?=\n  </ParameterList>\n  <ParameterList name="Contacts">)',
-    "", text, flags=re.S)
-text = re.sub(r'<ParameterList name="Contacts">.*?(?=<ParameterList name="History">)', "", text,
-              flags=re.S)
-text = text.replace('<ParameterList name="Bodies">', '<ParameterList name="Tables">%s%s'
-                    '</ParameterList><ParameterList name="Bodies">' % (
-                        points("slab.motion_x"), points("slab.motion_y")), 1)
-replayed = path("replayed", write(os.path.join(WORK, "replayed.xml"), text))
+replayed = path("replayed", saved("replayed", keys_of(scene("rolling.xml")).changed({
+    "Bodies->slab": None, "Contacts": None,
+    "Tables": {"motionx": motion("slab.motion_x"), "motiony": motion("slab.motion_y")},
+    "Bodies->rail->Boundary Conditions->face": {
+        "Type": "Contact", "Gap": "(x - max(0, t - 2))^2/(2*R) + motiony(t)",
+        "Sliding": "-motionx(t)", "Friction": {"Law": "Coulomb", "Coefficient": "f"}}})))
 off = max(abs(a["roller.force_tangential"] - b["face.force_tangential"])
           for a, b in zip(rolled, replayed)) / (0.64 * F * P)
 claim(off < 1e-9, "replayed as Sliding: the same force to %.1e" % off)

@@ -1,4 +1,4 @@
-"""Runs epafi and reads what it writes.  Standard library only.
+"""Runs epafi and reads what it writes.  Standard library only, but for keys_of().
 
 Every test is called as  <test>.py EPAFI SCENES WORK:  the program, the folder of the shipped
 scenes, a folder to write into.
@@ -11,7 +11,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, options, read, table, write  # noqa: E402, F401
+from claims import absent, claim, finish, options, raises, read, table, write  # noqa: E402, F401
 
 EPAFI, SCENES, WORK = sys.argv[1:4]
 RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
@@ -42,6 +42,12 @@ def scene(name):
 def saved(name, scene, title="scene"):
     """The file of a scene or a study that is given as a dictionary, as YAML."""
     return write(os.path.join(WORK, name + ".yaml"), json.dumps({title: scene}))
+
+
+def keys_of(file):
+    """A scene's file as a dictionary of the package."""
+    from epafi import Scene
+    return Scene.read(file)
 
 
 def changed(name, file, *changes):
@@ -91,14 +97,17 @@ def largest(values):
     return max(abs(value) for value in values)
 
 
-def imbalance(folder):
-    """Of the worst body, relative to its largest resultant."""
-    worst = 0
-    for row in rows(folder, "bodies.csv"):
-        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
-                 for c in ("x", "y", "moment")]
-        worst = max(worst, largest(map(sum, parts)) / largest(sum(parts, [])))
-    return worst
+def acting(folder):
+    """For each row of bodies.csv what acts along x, along y and about the origin, part by part."""
+    return [[[row[part + c] for part in ("load_", "contact_", "reaction_")] + [row[inside]]
+             for c, inside in (("x", "body_force_x"), ("y", "body_force_y"),
+                               ("moment", "body_moment"))] for row in rows(folder, "bodies.csv")]
+
+
+def imbalance(folder, scale=0):
+    """Of the worst body, relative to its largest resultant, at least a scale: all may cancel."""
+    return max(largest(map(sum, parts)) / (max(scale, largest(sum(parts, []))) or 1)
+               for parts in acting(folder))
 
 
 def never_falls(folder):

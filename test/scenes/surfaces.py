@@ -2,7 +2,7 @@
 compressed, between bodies, on paths and after a restart."""
 import math
 
-from runs import claim, differ, epafi, finish, fresh, refused, rows, run, solved
+from runs import claim, differ, finish, refused, rows, run, solved
 from written import (NONE, TIED, WALLS, block, body, condition, confined, contact, friction,
                      history, keys, listed, pad, written)
 
@@ -44,18 +44,13 @@ for basis in ("Gauss-Lobatto-Lagrange", "Bernstein"):
         folder, _ = solved("%s %s" % (basis, form), pushed_down(basis + form, LINEAR, form, basis))
         off = worst(rows(folder), EXACT["Linear"][1])
         claim(off < 5e-12, "confined block, Linear, %s, %s: to %.1e" % (basis, form, off))
-    code, text = epafi("run", pushed_down("refused", ROUGH, "Density", basis), "--output",
-                       fresh("refused"))
-    claim(code == 1 and "Gauss-Legendre-Lagrange" in text,
-          "%s refuses a law that is not linear, and names the basis to use" % basis)
-code, text = epafi("run", pushed_down("dual", LINEAR, "None", "Biorthogonal"), "--output",
-                   fresh("dual"))
-claim(code == 1 and "Gauss-Legendre-Lagrange" in text, "Biorthogonal refuses all laws")
-code, text = epafi("run", pushed_down("bond", ROUGH + TIED), "--output", fresh("bond"))
-claim(code == 1 and "Linear" in text, "a bond refuses a law that is not linear")
-code, text = epafi("check", pushed_down("negative", normal("Linear", Compliance="-x")))
-claim(code == 1 and "Normal->Compliance" in text and ">= 0" in text,
-      "a negative compliance is refused")
+    refused("by %s: a law that is not linear; names the basis to use" % basis,
+            pushed_down("refused", ROUGH, "Density", basis), "Gauss-Legendre-Lagrange")
+refused("by Biorthogonal: all laws", pushed_down("dual", LINEAR, "None", "Biorthogonal"),
+        "Gauss-Legendre-Lagrange")
+refused("by a bond: a law that is not linear", pushed_down("bond", ROUGH + TIED), "Linear")
+refused("a negative compliance", pushed_down("negative", normal("Linear", Compliance="-x")),
+        "Normal->Compliance", ">= 0", command="check")
 
 # an elastic bond takes tension, too
 folder, _ = solved("pulled", pushed_down("pulled", LINEAR + TIED, delta="(-0.01)"))
@@ -233,8 +228,8 @@ for first in ("upper", "lower"):
           "gross sliding, %s first: shear at its bound, against the motion" % first)
 off = differ(got["upper"]["energy_dissipated"], got["lower"]["energy_dissipated"])
 claim(off < 1e-3, "either side first: dissipated alike to %.1e" % off)
-code, text = epafi("check", sheared("none", rub("None", Compliance=C), U, 0))
-claim(code == 1 and "Compliance" in text, "without friction there is no elastic shear")
+refused("elastic shear without friction", sheared("none", rub("None", Compliance=C), U, 0),
+        "Compliance", command="check")
 
 # pressures of smaller exponents underflow
 FLAT = normal("Power", Length=1, Pressure=0.01, Exponent=0.09)

@@ -3,10 +3,9 @@ estimated errors, and by what the direction of the gap says (doc/benchmarks/bodi
 
 With a fourth argument, all: every shipped scene, and moduli up to 1 : 1000."""
 import os
-import re
 import sys
 
-from runs import WORK, claim, epafi, finish, fresh, read, saved, scene, table, write
+from runs import claim, epafi, finish, fresh, keys_of, saved, scene, table
 from written import keys, listed, with_moduli, with_sides_swapped, without_friction
 
 # With an effectivity near 3 two errors that add up are a third of the sum.
@@ -15,19 +14,18 @@ SHARE = 0.4
 DIRECTION = {"two-cylinders": 2e-3, "cylinder-on-block": 2e-3}
 
 
-def pair(name, text, levels):
+def pair(name, whole, levels):
     """A scene whose reference is the same with its sides swapped."""
-    between = re.findall(r'ParameterList name="([^"]*)">\s*<Parameter name="Between"[^{]*(\{[^}]*\})',
-                         with_sides_swapped(text))
-    return listed(name, File=write(os.path.join(WORK, name + ".xml"), text), Reference={
-        "Set": [levels, *("Contacts->%s->Between=%s" % sides for sides in between)]})
+    return listed(name, File=saved(name, whole), Reference={"Set": [levels, *(
+        "Contacts->%s->Between={%s, %s}" % (contact, *keys["Between"])
+        for contact, keys in with_sides_swapped(whole)["Contacts"].items())]})
 
 
 def compare(scenes, count):
     """The energy norm of the differences, on `count` levels of all."""
     levels = "Adaptivity->Maximum Levels=%d" % count
     study = saved("study", keys(listed("Scenes", *(
-        pair(name, text, levels) for name, text in scenes.items())),
+        pair(name, whole, levels) for name, whole in scenes.items())),
         listed("Variants", first={"Set": [levels]})), "Swapped")
     folder = fresh("study")
     code, printed = epafi("study", study, "--output", folder, "--quiet", "--no-plot")
@@ -49,15 +47,15 @@ scenes = {}
 for name in ("two-blocks", "cylinder-on-block", "dovetail", "incline", "press-fit",
              "ring-on-disc", "bonded-inclusion", "two-cylinders") if every else (
                  "two-blocks", "cylinder-on-block"):
-    text = read(scene(name + ".xml"))
+    drawn = keys_of(scene(name + ".xml"))
     for ratio in (1, 10, 1000, 0.001) if every else (1, 1000):
         scenes["%s, moduli 1 : %g" % (name, ratio)] = (
-            text if ratio == 1 else with_moduli(text, ratio))
+            drawn if ratio == 1 else with_moduli(drawn, ratio))
     if name == "incline":
         scenes[name + ", moduli 1 : 1000, without friction"] = without_friction(
-            with_moduli(text, 1000))
+            with_moduli(drawn, 1000))
 compare(scenes, 4)
 if every:
-    compare({name: text for name,
-             text in scenes.items() if name.startswith(("two-blocks", "incline"))}, 8)
+    compare({name: whole for name, whole in scenes.items()
+             if name.startswith(("two-blocks", "incline"))}, 8)
 finish()

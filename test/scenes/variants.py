@@ -1,8 +1,8 @@
 """What must not matter: basis of the multiplier, form of the stabilisation, file format."""
 import os
-import xml.etree.ElementTree as xml
 
-from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run, scene, write
+from runs import (ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, keys_of, levels, run, saved,
+                  scene)
 
 
 def agree(file, count, key, values, tolerance):
@@ -27,40 +27,9 @@ agree(scene("tresca.xml"), 4, "Discretization->Stabilization->Form",
 agree(scene("coulomb.xml"), 2, "Discretization->Stabilization->Form",
       ["Projected", "Exact"], 1e-4)
 
-
-def yaml(node, depth=0):
-    """A Teuchos XML list as YAML."""
-    text = ""
-    for child in node:
-        name = "  " * depth + '"' + child.get("name") + '": '
-        if child.tag == "ParameterList":
-            content = yaml(child, depth + 1)
-            text += name + ("\n" + content if content else "{}\n")
-            continue
-        kind, value = child.get("type"), child.get("value")
-        if kind.startswith("TwoDArray"):
-            size, entries = value.split(":")
-            columns = int(size.split("x")[1])
-            entries = [entry.strip() for entry in entries.strip("{} \n").split(",")]
-            rows = [entries[i:i + columns] for i in range(0, len(entries), columns)]
-            value = "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
-        elif kind == "Array(string)":
-            value = "[" + ", ".join(
-                '"' + entry.strip() + '"' for entry in value.strip("{}").split(",")) + "]"
-        elif kind.startswith("Array"):
-            value = "[" + value.strip("{}") + "]"
-        elif kind == "string":
-            value = '"' + value + '"'
-        text += name + value + "\n"
-    return text
-
-
 for name in ("tresca", "coulomb"):
-    root = xml.parse(scene(name + ".xml")).getroot()
-    file = os.path.join(WORK, name + ".yaml")
-    write(file, '"' + root.get("name") + '":\n' + yaml(root, 1))
     one = run(scene(name + ".xml"), "from_xml", levels(2))
-    other = run(file, "from_yaml", levels(2))
+    other = run(saved(name, keys_of(scene(name + ".xml"))), "from_yaml", levels(2))
     claim(one[1] == other[1], name + ": contact.csv is the same from XML and YAML")
     claim(all(a[key] == b[key] for a, b in zip(one[0], other[0])
               for key in ENERGIES + FORCES + MOMENTS),

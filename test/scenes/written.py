@@ -1,6 +1,5 @@
 """Scenes of several bodies as dictionaries.  Standard library only."""
 import math
-import re
 
 from runs import saved
 
@@ -45,6 +44,14 @@ def circle(radius, x=0, y=0):
 
 
 QUARTERS = (math.tan(math.pi / 8),) * 4
+
+
+def disc(radius, side, x=0, y=0, holes=NONE):
+    return geometry(circle(radius, x, y), [side] * 4, QUARTERS, holes)
+
+
+def round_hole(radius, side, x=0, y=0):
+    return loop(circle(radius, x, y), [side] * 4, QUARTERS, "Hole 1 ")
 
 
 def block(left, bottom, right, top):
@@ -97,6 +104,13 @@ def wear(coefficient, jump=1):
     return listed("Wear", Coefficient=coefficient, Cycle_Jump=jump)
 
 
+def primed(ratio, alpha, plane):
+    """E'/E, nu', al' of a plane state."""
+    if plane == "Plane Stress":
+        return 1, ratio, alpha
+    return 1 / (1 - ratio ** 2), ratio / (1 - ratio), (1 + ratio) * alpha
+
+
 def history(times, steps):
     return listed("History", Times=times, Steps=steps)
 
@@ -133,19 +147,18 @@ def pad(name, motion, *law, form="Density", size=0.25, more=NONE):
                    contact("rub", "soft:top", "pad:bottom", *law), form, size, more=more)
 
 
-def with_sides_swapped(text):
-    """A scene with the other side of each contact first."""
-    return re.sub(r'("Between"[^{]*\{)([^,}]*), ([^}]*)\}', r"\1\3, \2}", text)
+def with_sides_swapped(scene):
+    """A scene of the package with the other side of each contact first."""
+    return scene.changed({"Contacts->%s->Between" % name: contact["Between"][::-1]
+                          for name, contact in scene["Contacts"].items()})
 
 
-def with_moduli(text, ratio):
+def with_moduli(scene, ratio):
     """A scene whose second body is so many times as stiff as its first."""
-    key = "Young's Modulus\" type=\"double\" value=\""
-    head, first, second = text.split(key, 2)
-    modulus = float(first.split('"')[0])
-    return key.join((head, first, "%r%s" % (ratio * modulus, second[second.index('"'):])))
+    (_, first), (name, _) = scene["Bodies"].items()
+    return scene.changed({"Bodies->%s->Material->Young's Modulus" % name:
+                          ratio * first["Material"]["Young's Modulus"]})
 
 
-def without_friction(text):
-    return re.sub(r'value="Coulomb"/>\s*<Parameter name="Coefficient"[^>]*>', 'value="None"/>',
-                  text)
+def without_friction(scene):
+    return scene.changed({"Contacts->%s->Friction" % name: {"Law": "None"} for name in scene["Contacts"]})
