@@ -1,5 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/results/ContactFields.hpp"
+#include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Warnings.hpp"
 
@@ -193,6 +194,9 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
     findLostDigits(scene, level, warnings);
   if (isSolved)
     findErrorInTime(scene, level, warnings);
+  if (const std::string missing = missingTo(scene, level.level);
+      isSolved && !missing.empty())
+    warnings.push_back("a limit ends the run" + missing);
   constexpr double small = 0.1;
   for (const auto& [name, share] : slidingOf(level))
     if (share > small)

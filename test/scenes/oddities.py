@@ -8,7 +8,7 @@ from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, finish, fresh, lev
                   refused, run, scene, table, write)
 from written import CLAMPED, NONE, block, body, condition, geometry, listed, mesh, written
 
-SETTINGS = ["Adaptivity->Maximum Levels=1"]
+SETTINGS = ["Adaptivity->Tolerance=", "Adaptivity->Maximum Levels=1"]
 HARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "hard", "scenes")
 CONDITIONS = "Bodies->block->Boundary Conditions->"
 

@@ -46,6 +46,7 @@ claim(coarse["energy_strain"] < 1e-25 and 0.3 < coarse["estimate"] / norm(fine) 
 levels, text = solve("two-blocks.xml", "short", 0.02, *NONE, "Adaptivity->Maximum Levels=2")
 claim(len(levels) == 2 and "above Adaptivity->Tolerance = 0.02" in text,
       "another limit says what is missing: " + text.split("ended")[-1].split("\n")[0])
+claim("epafi: warning: a limit ends the run; the estimated error is" in text, "and warns of it")
 claim(abs(levels[1]["estimate_relative"] * norm(levels[1]) / levels[1]["estimate"] - 1) < 1e-12,
       "relative to the energy norm")
 levels, text = solve("two-blocks.xml", "few", 0.02, *NONE[:2],
