@@ -203,11 +203,12 @@ std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
                                                     const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
-    LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
-    // steps of a path that were solved are not solved again
+    LevelStart again{level.number, meshesOf(scene, level), {}, level.path};
+    if (scene.history)  // whose last state is not that of the first step
+      return again;
+    again.rigid = level.rigid;
     for (const BodyLevel& body : level.bodies)
-      if (!scene.history)
-        again.start.push_back(body.state);
+      again.start.push_back(body.state);
     return again;
   }
   return nextLevel(scene, level, processes);

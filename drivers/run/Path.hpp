@@ -75,9 +75,9 @@ struct Path {
 
 /// Solves the path of the scene; all steps use operators, factors and D of `atZero`.
 ///
-/// A step starts from contact::Prediction, the first one from `first`.  If it fails it is halved, down to
-/// History->Minimum Step; there the path ends.  With History->Tolerance steps are halved
-/// until the time error of friction's work is small enough.
+/// A step starts from contact::Prediction, the first one from `first`.  If it fails it is
+/// halved, down to History->Minimum Step; there the path ends.  With History->Tolerance
+/// steps are halved until the time error of friction's work is small enough.
 ///                                                  [doc/theory/paths.md, Steps that fit]
 /// Collective.
 /// \param first  start at the first of History->Times; empty vectors: zero
