@@ -46,12 +46,10 @@ double workOf(const Space& space) {
 
 }  // namespace
 
-Operators assembleOperators(const Space& space, const Lame& lame,
-                            const std::vector<int>& tractionElements) {
+Operators assembleOperators(const Space& space, const Lame& lame) {
   Operators out{Matrix(space.densities(), space.densities()),
                 Matrix(space.densities(), space.displacements()),
-                Matrix(space.displacements(), space.displacements()),
-                {}};
+                Matrix(space.displacements(), space.displacements())};
   const ElementRuns runs(space.mesh());
   GhostNodes ghosts(space, runs);
   // Groups of one colour share no node, so that the columns and the transposed rows that
@@ -74,7 +72,6 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   };
   addHalfMass(space.mesh(), all, add);
   addEdgeEnds(space.mesh(), lame, all, all, add);
-  out.tractions = projectedTractions(space, lame, tractionElements);
   return out;
 }
 
