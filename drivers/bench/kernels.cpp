@@ -58,8 +58,8 @@ Mesh graded(int layers, int largest) {
   return Mesh(outline, pieces);
 }
 
-FarLanes farLanes(int degree, int order) {
-  FarLanes far{};
+ElementLanes farLanes(int degree, int order) {
+  ElementLanes far{};
   far.densities = degree;
   far.smooth = {order - degreeShare(degree), order - degreeShare(degree)};
   for (int lane = 0; lane < lanes; ++lane) {
@@ -82,8 +82,8 @@ void farPair(benchmark::State& state) {
   const int degree = static_cast<int>(state.range(0));
   const int order = static_cast<int>(state.range(1));
   const Mesh mesh = uniform(4, degree);
-  const FarLanes far = farLanes(degree, order);
-  const auto moments = std::make_unique<TileMoments>();
+  const ElementLanes far = farLanes(degree, order);
+  const auto moments = std::make_unique<Tile>();
   for (auto _ : state) {
     farMoments(mesh[0], far, *moments);
     benchmark::DoNotOptimize(moments->log[0][0]);
@@ -93,7 +93,7 @@ void farPair(benchmark::State& state) {
 BENCHMARK(farPair)->Args({1, 4})->Args({1, 8})->Args({2, 6})->Args({4, 8})->Args({8, 12});
 
 void nearMomentsOf(benchmark::State& state, const Mesh& mesh, int e, int f) {
-  const auto moments = std::make_unique<TileMoments>();
+  const auto moments = std::make_unique<Tile>();
   for (auto _ : state) {
     nearMoments(mesh, e, f, *moments, 0);
     benchmark::DoNotOptimize(moments->log[0][0]);

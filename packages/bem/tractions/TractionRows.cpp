@@ -131,7 +131,7 @@ class ElementRows {
   void findFar(const ElementRuns& runs, int largestOuter) {
     for (int r = 0; r < runs.size(); ++r) {
       const ElementRange all = {runs[r].first, runs[r].last};
-      const FarLanes chosen = runs.choose(element_, r, all, largestOuter);
+      const ElementLanes chosen = runs.choose(element_, r, all, largestOuter);
       std::copy_n(chosen.far, all.last - all.first, far_.begin() + all.first);
     }
   }
@@ -184,9 +184,9 @@ class ElementRows {
           std::find_if(from, end, [f](const Component& of) { return of.element != f; });
       ElementPotential source(mesh_[f].curve, mesh_[f].degree);
       values.resize(static_cast<std::size_t>(to - from));
-      const SeenPoints seen(mesh_, f, element_, rule.points);
+      const std::vector<TargetLanes> seen = seenFrom(mesh_, f, element_, rule.points);
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        source.evaluate(seen, k);
+        source.evaluate(seen[k]);
         dispatch(largestInstructionSet(),
                  Sampling{lame_, source, from, to, tests[k], values.data()});
         const Index first = asInt(k) * lanes;

@@ -32,7 +32,7 @@ class Slow {
       std::vector<bem::Feature> features;
       for (const bem::Position& end : {mesh[f].piece.start, mesh[f].piece.end}) {
         const auto seen = bem::seenFrom(mesh, element, {mesh[f].piece.edge, end, 0});
-        features.push_back({seen.z().real(), std::abs(seen.b())});
+        features.push_back({seen.z.real(), std::abs(seen.b())});
       }
       const double smallest = 1e-16 * std::min(1.0, mesh[f].half / half);
       const bem::GradedRule rule = bem::gradedRule(features, 40, smallest);
@@ -45,7 +45,7 @@ class Slow {
         std::fill_n(
             targets, bem::lanes,
             bem::seenFrom(mesh, f, mesh.at(element, point.fromStart, point.toEnd)));
-        arc.evaluate(bem::TargetLanes(targets), weights.data());
+        arc.evaluate(bem::packed(targets), weights.data());
         std::vector<double> tests(static_cast<std::size_t>(moments) + 1);
         bem::legendreValues(moments - 1, point.t, tests.data());
         std::array<double, bem::largestDegree + 2> own{};
