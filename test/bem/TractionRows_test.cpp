@@ -1,9 +1,10 @@
 // Tractions of the kernels on elements against closed forms of the inner integrals.
+#include "bem/tractions/TractionRows.hpp"
+
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/ArcRule.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
-#include "bem/tractions/TractionRows.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
