@@ -142,7 +142,7 @@ Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
   Foot foot;
   double nearest = std::numeric_limits<double>::infinity();
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Complex z = mesh[e].curve.seen(x).z();
+    const bem::Complex z = mesh[e].curve.seen(x).z;
     const double over = std::max(0.0, std::abs(z.real()) - 1);
     const double distance = mesh[e].half * std::hypot(over, z.imag());
     if (distance < nearest) {

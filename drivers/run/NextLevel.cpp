@@ -12,6 +12,7 @@
 #include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iomanip>
 #include <sstream>
@@ -98,12 +99,34 @@ std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b
   return always;
 }
 
+/// The steps whose tractions are not rounding beside the largest ones.  In others, such as one in
+/// which all loads are gone, the states of contact are rounding, too.
+std::vector<StepFields> loaded(std::vector<StepFields> steps) {
+  constexpr double rounding = 1e-9;
+  const auto largestOf = [](const StepFields& step) {
+    double largest = 0;
+    for (const bem::Vector& density : step.density)
+      for (const double value : density)
+        largest = std::max(largest, std::abs(value));
+    return largest;
+  };
+  double largest = 0;
+  for (const StepFields& step : steps)
+    largest = std::max(largest, largestOf(step));
+  steps.erase(std::remove_if(steps.begin(), steps.end(),
+                             [&](const StepFields& step) {
+                               return largestOf(step) < rounding * largest;
+                             }),
+              steps.end());
+  return steps;
+}
+
 /// The elements that carry most of the estimate are chosen among those of all bodies; where
 /// Graded hp cuts one side of a contact, the other follows.
 std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spaces,
                                        const Level& level,
                                        const bem::Processes& processes) {
-  const std::vector<StepFields> steps = level.solved();
+  const std::vector<StepFields> steps = loaded(level.solved());
   const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;

@@ -34,10 +34,7 @@ std::vector<bem::SteklovPoincare> makeStiffness(
     std::vector<bem::Operators> all;
     for (std::size_t b = 0; b < spaces.size(); ++b)
       all.push_back(bem::withExactRotation(
-          bem::assembleOperators(
-              spaces.space(b), lames[b],
-              contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
-          spaces.space(b)));
+          bem::assembleOperators(spaces.space(b), lames[b]), spaces.space(b)));
     return all;
   });
   return timer.run(Phase::Factorization, [&] {

@@ -82,7 +82,7 @@ std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
                                           [x](const bem::Curve& a, const bem::Curve& b) {
                                             return a.distance(x) < b.distance(x);
                                           });
-    return nearest->normal(std::clamp(nearest->seen(x).z().real(), -1.0, 1.0));
+    return nearest->normal(std::clamp(nearest->seen(x).z.real(), -1.0, 1.0));
   };
 }
 

@@ -26,20 +26,19 @@ double differenceFromFiner(const Mesh& mesh, int e) {
   std::vector<bem::Feature> features;
   for (const bem::Position& end : {piece.start, piece.end}) {
     const bem::RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
-    features.push_back({seen.z().real(), std::abs(seen.b())});
+    features.push_back({seen.z.real(), std::abs(seen.b())});
   }
-  const auto exact = std::make_unique<bem::TileMoments>();
+  const auto exact = std::make_unique<bem::Tile>();
   bem::nearMoments(mesh, e, f, bem::gradedRule(features, 60, 1e-16), *exact, 0);
-  const auto near = std::make_unique<bem::TileMoments>();
+  const auto near = std::make_unique<bem::Tile>();
   bem::nearMoments(mesh, e, f, *near, 0);
   double worst = 0;
   double largest = 0;
   for (int i = 0; i < mesh[e].densities; ++i)
     for (int j = 0; j < mesh[f].densities; ++j) {
-      const int at = i * bem::TileMoments::stride + j;
-      for (const auto table :
-           {&bem::TileMoments::log, &bem::TileMoments::along, &bem::TileMoments::across,
-            &bem::TileMoments::direct, &bem::TileMoments::reverse}) {
+      const int at = i * bem::Tile::stride + j;
+      for (const auto table : {&bem::Tile::log, &bem::Tile::along, &bem::Tile::across,
+                               &bem::Tile::direct, &bem::Tile::reverse}) {
         const double wanted = ((*exact).*table)[at][0];
         worst = std::max(worst, std::abs(((*near).*table)[at][0] - wanted));
         largest = std::max(largest, std::abs(wanted));
@@ -52,25 +51,24 @@ double differenceFromFiner(const Mesh& mesh, int e) {
 /// moment of the pair; nearMoments are the reference.
 double differenceFarAndNear(const Mesh& mesh, int e, int f) {
   const bem::ElementRuns runs(mesh);
-  bem::Tile tile(runs);
+  bem::Tile tile;
   const int r = runs.runOf(f);
-  tile.evaluate(e, r, {runs[r].first, runs[r].last});
+  tile.evaluate(runs, e, r, {runs[r].first, runs[r].last});
   const int lane = f - runs[r].first;
   if (!tile.isFar(lane))
     return 0;
-  const auto near = std::make_unique<bem::TileMoments>();
+  const auto near = std::make_unique<bem::Tile>();
   bem::nearMoments(mesh, e, f, *near, 0);
-  const bem::TileMoments& far = tile.moments();
+  const bem::Tile& far = tile;
   double worst = 0;
   double largest = 0;
-  const auto compare = [&](const bem::TileMoments::Lane* a,
-                           const bem::TileMoments::Lane* b, int at) {
+  const auto compare = [&](const bem::Tile::Lane* a, const bem::Tile::Lane* b, int at) {
     worst = std::max(worst, std::abs(a[at][lane] - b[at][0]));
     largest = std::max(largest, std::abs(b[at][0]));
   };
   for (int i = 0; i <= mesh[e].degree; ++i)
     for (int j = 0; j <= mesh[f].degree; ++j) {
-      const int at = i * bem::TileMoments::stride + j;
+      const int at = i * bem::Tile::stride + j;
       if (i < mesh[e].degree)
         compare(far.direct, near->direct, at);
       if (j < mesh[f].degree)

@@ -279,7 +279,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, haveTheirSquaresIntegratedByAFewPoints) {
       std::vector<bem::Feature> nodes;
       for (const bem::Element& other : mesh.elements()) {
         const bem::Complex z =
-            bem::seenFrom(mesh, e, {other.piece.edge, other.piece.start, 0}).z();
+            bem::seenFrom(mesh, e, {other.piece.edge, other.piece.start, 0}).z;
         nodes.push_back({z.real(), std::abs(z.imag())});
       }
       const bem::GradedRule rule = bem::gradedRule(nodes, 20, 1e-12);

@@ -135,7 +135,7 @@ TEUCHOS_UNIT_TEST(Curve, seesItsOwnPointsAtTheirParameters) {
       // by the chords from both ends, which keep their digits beside an end
       const auto seen = curve.seen(curve.fromStart(curve.half() * (1 + t)),
                                    curve.fromEnd(-curve.half() * (1 - t)));
-      TEST_COMPARE(std::abs(seen.z() - t), <, 1e-15);
+      TEST_COMPARE(std::abs(seen.z - t), <, 1e-15);
       TEST_COMPARE(std::abs(seen.zMinus1 / (t - 1) - 1.0), <, 2e-15);
       TEST_COMPARE(std::abs(seen.zPlus1 / (t + 1) - 1.0), <, 2e-15);
     }
@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(Curve, factorsTheOffsetOfATarget) {
         TEST_COMPARE(depth * z.b(), >, 0);  // the body's side is negative
         for (const double t : {-1.0, -0.6, 0.1, 1.0}) {
           const Complex w = asComplex(x - curve.point(t));
-          const Complex product = std::conj(z.z() - t) * curve.factor(z, t);
+          const Complex product = std::conj(z.z - t) * curve.factor(z, t);
           TEST_COMPARE(std::abs(product - w), <, 1e-14);
         }
       }
@@ -160,7 +160,7 @@ TEUCHOS_UNIT_TEST(Curve, hasSegmentsForALimit) {
   const Curve segment(from, to);
   const Curve arc(from, to, 1e-13);
   const Vec2 x{0.1, 0.4};
-  TEST_COMPARE(std::abs(segment.seen(x).z() - arc.seen(x).z()), <, 1e-11);
+  TEST_COMPARE(std::abs(segment.seen(x).z - arc.seen(x).z), <, 1e-11);
   TEST_COMPARE(norm(segment.point(0.3) - arc.point(0.3)), <, 1e-12);
   TEST_COMPARE(
       std::abs(segment.factor(segment.seen(x), 0.4) - arc.factor(arc.seen(x), 0.4)), <,
@@ -174,8 +174,8 @@ TEUCHOS_UNIT_TEST(Curve, isSeenFromFarAndNearPlacesTogether) {
   for (int lane = 0; lane < bem::lanes; ++lane)
     z[lane] = lane == 0 ? -2.2 : -std::pow(10.0, 2.0 * lane - 2);
   for (const double b : {0.0, 1e-3}) {
-    const bem::TargetLanes targets({z - 1.0, bem::Pack{} + b},
-                                   {z + 1.0, bem::Pack{} + b});
+    const bem::TargetLanes targets =
+        bem::targetAt({z - 1.0, bem::Pack{} + b}, {z + 1.0, bem::Pack{} + b});
     bem::LegendreLanes<2> moments{};
     moments.evaluate(targets, top);
     for (int lane = 3; lane < bem::lanes; ++lane) {
@@ -204,7 +204,7 @@ TEUCHOS_UNIT_TEST(Curve, isASegmentSeenFromAComplexPlace) {
       bem::RelativeTarget targets[bem::lanes];
       std::fill_n(targets, bem::lanes, z);
       bem::LegendreLanes<2> moments{};
-      moments.evaluate(bem::TargetLanes(targets), 4);
+      moments.evaluate(bem::packed(targets), 4);
       const bem::GradedRule graded = bem::gradedRule(
           {{foot, std::abs(depth) / curve.half()}}, 20, 1e-6 * std::abs(depth));
       for (int j = 0; j <= 3; ++j) {

@@ -21,8 +21,8 @@ TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
   TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
 }
 
-bem::FarLanes anyLanes(int densities, bem::Nearness order) {
-  bem::FarLanes all{};
+bem::ElementLanes anyLanes(int densities, bem::Nearness order) {
+  bem::ElementLanes all{};
   all.densities = densities;
   all.smooth = order;
   for (int lane = 0; lane < bem::lanes; ++lane) {
@@ -35,12 +35,12 @@ bem::FarLanes anyLanes(int densities, bem::Nearness order) {
   return all;
 }
 
-double difference(const bem::TileMoments& a, const bem::TileMoments& b, int degree) {
+double difference(const bem::Tile& a, const bem::Tile& b, int degree) {
   double largest = 0;
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; j <= degree; ++j)
       for (int lane = 0; lane < bem::lanes; ++lane) {
-        const int at = i * bem::TileMoments::stride + j;
+        const int at = i * bem::Tile::stride + j;
         if (i < degree)
           largest = std::max(largest, std::abs(a.direct[at][lane] - b.direct[at][lane]));
         if (j < degree)
@@ -59,11 +59,11 @@ double difference(const bem::TileMoments& a, const bem::TileMoments& b, int degr
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
   const auto outline = std::make_shared<const bem::Outline>(
       polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
-  const auto baseline = std::make_unique<bem::TileMoments>();
-  const auto other = std::make_unique<bem::TileMoments>();
+  const auto baseline = std::make_unique<bem::Tile>();
+  const auto other = std::make_unique<bem::Tile>();
   for (const int degree : {1, 2, 3, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
-    const bem::FarLanes lanes = anyLanes(degree, {degree + 5, degree + 7});
+    const bem::ElementLanes lanes = anyLanes(degree, {degree + 5, degree + 7});
     bem::farMoments(mesh[1], lanes, *baseline, bem::InstructionSet::Baseline);
     for (const bem::InstructionSet set : bem::instructionSets()) {
       bem::farMoments(mesh[1], lanes, *other, set);
@@ -77,8 +77,8 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
   const auto outline = std::make_shared<const bem::Outline>(
       polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.4, 0.1}}));
-  const auto baseline = std::make_unique<bem::TileMoments>();
-  const auto other = std::make_unique<bem::TileMoments>();
+  const auto baseline = std::make_unique<bem::Tile>();
+  const auto other = std::make_unique<bem::Tile>();
   for (const int degree : {1, 2, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {4, 2, 3, 2}, degree);
     for (const int e : {0, 1, 2, 4, 6, 7}) {
@@ -88,11 +88,10 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
         for (int lane = 1; lane < bem::lanes; ++lane)
           for (int i = 0; i <= degree; ++i)
             for (int j = 0; j <= degree; ++j) {
-              const int at = i * bem::TileMoments::stride + j;
+              const int at = i * bem::Tile::stride + j;
               for (const auto table :
-                   {&bem::TileMoments::log, &bem::TileMoments::along,
-                    &bem::TileMoments::across, &bem::TileMoments::direct,
-                    &bem::TileMoments::reverse})
+                   {&bem::Tile::log, &bem::Tile::along, &bem::Tile::across,
+                    &bem::Tile::direct, &bem::Tile::reverse})
                 ((*baseline).*table)[at][lane] = ((*other).*table)[at][lane] = 0;
             }
         TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);

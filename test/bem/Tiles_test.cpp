@@ -73,8 +73,7 @@ TEUCHOS_UNIT_TEST(TileBlocks, giveTheMatricesHoweverTheyAreGrouped) {
 bem::Operators untouched(const bem::Space& space) {
   bem::Operators out{bem::Matrix(space.densities(), space.densities()),
                      bem::Matrix(space.densities(), space.displacements()),
-                     bem::Matrix(space.displacements(), space.displacements()),
-                     {}};
+                     bem::Matrix(space.displacements(), space.displacements())};
   for (bem::Matrix* matrix : {&out.singleLayer, &out.doubleLayer, &out.hypersingular})
     for (Index j = 0; j < matrix->columns(); ++j)
       std::fill_n(matrix->column(j), matrix->rows(), -0.0);
@@ -102,12 +101,12 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
     bem::Operators written = untouched(space);
     bem::GhostNodes ghosts(space, runs);
     bem::TileWriter writer(space, lame, written, ghosts);
-    bem::Tile tile(runs);
+    bem::Tile tile;
     const int first = runs[group].first;
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = first; f < runs[group].last; ++f) {
-        tile.evaluate(f, r, {std::max(f, runs[r].first), runs[r].last});
+        tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
         writer.add(tile);
       }
       writer.finish();
@@ -145,11 +144,11 @@ TEUCHOS_UNIT_TEST(TileBlocks, areTheSameForEveryInstructionSet) {
     const bem::Space space(sample.mesh);
     const bem::ElementRuns runs(space.mesh());
     bem::TileBlocks blocks(space, lame);
-    bem::Tile tile(runs);
+    bem::Tile tile;
     const int degree = space.mesh()[0].degree;
     for (int r = 0; r < runs.size(); ++r) {
       const auto evaluated = [&](bem::InstructionSet set) {
-        tile.evaluate(0, r, {runs[r].first, runs[r].last}, set);
+        tile.evaluate(runs, 0, r, {runs[r].first, runs[r].last}, set);
         blocks.evaluate(tile, set);
         return entries(blocks, degree);
       };

@@ -31,7 +31,7 @@ struct Body {
       : lame({1, nu, false}),
         space(bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, length, 1)), elements,
                             2)),
-        stiffness(bem::assembleOperators(space, lame, {})) {}
+        stiffness(bem::assembleOperators(space, lame)) {}
 };
 
 double zero(bem::Vec2) { return 0; }

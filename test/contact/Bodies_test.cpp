@@ -29,7 +29,7 @@ struct Block {
   Block(double bottom, int across, int degree)
       : space(bem::makeMesh(test::outlineOf(test::rectangle({0, bottom}, 1, 1)),
                             {across, 4, across, 4}, degree)),
-        stiffness(bem::assembleOperators(space, lame, {})) {}
+        stiffness(bem::assembleOperators(space, lame)) {}
 };
 
 /// The upper side of a block that lies under the contact side, however it is cut.

@@ -16,9 +16,9 @@ namespace {
 double error(const Mesh& mesh, bem::Tile& tile, const bem::ElementRuns& runs, int e,
              int f) {
   const int r = runs.runOf(f);
-  tile.evaluate(e, r, {runs[r].first, runs[r].last});
+  tile.evaluate(runs, e, r, {runs[r].first, runs[r].last});
   const int lane = f - runs[r].first;
-  const bem::TileMoments& m = tile.moments();
+  const bem::Tile& m = tile;
   const int rows = mesh[e].degree;
   const int columns = mesh[f].degree;
   const ArcMoments exact(mesh, e, f, std::max(rows, columns));
@@ -31,7 +31,7 @@ double error(const Mesh& mesh, bem::Tile& tile, const bem::ElementRuns& runs, in
   };
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j <= columns; ++j) {
-      const int at = i * bem::TileMoments::stride + j;
+      const int at = i * bem::Tile::stride + j;
       if (i < rows)
         compare(m.direct[at][lane], exact(ArcField::Direct, i, j));
       if (j < columns)
@@ -51,7 +51,7 @@ double error(const Mesh& mesh, bem::Tile& tile, const bem::ElementRuns& runs, in
 void testPairs(const Mesh& mesh, const std::vector<std::pair<int, int>>& pairs,
                Teuchos::FancyOStream& out, bool& success) {
   const bem::ElementRuns runs(mesh);
-  bem::Tile tile(runs);
+  bem::Tile tile;
   for (const auto& [e, f] : pairs) {
     out << "elements " << e << ", " << f << ": ";
     TEST_COMPARE(error(mesh, tile, runs, e, f), <, 1e-13);

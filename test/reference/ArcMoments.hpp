@@ -7,7 +7,7 @@
 
 namespace epafi::reference {
 
-/// The double integrals of bem::TileMoments for two elements, segments or arcs, by plain
+/// The double integrals of bem::Tile for two elements, segments or arcs, by plain
 /// quadrature in 33 digits, to about 1e-15: both are bisected until each pair of parts is as
 /// far apart as the longer one is long; what is left next to a common point is smaller than
 /// 1e-16.  An element with itself: over s - t, graded to 0.

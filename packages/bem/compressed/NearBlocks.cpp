@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
-#include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/TileBlocks.hpp"
 
 #include <algorithm>
@@ -17,23 +16,19 @@ namespace {
 class PairByParts {
  public:
   PairByParts(const Space& space, const Lame& lame)
-      : space_(space),
-        lame_(lame),
-        runs_(space.mesh()),
-        tile_(runs_),
-        blocks_(space, lame) {}
+      : space_(space), runs_(space.mesh()), blocks_(space, lame) {}
 
   /// Functions of e by functions of f, row by row.
   void evaluate(int e, int f, double* out) {
     const int r = runs_.runOf(e);
-    tile_.evaluate(f, r, {e, e + 1});
+    tile_.evaluate(runs_, f, r, {e, e + 1});
     blocks_.evaluate(tile_);
     const Element& x = space_.mesh()[e];
     const Element& y = space_.mesh()[f];
     const LocalFunctions rows(x);
     const LocalFunctions columns(y);
     const int width = columns.size();
-    const ElementRun& run = runs_[r];
+    const ElementLanes& run = runs_[r];
     const Index densities = space_.density(e, 0, 0) - space_.density(run.first, 0, 0);
     const Index start =
         space_.displacement(e, 0, 0) - space_.displacement(run.first, 0, 0);
@@ -62,43 +57,14 @@ class PairByParts {
               slope * blocks_.slopeLayer(std::max(j - 1, 0), c)[displacement(a)];
       }
     }
-    addLocalTerms(e, f, rows, columns, out);
+    for (int a = 0; a < rows.displacements && e == f; ++a)
+      for (int b = 0; b < rows.densities; ++b)
+        out[a * width + rows.displacements + b] =
+            out[(rows.displacements + b) * width + a];
   }
 
  private:
-  void addLocalTerms(int e, int f, const LocalFunctions& rows,
-                     const LocalFunctions& columns, double* out) const {
-    const int width = columns.size();
-    // of K; blocks name the first of two components
-    const auto toK = [&](int, int i, int, int k, const Block& b) {
-      double* first = out + (rows.displacements + 2 * i) * width + 2 * k;
-      first[0] += b.xx;
-      first[1] += b.xy;
-      first[width] += b.yx;
-      first[width + 1] += b.yy;
-    };
-    const auto toTransposed = [&](int, int i, int, int k, const Block& b) {
-      double* first = out + 2 * k * width + columns.displacements + 2 * i;
-      first[0] += b.xx;
-      first[1] += b.yx;
-      first[width] += b.xy;
-      first[width + 1] += b.yy;
-    };
-    if (e == f)
-      addHalfMass(space_.mesh(), {e}, toK);
-    addEdgeEnds(space_.mesh(), lame_, {e}, {f}, toK);
-    if (e == f) {
-      for (int a = 0; a < rows.displacements; ++a)
-        for (int b = 0; b < rows.densities; ++b)
-          out[a * width + rows.displacements + b] =
-              out[(rows.displacements + b) * width + a];
-      return;
-    }
-    addEdgeEnds(space_.mesh(), lame_, {f}, {e}, toTransposed);
-  }
-
   const Space& space_;
-  Lame lame_;
   ElementRuns runs_;
   Tile tile_;
   TileBlocks blocks_;

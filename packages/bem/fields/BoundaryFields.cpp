@@ -60,9 +60,8 @@ class NearElements {
         for (int k = 0; k < kernels.size(); ++k)
           shares.push_back(kernels.share(fields[state].*series, k));
     PointSources::Sums* to = sums_.data();
-    const SeenPoints seen(mesh_, source, element_, points_);
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      kernels.evaluate(seen, k);
+    for (const TargetLanes& targets : seenFrom(mesh_, source, element_, points_)) {
+      kernels.evaluate(targets);
       dispatch(largestInstructionSet(), Combination{kernels, shares, to});
       to += states_;
     }
@@ -171,8 +170,8 @@ void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points)
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
-  const ElementRun& run = runs_[r];
-  const FarLanes chosen = runs_.choose(element, r, {run.first, run.last});
+  const ElementLanes& run = runs_[r];
+  const ElementLanes chosen = runs_.choose(element, r, {run.first, run.last});
   if (chosen.arePlain) {
     const int order = pointsOn(chosen.smooth.inner, run.degree);
     const std::size_t first = run.first * order;

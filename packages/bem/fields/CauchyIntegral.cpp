@@ -101,10 +101,10 @@ std::vector<CauchyIntegral::Pair> CauchyIntegral::on(int element,
   }
   for (int e = 0; e < mesh_.size(); ++e) {
     Source source(mesh_[e].curve, terms_[bem::at(e)], densities_[bem::at(e)]);
-    const SeenPoints seen(mesh_, e, element, places);
+    const std::vector<TargetLanes> seen = seenFrom(mesh_, e, element, places);
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (k % lanes == 0)
-        source.evaluate(seen, k / lanes);
+        source.evaluate(seen[k / lanes]);
       source.add(k % lanes, values[k]);
     }
   }

@@ -55,8 +55,8 @@ std::vector<Vec2> crossingsOfWholes(const Curve& a, const Curve& b) {
 /// The crossing next to a point by Newton's method, from coordinates that are as accurate
 /// as the curves; false without one on both.
 bool crossNear(const Curve& a, const Curve& b, Vec2 start, Vec2& crossing) {
-  double s = a.seen(start).z().real();
-  double t = b.seen(start).z().real();
+  double s = a.seen(start).z.real();
+  double t = b.seen(start).z.real();
   Vec2 apart;
   for (int step = 0; step < 8; ++step) {
     if (!(std::abs(s) < 3) || !(std::abs(t) < 3))
@@ -98,7 +98,7 @@ std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
     const Vec2 centre = a.centre();
     for (const double side : {1.0, -1.0}) {
       const Vec2 foot = centre + (side * radiusOf(a) / length) * direction;
-      const double t = a.seen(foot).z().real();
+      const double t = a.seen(foot).z.real();
       if (std::abs(t) < 1)
         points.push_back(a.point(t));
     }

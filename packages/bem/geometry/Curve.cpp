@@ -116,17 +116,17 @@ RelativeTarget Curve::seen(Vec2 toStart, Vec2 toEnd) const {
   };
   if (dot(toEnd, toEnd) < dot(toStart, toStart)) {
     const Complex minus = local(toEnd, 1);
-    return {minus, minus + 2.0};
+    return {minus + 1.0, minus, minus + 2.0};
   }
   const Complex plus = local(toStart, -1);
-  return {plus - 2.0, plus};
+  return {plus - 1.0, plus - 2.0, plus};
 }
 
 Complex Curve::factor(const RelativeTarget& x, double t) const {
   const Complex tangent = half_ * asComplex(frame_.tangent);
   if (isStraight())
     return tangent;
-  const Complex place = std::conj(x.z());
+  const Complex place = std::conj(x.z);
   return tangent * std::exp(Complex(0, 0.5 * alpha_) * (place + t)) *
          sinc(0.5 * alpha_ * (place - t));
 }

@@ -16,18 +16,24 @@ struct Position {
 double distanceAlong(Position a, Position b);
 
 /// A target x relative to a curve: z = conj(t₀), t₀ the complex parameter with y(t₀) = x.  For
-/// a segment z = a + ib, a = 2(x-m)·τ/h, b = 2(x-m)·n/h.  Both z-1 and z+1 are stored,
-/// since one of them is small near an end.  b < 0 on the side of the body; b = 0 exactly on the
-/// curve.
-struct RelativeTarget {
-  Complex zMinus1;
-  Complex zPlus1;
-  double b() const { return zMinus1.imag(); }
-  /// z, from the smaller of both offsets.
-  Complex z() const {
-    return std::norm(zMinus1) < std::norm(zPlus1) ? 1.0 + zMinus1 : zPlus1 - 1.0;
-  }
+/// a segment z = a + ib, a = 2(x-m)·τ/h, b = 2(x-m)·n/h.  z-1 and z+1 are stored, too, since one
+/// of them is small near an end.  b < 0 on the side of the body; b = 0 exactly on the curve.
+/// Number: Complex, or a pack of eight targets.
+template <class Number>
+struct TargetOf {
+  Number z{};
+  Number zMinus1{};
+  Number zPlus1{};
+  double b() const { return imag(z); }
 };
+using RelativeTarget = TargetOf<Complex>;
+
+/// From z - 1 and z + 1, of which the smaller one is accurate.
+inline RelativeTarget targetAt(const Complex& minus1, const Complex& plus1) {
+  return std::norm(minus1) < std::norm(plus1)
+             ? RelativeTarget{1.0 + minus1, minus1, minus1 + 2.0}
+             : RelativeTarget{plus1 - 1.0, plus1 - 2.0, plus1};
+}
 
 /// A segment or a circular arc y(t), -1 <= t <= 1, at constant speed |dy/dt| = half; the
 /// body lies to its left.

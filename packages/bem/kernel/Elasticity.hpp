@@ -122,15 +122,8 @@ inline Complex mismatchSlope(const Lame& lame, Complex normal, const FieldSums& 
          doubleLayerSlope(lame, normal, sums.slope);
 }
 
-/// Double integrals of two scalar functions P and Q in the blocks of V and K: ∫∫ P Q log|w|,
-/// ∫∫ P Q w/conj(w), ∫∫ P Q.  Number: double, or a Pack of pairs.
-template <class Number>
-struct PotentialMoments {
-  Number log;
-  Number phaseReal;
-  Number phaseImag;
-  double whole;
-};
+// Blocks of V and K from double integrals of two scalar functions P and Q: log = ∫∫ P Q log|w|,
+// phase = ∫∫ P Q w/conj(w), whole = ∫∫ P Q.  Number: double and Complex, or packs of pairs.
 
 /// A 2 x 2 block of a Galerkin matrix by columns: both components of a test function,
 /// then of a trial function.
@@ -151,33 +144,33 @@ inline Block operator*(double s, const Block& b) {
 /// isotropic (-log|w| I) + radial d d'/r²: V for A and B; for D and D V*, whose functions are
 /// derivatives by arc length.
 /// d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2.
-template <class Number>
+template <class Number, class Phase>
 EPAFI_INLINE KernelBlock<Number> singleLayerBlock(double isotropic, double radial,
-                                                  const PotentialMoments<Number>& m) {
-  const Number log = isotropic * m.log;
-  const Number xy = 0.5 * radial * m.phaseImag;
-  return {0.5 * radial * (m.whole + m.phaseReal) - log, xy, xy,
-          0.5 * radial * (m.whole - m.phaseReal) - log};
+                                                  const Number& log, const Phase& phase,
+                                                  double whole) {
+  const Number ofLog = isotropic * log;
+  const Number xy = 0.5 * radial * imag(phase);
+  return {0.5 * radial * (whole + real(phase)) - ofLog, xy, xy,
+          0.5 * radial * (whole - real(phase)) - ofLog};
 }
 
-/// Block of K.  `m`: moments of the derivative of the trial function v; `laplace`: its Laplace
-/// double layer ∫∫ P v (w·n_y)/|w|²:
+/// Block of K.  `log` and `phase` with the derivative of the trial function v; `laplace`: its
+/// Laplace double layer ∫∫ P v (w·n_y)/|w|²:
 ///
 ///   K v = K_Δ v - X M v,  M v = (v₂', -v₁'),  X = 2μ V - V_Δ,
 ///
 /// V_Δ and K_Δ Laplace's potentials.  The constant part of X is omitted, since ∫ v' = 0 over a
 /// loop; 2μA - 1/2π = μ (A - B) = 2 μ (1-2ν) B avoids cancellation as ν -> 1/2.
-template <class Number>
-EPAFI_INLINE KernelBlock<Number> doubleLayerBlock(const Lame& lame,
-                                                  const PotentialMoments<Number>& m,
+template <class Number, class Phase>
+EPAFI_INLINE KernelBlock<Number> doubleLayerBlock(const Lame& lame, const Number& log,
+                                                  const Phase& phase,
                                                   const Number& laplace) {
   const double ofPhase = lame.mu * lame.b;
-  const double ofLog = 2 * ofPhase * (1 - 2 * lame.nu);
-  const Number re = ofPhase * m.phaseReal;
-  const Number im = ofPhase * m.phaseImag;
-  const Number log = ofLog * m.log;
+  const Number re = ofPhase * real(phase);
+  const Number im = ofPhase * imag(phase);
+  const Number ofLog = (2 * ofPhase * (1 - 2 * lame.nu)) * log;
   const Number l = lame.mu * (lame.a + lame.b) * laplace;  // 1/2π
-  return {im + l, -re - log, log - re, l - im};
+  return {im + l, -re - ofLog, ofLog - re, l - im};
 }
 
 }  // namespace epafi::bem

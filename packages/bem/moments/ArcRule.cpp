@@ -63,8 +63,9 @@ struct ArcKernel {
     // e^{iA} and A = α conj(z)/2
     ComplexLanes turn;
     for (int lane = 0; lane < lanes; ++lane)
-      turn.set(lane, std::exp(Complex(0.5 * alpha * x.b[lane], 0.5 * alpha * x.z[lane])));
-    const ComplexPack place = (0.5 * alpha) * conj(x.complex());
+      turn.set(lane,
+               std::exp(Complex(0.5 * alpha * x.z.im[lane], 0.5 * alpha * x.z.re[lane])));
+    const ComplexPack place = (0.5 * alpha) * conj(x.z);
     const ComplexPack there = turn.load();
     Pack squareOfThere;
     squareOf(there, squareOfThere);
@@ -77,8 +78,8 @@ struct ArcKernel {
     int far = 0;
     Pack isFar{};  // 1 where
     for (int lane = 0; lane < lanes; ++lane)
-      if (0.5 * (std::hypot(x.minus[lane], x.b[lane]) +
-                 std::hypot(x.plus[lane], x.b[lane])) >
+      if (0.5 * (std::hypot(x.zMinus1.re[lane], x.z.im[lane]) +
+                 std::hypot(x.zPlus1.re[lane], x.z.im[lane])) >
           limit) {
         isFar[lane] = 1;
         ++far;
@@ -101,7 +102,7 @@ struct ArcKernel {
         log += row[k] * legendre.l[k];
       }
       if (far > 0) {
-        const ComplexPack difference{x.z - rule.point(q), x.b};
+        const ComplexPack difference{x.z.re - rule.point(q), x.z.im};
         Pack square;
         squareOf(difference, square);
         const ComplexPack inverse = (1.0 / square) * conj(difference);
@@ -109,7 +110,8 @@ struct ArcKernel {
         logarithm(square, logOfSquare);
         const auto chosen = isFar > 0.5;
         const ComplexPack direct = weight * inverse;
-        const ComplexPack turned = direct + Complex(0, -2) * (x.b * (direct * inverse));
+        const ComplexPack turned =
+            direct + Complex(0, -2) * (x.z.im * (direct * inverse));
         first = {chosen ? direct.re : first.re, chosen ? direct.im : first.im};
         cubic = {chosen ? turned.re : cubic.re, chosen ? turned.im : cubic.im};
         log = chosen ? (0.5 * weight) * logOfSquare : log;
@@ -137,7 +139,8 @@ struct ArcKernel {
       KernelLanes& to = weights[q];
       to.overConj.store(half * (first * inverse));
       to.cubic.store(half * (cubic * g * inverse * inverse));
-      const ComplexPack turning{weight + 2.0 * x.b * first.im, -2.0 * x.b * first.re};
+      const ComplexPack turning{weight + 2.0 * x.z.im * first.im,
+                                -2.0 * x.z.im * first.re};
       to.phase.store(half * (turning * g * inverse));
       store(to.log.lane, half * (log + (0.5 * weight) * logOfSquare));
     }
@@ -160,7 +163,7 @@ ArcRule::ArcRule(const Curve& curve, int degree) : curve_(curve), degree_(degree
 
 void ArcRule::evaluate(const TargetLanes& x, KernelLanes* weights,
                        InstructionSet set) const {
-  if (x.isOnEdge)
+  if (areOnLine(x))
     dispatch(set, ArcKernel<1>{*this, x, weights});
   else
     dispatch(set, ArcKernel<2>{*this, x, weights});

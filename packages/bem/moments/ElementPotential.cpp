@@ -14,18 +14,23 @@ using Need = ElementPotential::Need;
 ///
 ///   ∫ P_j ds/conj(w) = τ C_j,          ∫ P_j w/conj(w)² ds = τ³ ∫ P_j (1/(z-t) - 2ib/(z-t)²) dt,
 ///   ∫ P_j w/conj(w) dt = τ² (2δ_j0 - 2ib C_j)
+///
+/// Parts 1: all targets are on the line of the segment.
+template <int Parts>
 struct OfSegment {
   const Curve& curve;
   int terms;
   Need need;
+  const TargetLanes& x;
   KernelLanes* to;
 
-  template <int Parts>
-  EPAFI_INLINE void evaluate(const TargetLanes& x) const;
+  template <Division>
+  EPAFI_INLINE void run() const;
 };
 
 template <int Parts>
-EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
+template <Division>
+EPAFI_INLINE void OfSegment<Parts>::run() const {
   const Complex tangent = asComplex(curve.frame().tangent);
   const Complex square = tangent * tangent;
   const double half = curve.half();
@@ -42,7 +47,7 @@ EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
     store(to[logs].log.lane, Pack{});
     to[logs].phase.store({});
   }
-  const Pack b = (2 * half) * x.b;
+  const Pack b = (2 * half) * x.z.im;
   for (int j = 0; j < terms; ++j) {
     const ComplexPack c = legendre.at(j);
     to[j].overConj.store(tangent * c);
@@ -55,32 +60,6 @@ EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
   }
 }
 
-struct AtPoints {
-  const OfSegment& segment;
-  const SeenPoints& points;
-  std::size_t k;
-
-  template <Division>
-  EPAFI_INLINE void run() const {
-    const TargetLanes x = points.at(k);
-    if (points.areOnEdge())
-      segment.evaluate<1>(x);
-    else
-      segment.evaluate<2>(x);
-  }
-};
-
-struct AtPlaces {
-  const OfSegment& segment;
-  const AlignedLane& x;
-  const AlignedLane& y;
-
-  template <Division>
-  EPAFI_INLINE void run() const {
-    segment.evaluate<2>(TargetLanes(segment.curve, load(x.lane), load(y.lane)));
-  }
-};
-
 }  // namespace
 
 ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
@@ -89,22 +68,22 @@ ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
     rule_.emplace(curve, terms - 1);
 }
 
-void ElementPotential::evaluate(const SeenPoints& points, std::size_t k,
-                                InstructionSet set) {
+void ElementPotential::evaluate(const TargetLanes& targets, InstructionSet set) {
   if (rule_)
-    rule_->evaluate(points.at(k), lanes_.data(), set);
+    rule_->evaluate(targets, lanes_.data(), set);
+  else if (areOnLine(targets))
+    dispatch(set, OfSegment<1>{curve_, terms_, need_, targets, lanes_.data()});
   else
-    dispatch(set, AtPoints{OfSegment{curve_, terms_, need_, lanes_.data()}, points, k});
+    dispatch(set, OfSegment<2>{curve_, terms_, need_, targets, lanes_.data()});
 }
 
-void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,
-                                InstructionSet set) {
+void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y) {
   if (!rule_)
-    return dispatch(set, AtPlaces{OfSegment{curve_, terms_, need_, lanes_.data()}, x, y});
+    return evaluate(seenFrom(curve_, x, y));
   RelativeTarget targets[lanes];
   for (int lane = 0; lane < lanes; ++lane)
     targets[lane] = curve_.seen({x.lane[lane], y.lane[lane]});
-  rule_->evaluate(TargetLanes(targets), lanes_.data(), set);
+  evaluate(packed(targets));
 }
 
 Complex ElementPotential::share(const LegendreSeries<Complex>& density, int k) const {

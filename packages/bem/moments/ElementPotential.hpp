@@ -22,11 +22,10 @@ class ElementPotential {
   /// Refers to the curve.
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
-  void evaluate(const SeenPoints& points, std::size_t k,
-                InstructionSet set = largestInstructionSet());
+  /// \param targets relative to the curve, see seenFrom
+  void evaluate(const TargetLanes& targets, InstructionSet set = largestInstructionSet());
   /// At points with these coordinates, not on the element.
-  void evaluate(const AlignedLane& x, const AlignedLane& y,
-                InstructionSet set = largestInstructionSet());
+  void evaluate(const AlignedLane& x, const AlignedLane& y);
 
   int size() const { return rule_ ? rule_->size() : terms_; }
   const KernelLanes& operator[](int k) const {

@@ -7,8 +7,8 @@ namespace epafi::bem {
 
 namespace {
 
-ElementRun makeRun(const Mesh& mesh, int first) {
-  ElementRun run;
+ElementLanes makeRun(const Mesh& mesh, int first) {
+  ElementLanes run;
   run.first = run.last = first;
   while (run.last < first + lanes && !run.closesLoop) {
     const int next = mesh[run.last].next;
@@ -20,13 +20,13 @@ ElementRun makeRun(const Mesh& mesh, int first) {
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = first + lane;
     if (f >= run.last) {
-      run.elements.drop(lane);
+      run.drop(lane);
       continue;
     }
     const Element& element = mesh[f];
-    run.elements.set(lane, element.curve.frame().middle, element);
+    run.set(lane, element.curve.frame().middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
-    run.angle = std::max(run.angle, std::abs(element.curve.angle()));
+    run.largestAngle = std::max(run.largestAngle, std::abs(element.curve.angle()));
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
     low = {std::min(low.x, element.curve.frame().middle.x),
@@ -34,7 +34,6 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     high = {std::max(high.x, element.curve.frame().middle.x),
             std::max(high.y, element.curve.frame().middle.y)};
   }
-  run.elements.densities = run.densities;
   run.centre = 0.5 * (low + high);
   for (int f = first; f < run.last; ++f) {
     const Vec2 offset = mesh[f].curve.frame().middle - run.centre;
@@ -55,14 +54,13 @@ ElementRuns::ElementRuns(const Mesh& mesh) : mesh_(&mesh) {
   }
 }
 
-FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted,
-                             int largestOuter) const {
-  const ElementRun& run = (*this)[r];
-  FarLanes result;
+ElementLanes ElementRuns::choose(int e, int r, const ElementRange& wanted,
+                                 int largestOuter) const {
+  const ElementLanes& run = (*this)[r];
+  ElementLanes result = run;
   const bool all = wanted.first <= run.first && run.last <= wanted.last;
-  if (all && chooseAtOnce(e, run, result))
+  if (all && chooseAtOnce(e, result))
     return result;
-  result.densities = run.densities;
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = run.first + lane;
     result.drop(lane);
@@ -81,7 +79,7 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted,
 
 // |w| between middles is at least the distance to the circle plus half of the element,
 // and a bound for the sums of focal distances, see nearness.
-bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result) const {
+bool ElementRuns::chooseAtOnce(int e, ElementLanes& run) const {
   const Element& x = (*mesh_)[e];
   const Vec2 toCentre = x.curve.frame().middle - run.centre;
   const double gap = length(toCentre) - run.radius;
@@ -92,19 +90,18 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result) c
   if (gap < ofRounding || gap - x.half < std::max(x.half, run.largestHalf) ||
       std::min(zE, zF) < zOfCircles)
     return false;
-  const Nearness smooth{farOrder(x.curve.angle(), zE), farOrder(run.angle, zF)};
+  const Nearness smooth{farOrder(x.curve.angle(), zE), farOrder(run.largestAngle, zF)};
   if (std::max(smooth.outer, smooth.inner) > smoothOrderOfCircles)  // arcs'
     return false;
-  result = run.elements;
-  result.arePlain = gap > Mesh::plainDistance;
-  result.smooth = smooth;
+  run.arePlain = gap > Mesh::plainDistance;
+  run.smooth = smooth;
   for (int lane = 0; lane < run.last - run.first; ++lane) {
-    const Vec2 w = result.arePlain
-                       ? x.curve.frame().middle - Vec2{result.wx[lane], result.wy[lane]}
+    const Vec2 w = run.arePlain
+                       ? x.curve.frame().middle - Vec2{run.wx[lane], run.wy[lane]}
                        : mesh_->offset(e, run.first + lane);
-    result.wx[lane] = w.x;
-    result.wy[lane] = w.y;
-    result.own[lane] = smooth;
+    run.wx[lane] = w.x;
+    run.wy[lane] = w.y;
+    run.own[lane] = smooth;
   }
   return true;
 }

@@ -15,18 +15,30 @@ struct ElementRange {
   bool contain(int e) const { return first <= e && e < last; }
 };
 
-/// Eight elements F = first ... first+7 relative to an element E, as structure of arrays, and
-/// which of the pairs are far.
-struct alignas(64) FarLanes {
-  double wx[lanes];  ///< midpoint of E minus midpoint of F
+/// Up to eight elements F relative to an origin, as structure of arrays: those of a run, the
+/// consecutive elements first ... last - 1 of one loop, relative to the origin of coordinates, or,
+/// where choose() selected them, to the midpoint of an element E.
+struct alignas(64) ElementLanes {
+  double wx[lanes];  ///< of a run the midpoint of F; else that of E minus that of F
   double wy[lanes];
   double tx[lanes];  ///< tangent of F at its midpoint
   double ty[lanes];
   double half[lanes];
   double alpha[lanes];  ///< half the angle by which F turns
+  int first = 0;
+  int last = 0;
+  int degree = 0;           ///< the largest
+  int densities = 0;        ///< the largest number on an element
+  int loop = 0;             ///< counted from 0
+  bool closesLoop = false;  ///< the last element ends at the first node of the loop
+  double largestAngle = 0;  ///< by which an element turns
+  double largestHalf = 0;
+  Vec2 centre;  ///< of a circle around them
+  double radius = 0;
+
+  // where choose() selected them
   bool far[lanes] = {};
   bool arePlain = false;  ///< all are far enough for differences of rounded coordinates
-  int densities = 0;      ///< of the run, the largest number on an element
   Nearness smooth;        ///< for all far pairs
   Nearness own[lanes]{};  ///< for each of them
 
@@ -59,23 +71,8 @@ struct alignas(64) FarLanes {
     wx[lane] = wy[lane] = 10;
     tx[lane] = half[lane] = 1;
     ty[lane] = alpha[lane] = 0;
+    far[lane] = false;
   }
-};
-
-/// Up to eight consecutive elements of one loop, first ... last - 1, and a circle around
-/// them.
-struct ElementRun {
-  FarLanes elements{};  ///< wx, wy: midpoints, scaled; lanes beyond the last dropped
-  int first = 0;
-  int last = 0;
-  Vec2 centre;
-  double radius = 0;
-  double largestHalf = 0;
-  int degree = 0;           ///< the largest
-  int densities = 0;        ///< the largest number on an element
-  int loop = 0;             ///< counted from 0
-  bool closesLoop = false;  ///< the last element ends at the first node of the loop
-  double angle = 0;         ///< largest angle by which an element turns
 };
 
 /// Division of a mesh into runs of eight elements; the last run of a loop may be shorter.
@@ -86,21 +83,21 @@ class ElementRuns {
   const Mesh& mesh() const { return *mesh_; }
   int size() const { return static_cast<int>(runs_.size()); }
   int runOf(int e) const { return runOf_[e]; }
-  const ElementRun& operator[](int r) const { return runs_[r]; }
+  const ElementLanes& operator[](int r) const { return runs_[r]; }
 
   /// Selects the far pairs of e and the wanted elements of run r.  A single test suffices if all
   /// elements are wanted and the circle is far.
   /// \param largestOuter pairs that need more Gauss points on e (without degreeShare) count as
   /// near; at least 7, which a far circle needs.  With the default, the result does not depend
   /// on which element of a pair is e.
-  FarLanes choose(int e, int r, const ElementRange& wanted,
-                  int largestOuter = largestSmoothOrder) const;
+  ElementLanes choose(int e, int r, const ElementRange& wanted,
+                      int largestOuter = largestSmoothOrder) const;
 
  private:
-  bool chooseAtOnce(int e, const ElementRun& run, FarLanes& result) const;
+  bool chooseAtOnce(int e, ElementLanes& run) const;
 
   const Mesh* mesh_;
-  std::vector<ElementRun> runs_;
+  std::vector<ElementLanes> runs_;
   std::vector<int> runOf_;
 };
 

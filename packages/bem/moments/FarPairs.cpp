@@ -12,8 +12,8 @@ namespace {
 /// Gauss rules of the pairs, Legendre polynomials at their points, and where moments go.
 struct Work {
   const Element& e;
-  const FarLanes& far;
-  TileMoments& m;
+  const ElementLanes& far;
+  Tile& m;
   int rows = e.densities;
   int columns = far.densities;
   const Rule& outer = gaussLegendre(far.smooth.outer + degreeShare(rows));
@@ -69,7 +69,7 @@ EPAFI_INLINE void segmentKernel(const Work& work) {
   const int rows = Degree > 0 ? Degree : work.rows;
   const int columns = Degree > 0 ? Degree : work.columns;
   work.m.clear(rows, columns);
-  const FarLanes& far = work.far;
+  const ElementLanes& far = work.far;
   const Curve::Frame e = work.e.segment();
   const double halfE = work.e.half;
   const Pack tx = load(far.tx);
@@ -119,14 +119,14 @@ class alignas(64) ArcKernel {
   template <Division How>
   EPAFI_INLINE void integrate(const Vec2& offset, const Vec2& normal) {
     for (int j = 0; j <= work_.columns; ++j)
-      sums_[j] = TileMoments::Inner{};
+      sums_[j] = Tile::Inner{};
     const Pack tx = load(work_.far.tx);
     const Pack ty = load(work_.far.ty);
     const Pack half = load(work_.far.half);
     const Pack middleX = load(work_.far.wx) + offset.x;
     const Pack middleY = load(work_.far.wy) + offset.y;
     for (int q = 0; q < work_.inner.size(); ++q) {
-      const FarLanes::Points& y = points_[q];
+      const ElementLanes::Points& y = points_[q];
       const double* weights = work_.innerTable[q].data();
       const Pack wx = middleX - y.place.re;
       const Pack wy = middleY - y.place.im;
@@ -153,8 +153,8 @@ class alignas(64) ArcKernel {
   }
 
   const Work& work_;
-  FarLanes::Points points_[largestGaussOrder];
-  TileMoments::Inner sums_[largestMoment + 1];
+  ElementLanes::Points points_[largestGaussOrder];
+  Tile::Inner sums_[largestMoment + 1];
 };
 
 struct FarKernel {
@@ -183,7 +183,7 @@ struct FarKernel {
 
 }  // namespace
 
-void farMoments(const Element& e, const FarLanes& far, TileMoments& moments,
+void farMoments(const Element& e, const ElementLanes& far, Tile& moments,
                 InstructionSet set) {
   dispatch(set, FarKernel{Work{e, far, moments}});
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/moments/ElementRuns.hpp"
-#include "bem/moments/TileMoments.hpp"
+#include "bem/moments/Tile.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {
@@ -10,7 +10,7 @@ namespace epafi::bem {
 /// lanes are written.  Between segments with one reciprocal per pair of points and one logarithm
 /// per outer point: ∫ P_j log|w| follows from ∫ P_j w·τ/|w|² by parts.  With arcs points and normals
 /// are on the curves, and there is a logarithm per pair of points.
-void farMoments(const Element& e, const FarLanes& far, TileMoments& moments,
+void farMoments(const Element& e, const ElementLanes& far, Tile& moments,
                 InstructionSet set = largestInstructionSet());
 
 }  // namespace epafi::bem

@@ -24,18 +24,18 @@ struct LegendreLanes {
   Pack l[size];
 
   EPAFI_INLINE void evaluate(const TargetLanes& x, int top) {
-    const Pack minus2 = x.minus * x.minus + x.b * x.b;
-    const Pack plus2 = x.plus * x.plus + x.b * x.b;
+    const Pack minus2 = x.zMinus1.re * x.zMinus1.re + x.z.im * x.z.im;
+    const Pack plus2 = x.zPlus1.re * x.zPlus1.re + x.z.im * x.z.im;
     Pack logMinus;
     Pack logPlus;
     logarithm(minus2, logMinus);
     logarithm(plus2, logPlus);
     c[0][0] = 0.5 * (logPlus - logMinus);
-    l[0] = 0.5 * (logPlus + logMinus) - 2.0 + x.z * c[0][0];
+    l[0] = 0.5 * (logPlus + logMinus) - 2.0 + x.z.re * c[0][0];
     if constexpr (Parts == 2) {
-      angle(2.0 * x.b, x.minus * x.plus + x.b * x.b, c[1][0]);
+      angle(2.0 * x.z.im, x.zMinus1.re * x.zPlus1.re + x.z.im * x.z.im, c[1][0]);
       c[1][0] = -c[1][0];
-      l[0] -= x.b * c[1][0];
+      l[0] -= x.z.im * c[1][0];
     }
     if (top == 0)
       return;
@@ -79,27 +79,27 @@ struct LegendreLanes {
   EPAFI_INLINE ComplexPack cubic(const TargetLanes& x, int j) const {
     if constexpr (Parts == 1)
       return at(j);
-    const Pack real = x.minus * x.plus - x.b * x.b;  // of z² - 1
-    const Pack imag = x.b * (x.minus + x.plus);
-    const Pack scale = 2.0 * x.b / (real * real + imag * imag);
+    const Pack real = x.zMinus1.re * x.zPlus1.re - x.z.im * x.z.im;  // of z² - 1
+    const Pack imag = x.z.im * (x.zMinus1.re + x.zPlus1.re);
+    const Pack scale = 2.0 * x.z.im / (real * real + imag * imag);
     const ComplexPack factor{scale * imag, scale * real};  // 2ib / (z² - 1)
-    return at(j) + (j + 1.0) * (factor * (at(j + 1) - x.complex() * at(j)));
+    return at(j) + (j + 1.0) * (factor * (at(j + 1) - x.z * at(j)));
   }
 
  private:
   EPAFI_INLINE void forward(const TargetLanes& x, int top) {
-    c[0][1] = x.z * c[0][0] - 2.0;
+    c[0][1] = x.z.re * c[0][0] - 2.0;
     if constexpr (Parts == 2) {
-      c[0][1] -= x.b * c[1][0];
-      c[1][1] = x.z * c[1][0] + x.b * c[0][0];
+      c[0][1] -= x.z.im * c[1][0];
+      c[1][1] = x.z.re * c[1][0] + x.z.im * c[0][0];
     }
     for (int j = 1; j < top; ++j) {
       const double here = (2 * j + 1.0) / (j + 1);
       const double before = j / (j + 1.0);
-      Pack real = x.z * c[0][j];
+      Pack real = x.z.re * c[0][j];
       if constexpr (Parts == 2) {
-        real -= x.b * c[1][j];
-        c[1][j + 1] = here * (x.z * c[1][j] + x.b * c[0][j]) - before * c[1][j - 1];
+        real -= x.z.im * c[1][j];
+        c[1][j + 1] = here * (x.z.re * c[1][j] + x.z.im * c[0][j]) - before * c[1][j - 1];
       }
       c[0][j + 1] = here * real - before * c[0][j - 1];
     }
@@ -115,14 +115,14 @@ struct LegendreLanes {
     const int start = std::max(top, static_cast<int>(18.5 / logR + 0.5 * top)) + 2;
     double farthest = 1;
     for (int lane = 0; lane < lanes; ++lane)
-      farthest = std::max(farthest, std::abs(x.z[lane]) + std::abs(x.b[lane]));
+      farthest = std::max(farthest, std::abs(x.z.re[lane]) + std::abs(x.z.im[lane]));
     const bool overflows = start * std::log(2 * farthest) > 230;  // e^230 = 1e100
     for (int j = start; j > 0; --j) {
       const double inverse = 1.0 / j;
-      Pack real = x.z * here[0];
+      Pack real = x.z.re * here[0];
       if constexpr (Parts == 2) {
-        real -= x.b * here[1];
-        const Pack imag = x.z * here[1] + x.b * here[0];
+        real -= x.z.im * here[1];
+        const Pack imag = x.z.re * here[1] + x.z.im * here[0];
         const Pack below = (2 + inverse) * imag - (1 + inverse) * above[1];
         above[1] = here[1];
         here[1] = below;

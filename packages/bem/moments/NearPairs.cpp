@@ -51,11 +51,11 @@ struct Integration {
   const Element& x;
   const Element& y;
   const GradedRule& rule;
-  const SeenPoints& points;
+  const std::vector<TargetLanes>& targets;
   ElementPotential& potential;
   InstructionSet set;
   bool onLine;  ///< only log is asked for
-  TileMoments& sums;
+  Tile& sums;
 
   template <Division>
   EPAFI_INLINE void run() const {
@@ -63,8 +63,8 @@ struct Integration {
     const int columns = y.densities;
     sums.clear(rows, columns);
     Pack weighted[largestMoment + 1];
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      potential.evaluate(points, k, set);
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      potential.evaluate(targets[k], set);
       AlignedLane places{};
       AlignedLane weights{};
       ComplexLanes normals{};
@@ -93,7 +93,7 @@ struct Integration {
     for (int j = 0; j < y.densities; ++j) {
       const Pack log = (1 / y.half) * potential.of(j).log;
       for (int i = 0; i < x.densities; ++i)
-        add(sums.log[i * TileMoments::stride + j], weighted[i] * log);
+        add(sums.log[i * Tile::stride + j], weighted[i] * log);
     }
   }
 
@@ -115,15 +115,14 @@ double total(const double* x) {
 
 }  // namespace
 
-void nearMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
-                 InstructionSet set) {
+void nearMoments(const Mesh& mesh, int e, int f, Tile& m, int lane, InstructionSet set) {
   const InOrder pair(mesh, e, f);
   if (e != f || mesh.lineOf(e) < 0)
     return nearMoments(mesh, e, f, nearRule(mesh, pair), m, lane, set);
   const Element& x = mesh[e];
   for (int i = 0; i <= x.densities; ++i)
     for (int j = 0; j <= x.densities; ++j) {
-      const int at = i * TileMoments::stride + j;
+      const int at = i * Tile::stride + j;
       m.log[at][lane] = selfMoment(i, j);
       m.along[at][lane] = m.across[at][lane] = 0;
       m.direct[at][lane] = m.reverse[at][lane] = 0;
@@ -131,7 +130,7 @@ void nearMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
   m.log[0][lane] += 4 * std::log(x.half);
 }
 
-void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMoments& m,
+void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, Tile& m,
                  int lane, InstructionSet set) {
   const InOrder pair(mesh, e, f);
   const Element& x = mesh[pair.x];
@@ -142,9 +141,10 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   using Need = ElementPotential::Need;
   ElementPotential potential(y.curve, columns + (onLine ? 0 : 1),
                              onLine ? Need::Log : Need::Moments);
-  TileMoments sums;
-  const SeenPoints points(mesh, pair.y, pair.x, rule.points);
-  dispatch(set, Integration{x, y, rule, points, potential, set, onLine, sums});
+  Tile sums;
+  const std::vector<TargetLanes> targets =
+      seenFrom(mesh, pair.y, pair.x, rule.points, set);
+  dispatch(set, Integration{x, y, rule, targets, potential, set, onLine, sums});
   // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for the tangents of y and of F
   const Complex turn = asComplex(y.curve.frame().tangent) *
                        std::conj(asComplex(mesh[f].curve.frame().tangent));
@@ -153,8 +153,8 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, TileMom
   auto* const reverse = pair.transposed ? m.direct : m.reverse;
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j <= columns; ++j) {
-      const int from = i * TileMoments::stride + j;
-      const int at = pair.transposed ? j * TileMoments::stride + i : from;
+      const int from = i * Tile::stride + j;
+      const int at = pair.transposed ? j * Tile::stride + i : from;
       m.log[at][lane] = total(sums.log[from]);
       const double constant = i == 0 && j == 0 ? 2 : 0;
       const Complex phase =

@@ -82,7 +82,7 @@ double focal(const RelativeTarget& x, double alpha) {
   const double own = 0.5 * (std::abs(x.zMinus1) + std::abs(x.zPlus1));
   if (alpha == 0)
     return own;
-  const double turn = std::copysign(2 * 3.14159265358979 / std::abs(alpha), x.z().real());
+  const double turn = std::copysign(2 * 3.14159265358979 / std::abs(alpha), x.z.real());
   return std::min(own, 0.5 * (std::abs(x.zMinus1 - turn) + std::abs(x.zPlus1 - turn)));
 }
 

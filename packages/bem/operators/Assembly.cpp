@@ -1,11 +1,9 @@
 #include "bem/operators/Assembly.hpp"
 
 #include "bem/base/Parallel.hpp"
-#include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/TileWriter.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace epafi::bem {
@@ -23,7 +21,7 @@ struct Workspace {
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = runs[group].first; f < runs[group].last; ++f) {
-        tile.evaluate(f, r, {std::max(f, runs[r].first), runs[r].last});
+        tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
         writer.add(tile);
       }
       writer.finish();
@@ -46,12 +44,10 @@ double workOf(const Space& space) {
 
 }  // namespace
 
-Operators assembleOperators(const Space& space, const Lame& lame,
-                            const std::vector<int>& tractionElements) {
+Operators assembleOperators(const Space& space, const Lame& lame) {
   Operators out{Matrix(space.densities(), space.densities()),
                 Matrix(space.densities(), space.displacements()),
-                Matrix(space.displacements(), space.displacements()),
-                {}};
+                Matrix(space.displacements(), space.displacements())};
   const ElementRuns runs(space.mesh());
   GhostNodes ghosts(space, runs);
   // Groups of one colour share no node, so that the columns and the transposed rows that
@@ -62,19 +58,11 @@ Operators assembleOperators(const Space& space, const Lame& lame,
     parallelFor(
         {count, workOf(space) / 2, groupsAtOnce(count)},
         [&] {
-          return Workspace{Tile(runs), TileWriter(space, lame, out, ghosts)};
+          return Workspace{Tile(), TileWriter(space, lame, out, ghosts)};
         },
         [&](Workspace& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
   }
   ghosts.fold(out);
-  std::vector<int> all(static_cast<std::size_t>(space.mesh().size()));
-  std::iota(all.begin(), all.end(), 0);
-  const auto add = [&](int e, int i, int f, int k, const Block& block) {
-    addBlock(out.doubleLayer, space.density(e, i, 0), space.displacement(f, k, 0), block);
-  };
-  addHalfMass(space.mesh(), all, add);
-  addEdgeEnds(space.mesh(), lame, all, all, add);
-  out.tractions = projectedTractions(space, lame, tractionElements);
   return out;
 }
 

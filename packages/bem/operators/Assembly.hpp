@@ -2,17 +2,15 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/space/Space.hpp"
-#include "bem/tractions/ProjectedTractions.hpp"
 
 namespace epafi::bem {
 
 /// Galerkin matrices of the boundary operators, with the signs of doc/theory/operators.md;
 /// dimensionless.                                                              [P sec. 2]
 struct Operators {
-  Matrix singleLayer;         ///< V, densities x densities, lower triangle
-  Matrix doubleLayer;         ///< K + 1/2, densities x displacements
-  Matrix hypersingular;       ///< W, displacements x displacements, lower triangle
-  TractionKernels tractions;  ///< on the `tractionElements` of assembleOperators
+  Matrix singleLayer;    ///< V, densities x densities, lower triangle
+  Matrix doubleLayer;    ///< K + 1/2, densities x displacements
+  Matrix hypersingular;  ///< W, displacements x displacements, lower triangle
   /// Null unless the displacements represent rotations exactly, see withExactRotation.
   std::shared_ptr<const Rotation> rotation = nullptr;
 };
@@ -25,9 +23,6 @@ struct Operators {
 ///
 /// The error of an entry is at most 1e-12 of the norm of the block of its pair of elements.
 /// Threads: over blocks of elements.
-///
-/// \param tractionElements elements whose projected tractions are assembled, too
-Operators assembleOperators(const Space& space, const Lame& lame,
-                            const std::vector<int>& tractionElements = {});
+Operators assembleOperators(const Space& space, const Lame& lame);
 
 }  // namespace epafi::bem

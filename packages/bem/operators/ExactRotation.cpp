@@ -26,12 +26,6 @@ Operators withExactRotation(Operators operators, const Space& space) {
   for (Index j = 0; j < doubleLayer.columns(); ++j)
     for (Index i = 0; i < doubleLayer.rows(); ++i)
       doubleLayer(i, j) -= k[at(i)] * q[at(j)];
-  if (operators.tractions.elements.empty())
-    return operators;
-  KernelRows& tractions = operators.tractions.lowest;
-  const Index last = tractions.adjoint.columns() - 1;
-  std::copy(w.begin(), w.end(), tractions.hypersingular.column(last));
-  std::copy(k.begin(), k.end(), tractions.adjoint.column(last));
   return operators;
 }
 

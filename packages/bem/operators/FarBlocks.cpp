@@ -163,14 +163,14 @@ struct Integrate {
 
 /// Gauss points of the test elements, and tangents.
 struct Sampling {
-  const FarLanes& tests;
+  const ElementLanes& tests;
   const Rule& rule;
   AlignedLane* to;
 
   template <Division>
   EPAFI_INLINE void run() const {
     for (int p = 0; p < rule.size(); ++p) {
-      const FarLanes::Points x = tests.at(Pack{} + rule.points[at(p)]);
+      const ElementLanes::Points x = tests.at(Pack{} + rule.points[at(p)]);
       store(to[4 * p].lane, load(tests.wx) + x.place.re);
       store(to[4 * p + 1].lane, load(tests.wy) + x.place.im);
       store(to[4 * p + 2].lane, x.tangent.re);

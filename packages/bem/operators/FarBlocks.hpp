@@ -2,7 +2,7 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/moments/ElementRuns.hpp"
-#include "bem/moments/TileMoments.hpp"
+#include "bem/moments/Tile.hpp"
 #include "bem/simd/InstructionSet.hpp"
 #include "bem/space/Space.hpp"
 
@@ -89,7 +89,7 @@ class FarBlocks {
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
   int columns_ = 0;                      ///< functions on the trial element, or sums
-  FarLanes tests_{};                     ///< wx, wy: Test::offset
+  ElementLanes tests_{};                 ///< wx, wy: Test::offset
   std::vector<AlignedLane> outer_;       ///< at each point: position, tangent
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   const Element* sampled_ = nullptr;     ///< the trial element of inner_

@@ -2,10 +2,9 @@
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
-#include "bem/operators/LocalTerms.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace epafi::bem {
 
@@ -53,11 +52,12 @@ void MixedLaplace::assemble(const Space& space) {
       all_(i, flows + j) = -all_(flows + j, i);
     }
   const Mesh& mesh = space.mesh();
-  std::vector<int> elements(at(mesh.size()));
-  std::iota(elements.begin(), elements.end(), 0);
-  addHalfMass(mesh, elements, [&](int e, int i, int f, int k, const Block& block) {
-    all_(potentialOf(space, f, k), flowOf(space, e, i)) -= 2 * block.xx;
-  });
+  for (int e = 0; e < mesh.size(); ++e) {
+    const Matrix mass = massOf(mesh[e]);
+    for (int i = 0; i < mesh[e].densities; ++i)
+      for (int k = 0; k <= mesh[e].degree; ++k)
+        all_(potentialOf(space, e, k), flowOf(space, e, i)) -= mass(i, k);
+  }
   std::vector<std::vector<Entry>> slopes(at(potentials));  // dφ/ds by P
   for (int e = 0; e < mesh.size(); ++e)
     for (int k = 0; k <= mesh[e].degree; ++k)

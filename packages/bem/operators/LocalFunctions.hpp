@@ -62,6 +62,16 @@ struct LocalCoupling {
   std::vector<Entry> entries;
 };
 
+/// <φ_k, P_i> on an element, densities x displacements of one component.
+inline Matrix massOf(const Element& element) {
+  const Matrix legendre = DisplacementBasis::legendreCoefficients(element.degree);
+  Matrix mass(element.densities, element.degree + 1);
+  for (int i = 0; i < std::min(element.densities, element.degree + 1); ++i)
+    for (int k = 0; k <= element.degree; ++k)
+      mass(i, k) = 2 * element.half / (2 * i + 1) * legendre(i, k);
+  return mass;
+}
+
 /// Values of φ_k (degree -1: none), then P_i, at a quadrature point, times its weight and a
 /// scale; one point after the other.
 inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int densities,

@@ -91,7 +91,6 @@ SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& com
   solvedDoubleLayer_ = factor_->forward(std::move(k));
   stiffness_ =
       LowerTriangle(addGram(std::move(operators.hypersingular), solvedDoubleLayer_));
-  makeTractions(std::move(operators.tractions));
   if (compliance.densities.empty())
     return;
   // with T = L⁻¹ E, all of which is in the last rows:  Yᵀ T  and  Tᵀ T
@@ -121,7 +120,6 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   solvedDoubleLayer_.shrink(k.columns());
   stiffness_ = LowerTriangle(
       addTransposeTimes(std::move(operators.hypersingular), k, solvedDoubleLayer_));
-  makeTractions(std::move(operators.tractions));
   if (count == 0)
     return;
   Matrix density = rowsOf(units_, compliance.densities);
@@ -131,54 +129,6 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   response_ = std::make_shared<ComplianceResponse>(ComplianceResponse{
       compliance.densities, addTransposeTimes(Matrix(k.columns(), count), k, units_),
       std::move(density)});
-}
-
-// S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed
-void SteklovPoincare::makeTractions(TractionKernels kernels) {
-  tractionElements_ = std::move(kernels.elements);
-  if (tractionElements_.empty()) {
-    tractions_ =
-        std::make_shared<const TractionRows>(TractionRows{{}, std::move(kernels.start)});
-    return;
-  }
-  const Matrix lowest = addAdjointDensity(std::move(kernels.lowest.hypersingular),
-                                          std::move(kernels.lowest.adjoint));
-  Matrix rows(lowest.rows(), kernels.start.back());
-  for (std::size_t k = 0; k < tractionElements_.size(); ++k)
-    for (Index c = kernels.lowest.start[k]; c < kernels.lowest.start[k + 1]; ++c)
-      std::copy_n(lowest.column(c), lowest.rows(),
-                  rows.column(kernels.start[k] + c - kernels.lowest.start[k]));
-  addRaised(kernels.raised, lowest, rows);
-  tractions_ = std::make_shared<const TractionRows>(
-      TractionRows{std::move(rows), std::move(kernels.start)});
-}
-
-// S of displacements with a rotation beside them is Pᵀ S P,  P e_k = e_k - q_k r_I
-void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& raised,
-                                const Matrix& lowest, Matrix& rows) const {
-  constexpr std::size_t atOnce = 64;
-  const Index n = static_cast<Index>(solvedDoubleLayer_.columns());
-  for (std::size_t first = 0; first < raised.size(); first += atOnce) {
-    const std::size_t last = std::min(first + atOnce, raised.size());
-    std::vector<Index> which;
-    for (std::size_t k = first; k < last; ++k)
-      which.push_back(raised[k].displacement);
-    const Vector columns = stiffness_.columns(which);
-    for (std::size_t k = first; k < last; ++k) {
-      const TractionKernels::Raised& r = raised[k];
-      const double* stiffness = columns.data() + n * static_cast<Index>(k - first);
-      for (Index i = 0; i < rows.rows(); ++i)
-        rows(i, r.column) = r.ofStiffness * stiffness[i];
-      for (const auto& [earlier, factor] : r.earlier)
-        for (Index i = 0; i < rows.rows(); ++i)
-          rows(i, r.column) += factor * rows(i, earlier);
-      if (rotation_ != nullptr)
-        for (Index i = 0; i < rows.rows(); ++i)
-          rows(i, r.column) += r.ofStiffness *
-                               rotation_->functional()[at(r.displacement)] *
-                               lowest(i, lowest.columns() - 1);
-    }
-  }
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const { return stiffness_.times(u); }

@@ -59,10 +59,6 @@ class SteklovPoincare {
 
   /// S
   const LowerTriangle& stiffness() const { return stiffness_; }
-  /// The `tractionElements` of assembleOperators.
-  const std::vector<int>& tractionElements() const { return tractionElements_; }
-  /// Projected tractions on tractionElements().
-  std::shared_ptr<const TractionRows> tractions() const { return tractions_; }
   /// Response to the densities of the LocalCompliance; null without any.
   std::shared_ptr<const ComplianceResponse> response() const { return response_; }
 
@@ -82,10 +78,6 @@ class SteklovPoincare {
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
-  void makeTractions(TractionKernels kernels);
-  void addRaised(const std::vector<TractionKernels::Raised>& raised, const Matrix& lowest,
-                 Matrix& rows) const;
-
   /// Permutes a vector of densities into the order of the factor, and back.
   Vector ordered(const Vector& b) const;
   Vector unordered(const Vector& b) const;
@@ -101,8 +93,6 @@ class SteklovPoincare {
   Matrix units_;                          ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
   std::shared_ptr<const ComplianceResponse> response_;
-  std::vector<int> tractionElements_;
-  std::shared_ptr<const TractionRows> tractions_;
 };
 
 }  // namespace epafi::bem

@@ -43,19 +43,25 @@ struct Numbering {
   }
 };
 
-using PackMoments = PotentialMoments<Pack>;
 using PackBlock = KernelBlock<Pack>;
+
+/// Is node k of an element on a line an end of its edge?
+bool endsEdge(const Mesh& mesh, int e, int k) {
+  return mesh.lineOf(e) >= 0 &&
+         !mesh.areOnLine(k == 0 ? mesh[e].previous : mesh[e].next, e);
+}
 
 }  // namespace
 
 /// What the kernels read and write.
 struct TileBlocks::Work {
   TileBlocks& to;
-  const TileMoments& m;
+  const Tile& m;
   const Element& f;
   AlignedLane wanted = {};  ///< 1 in lanes that are, else 0
   AlignedLane others = {};  ///< the same without f
   AlignedLane bent = {};    ///< 1 in wanted lanes that are not on one line with f, else 0
+  bool endsEdge[2] = {};    ///< the first, the last node of f
 };
 
 template <int Degree, int Rows>
@@ -71,41 +77,43 @@ class TileBlocks::Filling {
         bent_(load(work.bent.lane)) {}
 
   EPAFI_INLINE void fill() const {
-    const Pack tx = load(to_.run_->elements.tx);
-    const Pack ty = load(to_.run_->elements.ty);
-    const Pack squareReal = tx * tx - ty * ty;
-    const Pack squareImag = 2.0 * tx * ty;
+    const ComplexPack tangent{load(to_.run_->tx), load(to_.run_->ty)};
+    const ComplexPack square = tangent * tangent;
     const int rows = Rows > 0 ? Rows : w_.f.densities;
     const int columns = Degree > 0 ? Degree : to_.run_->densities;
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < columns; ++j) {
-        const int at = i * TileMoments::stride + j;
+        const int at = i * Tile::stride + j;
         // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²)
-        const double constant = i == 0 && j == 0 ? 4 : 0;
-        const Pack real = constant - 2.0 * load(w_.m.across[at]);
-        const Pack imag = -2.0 * load(w_.m.along[at]);
-        const PackMoments m = {load(w_.m.log[at]), squareReal * real - squareImag * imag,
-                               squareReal * imag + squareImag * real, constant};
-        putSymmetric(i, j, m);
+        const Pack log = load(w_.m.log[at]);
+        const ComplexPack phase =
+            square * ComplexPack{wholeOf(i, j) - 2.0 * load(w_.m.across[at]),
+                                 -2.0 * load(w_.m.along[at])};
+        putSymmetric(i, j, log, phase);
         if (i < (Rows > 0 ? Rows : w_.f.degree))
-          putDoubleLayer(i, j, m);
+          putDoubleLayer(i, j, log, phase);
         if (j < (Degree > 0 ? Degree : to_.run_->degree))
-          putTransposed(i, j, m);
+          putTransposed(i, j, log, phase);
       }
   }
 
  private:
-  EPAFI_INLINE void putSymmetric(int i, int j, const PackMoments& m) const {
+  /// ∫∫ P_i P_j
+  EPAFI_INLINE static double wholeOf(int i, int j) { return i == 0 && j == 0 ? 4 : 0; }
+
+  EPAFI_INLINE void putSymmetric(int i, int j, const Pack& log,
+                                 const ComplexPack& phase) const {
     const Lame& lame = to_.lame_;
-    const Pack area = wanted_ * w_.f.half * load(to_.run_->elements.half);
-    const PackBlock v = singleLayerBlock(lame.a, lame.b, m);
+    const double whole = wholeOf(i, j);
+    const Pack area = wanted_ * w_.f.half * load(to_.run_->half);
+    const PackBlock v = singleLayerBlock(lame.a, lame.b, log, phase, whole);
     double* single = to_.single_.data() + 2 * i * to_.longest_;
     densities_.put(area * v.xx, area * v.yx, j, single);
     densities_.put(area * v.xy, area * v.yy, j, single + to_.longest_);
     if (i >= (Rows > 0 ? Rows : w_.f.degree) ||
         j >= (Degree > 0 ? Degree : to_.run_->degree))
       return;
-    const PackBlock slope = singleLayerBlock(lame.d, lame.d, m);
+    const PackBlock slope = singleLayerBlock(lame.d, lame.d, log, phase, whole);
     const Pack scale = wanted_ * to_.functionSlopes_[j < 1 ? 1 : j + 1];
     const Pack xx = scale * slope.xx;
     const Pack xy = scale * slope.xy;
@@ -128,19 +136,19 @@ class TileBlocks::Filling {
   // On one line K_Δ vanishes, and the phase is one constant, whose contributions of
   // neighbours cancel at every node but the edge's ends: adding and subtracting it would
   // leave rounding, which is large beside the rest as ν -> 1/2.  `half` of the test's
-  // element.
-  EPAFI_INLINE void doubleBlock(const Pack& half, double slope, const PackMoments& m,
+  // element; `phases`: 1 where the phase counts, else 0.
+  EPAFI_INLINE void doubleBlock(const Pack& half, double slope, const Pack& phases,
+                                const Pack& log, const ComplexPack& phase,
                                 const Pack& laplace, PackBlock& block) const {
-    const Pack bent = slope * bent_;
-    block = doubleLayerBlock(
-        to_.lame_,
-        PackMoments{slope * m.log, bent * m.phaseReal, bent * m.phaseImag, m.whole},
-        bent_ * laplace);
+    const Pack ofLog = slope * log;
+    const Pack counted = slope * phases;
+    const Pack ofLaplace = bent_ * laplace;
+    block = doubleLayerBlock(to_.lame_, ofLog, counted * phase, ofLaplace);
     block = {half * block.xx, half * block.yx, half * block.xy, half * block.yy};
   }
 
   /// ∫∫ P φ_k of the Laplace double layer from those of Legendre polynomials.
-  EPAFI_INLINE void laplaceOf(int k, const TileMoments::Lane* moments, int step,
+  EPAFI_INLINE void laplaceOf(int k, const Tile::Lane* moments, int step,
                               Pack& result) const {
     if (k == 0)
       result = 0.5 * (load(moments[0]) - load(moments[step]));
@@ -152,13 +160,15 @@ class TileBlocks::Filling {
   }
 
   // tests P_j on the lanes, source φ_k on f
-  EPAFI_INLINE void putDoubleLayer(int i, int j, const PackMoments& m) const {
-    const Pack half = wanted_ * load(to_.run_->elements.half);
+  EPAFI_INLINE void putDoubleLayer(int i, int j, const Pack& log,
+                                   const ComplexPack& phase) const {
+    const Pack half = wanted_ * load(to_.run_->half);
     for (int k = i == 0 ? 0 : i + 1; k <= (i == 0 ? 1 : i + 1); ++k) {
       Pack laplace;
-      laplaceOf(k, w_.m.reverse + j, TileMoments::stride, laplace);
+      laplaceOf(k, w_.m.reverse + j, Tile::stride, laplace);
       PackBlock b{};
-      doubleBlock(half, to_.functionSlopes_[k], m, laplace, b);
+      const Pack& phases = k < 2 && w_.endsEdge[k] ? wanted_ : bent_;
+      doubleBlock(half, to_.functionSlopes_[k], phases, log, phase, laplace, b);
       double* to = to_.double_.data() + 2 * k * to_.longest_;
       densities_.put(b.xx, b.yx, j, to);
       densities_.put(b.xy, b.yy, j, to + to_.longest_);
@@ -166,24 +176,30 @@ class TileBlocks::Filling {
   }
 
   // tests P_i on f, sources φ_k on the lanes
-  EPAFI_INLINE void putTransposed(int i, int j, const PackMoments& m) const {
-    const TileMoments::Lane* direct = w_.m.direct + i * TileMoments::stride;
+  EPAFI_INLINE void putTransposed(int i, int j, const Pack& log,
+                                  const ComplexPack& phase) const {
+    const Tile::Lane* direct = w_.m.direct + i * Tile::stride;
     const Pack half = load(w_.others.lane) * w_.f.half;
     double* to = to_.transposed_.data() + 2 * i * to_.longest_;
+    // with the phase where a node ends its edge
+    const Pack line = wanted_ - bent_;
+    const Pack before = bent_ + line * load(to_.endsEdge_[0].lane);
+    const Pack behind = bent_ + line * load(to_.endsEdge_[1].lane);
     Pack laplace;
     PackBlock b{};
     laplaceOf(j + 1, direct, 1, laplace);
-    doubleBlock(half, to_.functionSlopes_[j + 1], m, laplace, b);
+    doubleBlock(half, to_.functionSlopes_[j + 1], j == 0 ? behind : bent_, log, phase,
+                laplace, b);
     if (j > 0) {
       displacements_.put(b.xx, b.xy, j, to);
       displacements_.put(b.yx, b.yy, j, to + to_.longest_);
       return;
     }
-    PackBlock before{};
+    PackBlock a{};
     laplaceOf(0, direct, 1, laplace);
-    doubleBlock(half, to_.functionSlopes_[0], m, laplace, before);
-    displacements_.putNodes(before.xx, before.xy, b.xx, b.xy, to);
-    displacements_.putNodes(before.yx, before.yy, b.yx, b.yy, to + to_.longest_);
+    doubleBlock(half, to_.functionSlopes_[0], before, log, phase, laplace, a);
+    displacements_.putNodes(a.xx, a.xy, b.xx, b.xy, to);
+    displacements_.putNodes(a.yx, a.yy, b.yx, b.yy, to + to_.longest_);
   }
 
   const Work& w_;
@@ -221,7 +237,7 @@ TileBlocks::TileBlocks(const Space& space, const Lame& lame)
     columns->resize(static_cast<std::size_t>(2 * (functions + 1) * longest_));
 }
 
-void TileBlocks::setRun(const ElementRun& run) {
+void TileBlocks::setRun(const ElementLanes& run) {
   const Mesh& mesh = space_.mesh();
   run_ = &run;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -230,6 +246,8 @@ void TileBlocks::setRun(const ElementRun& run) {
     degrees_[lane] = isThere ? mesh[e].degree : 0;
     densityCounts_[lane] = isThere ? mesh[e].densities : 0;
     lines_[lane] = isThere ? mesh.lineOf(e) : -1;
+    for (int k = 0; k < 2; ++k)
+      endsEdge_[k].lane[lane] = isThere && endsEdge(mesh, e, k) ? 1 : 0;
     densityStarts_[lane + 1] = densityStarts_[lane] + 2 * densityCounts_[lane];
     displacementStarts_[lane + 1] = displacementStarts_[lane] + 2 * degrees_[lane];
   }
@@ -239,7 +257,10 @@ void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
   if (run_ != &tile.run())
     setRun(tile.run());
   const int f = tile.trial();
-  Work work = {*this, tile.moments(), space_.mesh()[f]};
+  const Mesh& mesh = space_.mesh();
+  Work work = {*this, tile, mesh[f]};
+  for (int k = 0; k < 2; ++k)
+    work.endsEdge[k] = endsEdge(mesh, f, k);
   for (int lane = 0; lane < lanes; ++lane) {
     const bool isThere = tile.isWanted(lane);
     const bool isBent = lines_[static_cast<std::size_t>(lane)] != work.f.piece.edge;
@@ -248,6 +269,19 @@ void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
     work.bent.lane[lane] = isThere && isBent ? 1 : 0;
   }
   dispatch(set, Fill{work});
+  if (tile.isWanted(f - run_->first))
+    addHalfMass(f);
+}
+
+void TileBlocks::addHalfMass(int f) {
+  const Matrix mass = massOf(space_.mesh()[f]);
+  for (Index k = 0; k < mass.columns(); ++k)
+    for (Index c = 0; c < 2; ++c) {
+      double* to = double_.data() + (2 * k + c) * longest_ +
+                   densityStarts_[at(f - run_->first)] + c;
+      for (Index i = 0; i < mass.rows(); ++i)
+        to[2 * i] += 0.5 * mass(i, k);
+    }
 }
 
 }  // namespace epafi::bem

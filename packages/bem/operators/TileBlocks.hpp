@@ -2,25 +2,25 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/Tile.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 #include "bem/space/Space.hpp"
 
 #include <array>
 
 namespace epafi::bem {
 
-/// Entries of V, K and W of an element f with the elements of a run, by columns over the
+/// Entries of V, K + 1/2 and W of an element f with the elements of a run, by columns over the
 /// run:
 ///
-///   singleLayer(i, c)   V(·, P_i e_c on f)          densities of the run
-///   doubleLayer(k, c)   K(·, φ_k e_c on f)          densities of the run
-///   slopeLayer(i, c)    <V*(P_i e_c on f), (·)'>    displacements of the run
-///   transposed(i, c)    K(P_i e_c on f, ·)          displacements of the run
+///   singleLayer(i, c)   V(·, P_i e_c on f)               densities of the run
+///   doubleLayer(k, c)   (K + 1/2)(·, φ_k e_c on f)       densities of the run
+///   slopeLayer(i, c)    <V*(P_i e_c on f), (·)'>         displacements of the run
+///   transposed(i, c)    (K + 1/2)(P_i e_c on f, ·)       displacements of the run
 ///
 /// W(·, φ_k e_c) is the slope of φ_k times slopeLayer(k-1, c), or (0, c) for k < 2.
 /// Order of the displacements: start node and bubbles of one element after the other, then
 /// the end node of the last.  Elements that the tile does not want have zeros, and so has f in
-/// `transposed`, since doubleLayer contains that block.  Not included: the terms of
-/// addEdgeEnds.
+/// `transposed`, since doubleLayer contains that block.
 class TileBlocks {
  public:
   TileBlocks(const Space& space, const Lame& lame);
@@ -47,7 +47,8 @@ class TileBlocks {
   class Filling;
   struct Fill;
 
-  void setRun(const ElementRun& run);
+  void setRun(const ElementLanes& run);
+  void addHalfMass(int f);
   int lastLane() const { return run_->last - run_->first - 1; }
 
   const double* column(const Vector& columns, int k) const {
@@ -57,14 +58,16 @@ class TileBlocks {
   AlignedLane halfSlopes_[3] = {};
   const Space& space_;
   Lame lame_;
-  const ElementRun* run_ = nullptr;
+  const ElementLanes* run_ = nullptr;
   std::array<double, largestDegree + 1> functionSlopes_{};
   std::array<int, lanes + 1> densityStarts_{};
   std::array<int, lanes + 1> displacementStarts_{};
   std::array<int, lanes> densityCounts_{};
   std::array<int, lanes> degrees_{};
   std::array<int, lanes> lines_{};  ///< Mesh::lineOf
-  Index longest_;                   ///< stride between columns
+  AlignedLane endsEdge_[2] =
+      {};          ///< 1 where the first, the last node ends an edge, else 0
+  Index longest_;  ///< stride between columns
   Vector single_;
   Vector double_;
   Vector slopes_;

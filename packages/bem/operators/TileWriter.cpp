@@ -70,7 +70,7 @@ TileWriter::TileWriter(const Space& space, const Lame& lame, Operators& out,
                        GhostNodes& ghosts)
     : space_(space), out_(out), ghosts_(ghosts), blocks_(space, lame) {}
 
-void TileWriter::begin(const ElementRun& group, const ElementRun& run) {
+void TileWriter::begin(const ElementLanes& group, const ElementLanes& run) {
   group_ = &group;
   run_ = &run;
   groupStart_ = space_.density(group.first, 0, 0);

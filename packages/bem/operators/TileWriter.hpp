@@ -36,7 +36,7 @@ class TileWriter {
   TileWriter(const Space& space, const Lame& lame, Operators& out, GhostNodes& ghosts);
 
   /// Begins the tiles of a group and a run.
-  void begin(const ElementRun& group, const ElementRun& run);
+  void begin(const ElementLanes& group, const ElementLanes& run);
 
   /// Adds the tile of an element f of the group and the elements e >= f of the run.
   void add(const Tile& tile);
@@ -65,8 +65,8 @@ class TileWriter {
   GhostNodes& ghosts_;
   TileBlocks blocks_;
 
-  const ElementRun* group_ = nullptr;
-  const ElementRun* run_ = nullptr;
+  const ElementLanes* group_ = nullptr;
+  const ElementLanes* run_ = nullptr;
   Index groupStart_ = 0;  ///< first density of the group
   Index groupSize_ = 0;
   bool isEmpty_ = true;

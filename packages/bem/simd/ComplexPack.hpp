@@ -7,7 +7,7 @@
 namespace epafi::bem {
 
 /// Eight complex numbers, with the operators that templates over std::complex<double> use.
-struct ComplexPack {
+struct alignas(64) ComplexPack {
   Pack re{};
   Pack im{};
 };

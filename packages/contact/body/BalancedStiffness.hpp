@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/operators/SteklovPoincare.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "contact/body/Loads.hpp"
 
 namespace epafi::contact {

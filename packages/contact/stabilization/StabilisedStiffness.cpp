@@ -29,13 +29,6 @@ std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
 
 }  // namespace
 
-std::vector<int> tractionElements(const MultiplierSpace& multiplier,
-                                  const Stabilization& stabilization) {
-  return stabilization.tractions() == bem::TractionForm::Projected
-             ? multiplier.meshElements()
-             : std::vector<int>();
-}
-
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
                      const Stabilization& stabilization) {
   std::vector<int> densities;
@@ -74,10 +67,7 @@ bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const Stabilization& stabilization,
                                    const bem::Lame& lame, bem::Units units) {
   return bem::SteklovPoincare(
-      bem::withExactRotation(
-          bem::assembleOperators(space, lame,
-                                 tractionElements(multiplier, stabilization)),
-          space),
+      bem::withExactRotation(bem::assembleOperators(space, lame), space),
       densityCompliance(space, multiplier, stabilization, lame, units));
 }
 

@@ -9,11 +9,6 @@
 
 namespace epafi::contact {
 
-/// Elements whose projected tractions Form Projected needs, for bem::assembleOperators.  Empty for
-/// other forms.
-std::vector<int> tractionElements(const MultiplierSpace& multiplier,
-                                  const Stabilization& stabilization);
-
 /// The space on a mesh, with the number of densities that the stabilisation needs on contact
 /// elements.
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
@@ -26,8 +21,7 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units);
 
-/// S for a contact problem with this stabilisation: assembles the operators with
-/// tractionElements() and densityCompliance().
+/// S for a contact problem with this stabilisation, with densityCompliance().
 bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const MultiplierSpace& multiplier,
                                    const Stabilization& stabilization,

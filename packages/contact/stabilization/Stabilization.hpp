@@ -3,7 +3,7 @@
 #include "bem/base/Keys.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/mesh/Mesh.hpp"
-#include "bem/tractions/KernelRows.hpp"
+#include "bem/tractions/TractionRows.hpp"
 
 #include <optional>
 
