@@ -33,13 +33,13 @@ class SavedRun {
  public:
   /// `step`: as --step gives it; empty: the last one.
   SavedRun(const std::string& folder, const std::string& step)
-      : checkpoint_(step.empty() ? read(folder) : atStep(read(folder), folder, step)),
+      : checkpoint_(read(folder)),
         scene_(sceneOf(checkpoint_.used, folder + "/used.xml", {})),
-        insides_(scene_, checkpoint_.level) {}
+        insides_(scene_, checkpoint_.level, stepOf(checkpoint_.level, folder, step)) {}
 
   const Scene& scene() const { return scene_; }
   const BodyInsides& insides() const { return insides_; }
-  /// Times of the steps of a path; empty without a path.
+  /// Times of the steps of a path.
   std::vector<double> times() const {
     std::vector<double> times;
     for (const StepFields& step : checkpoint_.level.steps)
@@ -56,10 +56,11 @@ class SavedRun {
     return readSolution(folder + "/solution.hdf");
   }
 
-  static Checkpoint atStep(Checkpoint run, const std::string& folder,
-                           const std::string& text) {
+  static const StepFields& stepOf(const Level& level, const std::string& folder,
+                                  const std::string& text) {
+    if (text.empty())
+      return level.last();
     const int number = positiveNumber("--step", text);
-    Level& level = run.level;
     if (level.path.empty())
       throw InputError("--step: the run in '", folder,
                        "' has no History, and no steps; leave --step out");
@@ -71,14 +72,7 @@ class SavedRun {
     if (static_cast<std::size_t>(number) > level.steps.size())
       throw InputError("--step ", number, ": the path in '", folder, "' has ",
                        level.steps.size(), level.steps.size() == 1 ? " step" : " steps");
-    StepFields& step = level.steps[static_cast<std::size_t>(number) - 1];
-    for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-      level.bodies[b].displacement = std::move(step.displacement[b]);
-      level.bodies[b].density = std::move(step.density[b]);
-    }
-    while (level.path.size() > 1 && level.path.back().t > step.t)
-      level.path.pop_back();
-    return run;
+    return level.steps[static_cast<std::size_t>(number) - 1];
   }
 
   Checkpoint checkpoint_;

@@ -21,9 +21,6 @@ using contact::Summary;
 template <auto... members>
 constexpr auto cell = cellOf<LevelRow, members...>;
 
-template <auto member>
-constexpr auto size = cell<&LevelRow::size, member>;
-
 template <auto... members>
 constexpr auto sum = cell<&LevelRow::summary, members...>;
 
@@ -39,15 +36,15 @@ std::string seconds(const LevelRow& row) {
 
 constexpr Column<LevelRow> levelColumns[] = {
     {"level", cell<&LevelRow::level>},
-    {"elements", size<&Size::elements>},
-    {"dof_displacement", size<&Size::displacements>},
-    {"dof_multiplier", size<&Size::multipliers>},
-    {"dof", [](const LevelRow& r) { return number(r.size.dof()); }},
-    {"dof_density", size<&Size::densities>},
-    {"degree_min", size<&Size::degreeMin>},
-    {"degree_max", size<&Size::degreeMax>},
-    {"size_min", size<&Size::sizeMin>},
-    {"size_max", size<&Size::sizeMax>},
+    {"elements", cell<&LevelRow::elements>},
+    {"dof_displacement", cell<&LevelRow::displacements>},
+    {"dof_multiplier", cell<&LevelRow::multipliers>},
+    {"dof", [](const LevelRow& r) { return number(r.dof()); }},
+    {"dof_density", cell<&LevelRow::densities>},
+    {"degree_min", cell<&LevelRow::degreeMin>},
+    {"degree_max", cell<&LevelRow::degreeMax>},
+    {"size_min", cell<&LevelRow::sizeMin>},
+    {"size_max", cell<&LevelRow::sizeMax>},
     {"estimate", cell<&LevelRow::estimate>},
     {"eta_neumann", eta<Source::Neumann>},
     {"eta_contact", eta<Source::Contact>},
@@ -89,7 +86,7 @@ constexpr Column<LevelRow> levelColumns[] = {
     {"contact_y", sum<&Summary::contact, &Resultant::y>},
     {"contact_moment", sum<&Summary::contact, &Resultant::moment>},
     {"gamma0", cell<&LevelRow::gamma0>},
-    {"memory_forecast_mb", size<&Size::memory>},
+    {"memory_forecast_mb", cell<&LevelRow::memoryForecast>},
     {"operators", [](const LevelRow& r) { return r.operators; }},
     {"worst_step", cell<&LevelRow::worstStep>},
     {"worst_step_estimate", cell<&LevelRow::worstEstimate>},
@@ -125,29 +122,33 @@ constexpr Column<StepRow> stepColumns[] = {
 };
 
 template <auto... members>
-constexpr auto ofContact = cellOf<ContactRow, &ContactRow::summary, members...>;
+constexpr auto ofPart = cellOf<PartRow, &PartRow::summary, members...>;
 
-constexpr Column<ContactRow> contactColumns[] = {
-    {"force_x", ofContact<&Summary::contact, &Resultant::x>},
-    {"force_y", ofContact<&Summary::contact, &Resultant::y>},
-    {"force_normal", ofContact<&Summary::forceNormal>},
-    {"force_tangential", ofContact<&Summary::forceTangential>},
-    {"contact_length", ofContact<&Summary::contactLength>},
-    {"slip_length", ofContact<&Summary::slipLength>},
-    {"energy_dissipated", cellOf<ContactRow, &ContactRow::dissipated>},
-    {"worn_volume", ofContact<&Summary::wornVolume>},
-    {"pressure_max", ofContact<&Summary::pressureMax>},
+constexpr Column<PartRow> contactColumns[] = {
+    {"force_x", ofPart<&Summary::contact, &Resultant::x>},
+    {"force_y", ofPart<&Summary::contact, &Resultant::y>},
+    {"force_normal", ofPart<&Summary::forceNormal>},
+    {"force_tangential", ofPart<&Summary::forceTangential>},
+    {"contact_length", ofPart<&Summary::contactLength>},
+    {"slip_length", ofPart<&Summary::slipLength>},
+    {"energy_dissipated", cellOf<PartRow, &PartRow::dissipated>},
+    {"worn_volume", ofPart<&Summary::wornVolume>},
+    {"pressure_max", ofPart<&Summary::pressureMax>},
 };
 
 /// Motion of a rigid body, and the forces that move or hold it.
-constexpr Column<RigidRow> rigidColumns[] = {
-    {"motion_x", [](const RigidRow& r) { return number(r.motion.slide.x); }},
-    {"motion_y", [](const RigidRow& r) { return number(r.motion.slide.y); }},
-    {"rotation", [](const RigidRow& r) { return number(r.motion.turn); }},
-    {"force_x", [](const RigidRow& r) { return number(r.load.x + r.reaction.x); }},
-    {"force_y", [](const RigidRow& r) { return number(r.load.y + r.reaction.y); }},
+constexpr Column<PartRow> rigidColumns[] = {
+    {"motion_x", ofPart<&Summary::motion, &contact::RigidMotion::slide, &bem::Vec2::x>},
+    {"motion_y", ofPart<&Summary::motion, &contact::RigidMotion::slide, &bem::Vec2::y>},
+    {"rotation", ofPart<&Summary::motion, &contact::RigidMotion::turn>},
+    {"force_x",
+     [](const PartRow& r) { return number(r.summary.load.x + r.summary.reaction.x); }},
+    {"force_y",
+     [](const PartRow& r) { return number(r.summary.load.y + r.summary.reaction.y); }},
     {"moment",
-     [](const RigidRow& r) { return number(r.load.moment + r.reaction.moment); }},
+     [](const PartRow& r) {
+       return number(r.summary.load.moment + r.summary.reaction.moment);
+     }},
 };
 
 /// A row of bodies.csv.
@@ -183,20 +184,13 @@ constexpr Column<BodyRow> bodyColumns[] = {
     {"body_moment", body<&Summary::inside, &Resultant::moment>},
 };
 
-/// Moves the moment to the origin of the user's coordinates, as for elastic bodies.
-contact::Resultant aboutOrigin(contact::Resultant sum, bem::Vec2 pole) {
-  sum.moment += cross(pole, {sum.x, sum.y});
-  return sum;
-}
-
-/// The summary of a rigid body.
-Summary summaryOf(const RigidRow& row) {
-  Summary summary;
-  summary.load = aboutOrigin(row.load, row.pole);
-  summary.contact = aboutOrigin(row.contact, row.pole);
-  summary.reaction = aboutOrigin(row.reaction, row.pole);
-  summary.inside = aboutOrigin(row.inside, row.pole);
-  summary.motion = row.motion;
+/// With moments about the origin of the user's coordinates, as for elastic bodies.
+Summary aboutOrigin(Summary summary, bem::Vec2 pole) {
+  for (const auto member :
+       {&Summary::load, &Summary::contact, &Summary::reaction, &Summary::inside}) {
+    Resultant& sum = summary.*member;
+    sum.moment += cross(pole, {sum.x, sum.y});
+  }
   return summary;
 }
 
@@ -212,23 +206,28 @@ std::size_t placeOf(const std::string& name, const Column<Row> (&columns)[count]
 std::string stepsLine(const StepRow& row) {
   std::vector<std::string> cells;
   addCells(stepColumns, row, cells);
-  for (const ContactRow& contact : row.contacts)
+  for (const PartRow& contact : row.contacts)
     addCells(contactColumns, contact, cells);
-  for (const RigidRow& body : row.rigid)
+  for (const PartRow& body : row.rigid)
     addCells(rigidColumns, body, cells);
   return csvLine(cells);
 }
 
-std::string bodiesLines(const Scene& scene, int level, int step,
-                        const std::vector<Summary>& bodies,
-                        const std::vector<RigidRow>& rigid) {
+/// The lines of a step in bodies.csv, of all bodies.
+std::string bodiesLines(const SolvedStep& solved) {
+  const Scene& scene = solved.spaces.scene();
+  const StepRow& row = solved.row;
   if (!scene.tellsBodies())
     return "";
   std::string lines;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    lines += csvRow(bodyColumns, {level, step, scene.bodies[b].name, bodies[b]});
-  for (const RigidRow& row : rigid)
-    lines += csvRow(bodyColumns, {level, step, row.name, summaryOf(row)});
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    lines += csvRow(bodyColumns, {row.level, row.step, scene.bodies[b].name,
+                                  wholeOf(scene.symmetry, *scene.bodies[b].outline,
+                                          solved.summaries()[b])});
+  for (std::size_t k = 0; k < scene.rigid.size(); ++k)
+    lines +=
+        csvRow(bodyColumns, {row.level, row.step, scene.rigid[k].name,
+                             aboutOrigin(row.rigid[k].summary, scene.rigid[k].pole)});
   return lines;
 }
 
@@ -269,9 +268,9 @@ double energyOf(const std::vector<std::string>& cells) {
 std::string stepsHead(const StepRow& row) {
   std::vector<std::string> names;
   addNames(stepColumns, "", names);
-  for (const ContactRow& contact : row.contacts)
+  for (const PartRow& contact : row.contacts)
     addNames(contactColumns, contact.name + ".", names);
-  for (const RigidRow& body : row.rigid)
+  for (const PartRow& body : row.rigid)
     addNames(rigidColumns, body.name + ".", names);
   return csvLine(names);
 }
@@ -290,32 +289,34 @@ std::vector<double> dissipatedOf(const std::string& steps, int level) {
   return work;
 }
 
-HistoryTables::HistoryTables(const Scene& scene_,
-                             const std::optional<Checkpoint>& earlier)
-    : scene(scene_),
-      used(usedXml(scene)),
-      history(earlier ? earlier->history : historyHead()),
-      steps(earlier ? earlier->steps : ""),
-      bodies(!scene.tellsBodies()                  ? ""
-             : earlier && !earlier->bodies.empty() ? earlier->bodies
-                                                   : bodiesHead()) {}
-
-void HistoryTables::addStep(const StepRow& row) {
-  steps += (steps.empty() ? stepsHead(row) : "") + stepsLine(row);
-  bodies += bodiesLines(scene, row.level, row.step, row.bodies, row.rigid);
+Checkpoint Checkpoint::before(const Scene& scene,
+                              const std::optional<Checkpoint>& earlier) {
+  Checkpoint tables = earlier.value_or(Checkpoint());
+  tables.used = usedXml(scene);
+  if (!earlier)
+    tables.history = historyHead();
+  if (!scene.tellsBodies())
+    tables.bodies.clear();
+  else if (tables.bodies.empty())
+    tables.bodies = bodiesHead();
+  return tables;
 }
 
-void HistoryTables::addLevel(const SolvedLevel& level, const LevelRow& row) {
+void Checkpoint::addStep(const SolvedStep& step) {
+  steps += (steps.empty() ? stepsHead(step.row) : "") + stepsLine(step.row);
+  bodies += bodiesLines(step);
+}
+
+void Checkpoint::addLevel(const SolvedLevel& solved, const LevelRow& row) {
   history += csvLine(historyCells(row));
-  if (level.path == nullptr)
-    bodies += bodiesLines(scene, row.level, 0, row.bodies, row.rigid);
+  if (!solved.level.onPath())
+    bodies += bodiesLines(solved.last());
 }
 
-std::string HistoryTables::solution(const Level& level, const LevelRow& row,
-                                    const BoundaryLines& grid) const {
-  return solutionFile(
-      scene, {level, used, history, steps, bodies, row.secondsTotal, row.secondsWall},
-      grid);
+void Checkpoint::take(const SolvedLevel& solved, const LevelRow& row) {
+  level = solved.level;
+  secondsTotal = row.secondsTotal;
+  secondsWall = row.secondsWall;
 }
 
 }  // namespace epafi::drivers

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "drivers/output/SolutionFile.hpp"
-#include "drivers/run/Path.hpp"
+#include "drivers/run/SolvedStep.hpp"
 
 #include <optional>
 #include <string>
@@ -34,25 +33,25 @@ std::vector<double> dissipatedOf(const std::string& steps, int level);
 /// elastic body the mean over its boundary, of a rigid one that of its reference point.
 std::string bodiesHead();
 
-/// The tables of a run up to now, as text.
-struct HistoryTables {
-  /// `earlier`: the checkpoint that the run continues.
-  explicit HistoryTables(const Scene& scene,
-                         const std::optional<Checkpoint>& earlier = {});
+/// A level with the tables of its run as text: the content of solution.hdf, for a restart or
+/// for the reference of a study.
+struct Checkpoint {
+  Level level{};
+  std::string used{};     ///< used.xml
+  std::string history{};  ///< history.csv up to the level
+  std::string steps{};    ///< steps.csv up to the step; empty without a History
+  std::string bodies{};   ///< bodies.csv up to the level; may be empty, see tellsBodies
+  double secondsTotal = 0;
+  double secondsWall = 0;
 
-  void addStep(const StepRow& row);
+  /// Before the first level of a run, which may go on from an earlier one.
+  static Checkpoint before(const Scene& scene,
+                           const std::optional<Checkpoint>& earlier = {});
+  void addStep(const SolvedStep& step);
   /// Call it after addStep for the steps of the level.
-  void addLevel(const SolvedLevel& level, const LevelRow& row);
-
-  /// The bytes of solution.hdf for a level with this row of history.csv.
-  std::string solution(const Level& level, const LevelRow& row,
-                       const BoundaryLines& grid) const;
-
-  const Scene& scene;
-  std::string used;
-  std::string history;
-  std::string steps;   ///< empty without a History
-  std::string bodies;  ///< empty unless Scene::tellsBodies
+  void addLevel(const SolvedLevel& solved, const LevelRow& row);
+  /// Takes the level, or a step of its path, and its times.
+  void take(const SolvedLevel& solved, const LevelRow& row);
 };
 
 }  // namespace epafi::drivers

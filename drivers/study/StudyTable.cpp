@@ -104,9 +104,8 @@ std::string studyHead() {
 
 std::string studyLine(const LevelRow& row, const StudiedLevel& studied) {
   std::ostringstream line;
-  line << std::setw(7) << row.level << std::setw(7) << row.size.dof() << std::setw(9)
-       << row.size.densities << std::setw(11) << significant(row.estimate, 4)
-       << std::setw(11)
+  line << std::setw(7) << row.level << std::setw(7) << row.dof() << std::setw(9)
+       << row.densities << std::setw(11) << significant(row.estimate, 4) << std::setw(11)
        << (studied.error ? significant(largestOf(*studied.error), 4) : "")
        << std::setw(13)
        << (studied.error ? significant(row.estimate / studied.error->energyNorm, 4) : "")
