@@ -153,18 +153,25 @@ std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
 }  // namespace
 
 std::string sceneCsv(const Scene& scene) {
-  std::string csv = csvLine({"x", "y", "nx", "ny", "body", "boundary", "element",
-                             "condition", "tx", "ty", "gap", "contact_name"});
+  std::string csv;
   const BodySpaces spaces(scene, firstLevel(scene));
   const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
                        const std::string& boundary, int element,
-                       const std::vector<std::string>& rest, const std::string& contact) {
-    std::vector<std::string> cells = {exactly(x.x),           exactly(x.y), exactly(n.x),
-                                      exactly(n.y),           body,         boundary,
-                                      std::to_string(element)};
-    cells.insert(cells.end(), rest.begin(), rest.end());
-    cells.push_back(contact);
-    csv += csvLine(cells);
+                       const std::vector<std::string>& there,
+                       const std::string& contact) {
+    addRow({{"x", exactly(x.x)},
+            {"y", exactly(x.y)},
+            {"nx", exactly(n.x)},
+            {"ny", exactly(n.y)},
+            {"body", body},
+            {"boundary", boundary},
+            {"element", number(element)},
+            {"condition", there[0]},
+            {"tx", there[1]},
+            {"ty", there[2]},
+            {"gap", there[3]},
+            {"contact_name", contact}},
+           csv);
   };
   constexpr int lines = 4;
   for (std::size_t b = 0; b < spaces.size(); ++b) {

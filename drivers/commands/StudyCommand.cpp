@@ -105,7 +105,7 @@ class StudyRun {
       kept = readSolution(path);
     if (!kept)
       return std::nullopt;
-    const std::vector<std::string> cells = lastCells(kept->history);
+    const CsvRow cells = rowsOf(kept->history).back();
     Reference reference(takeSnapshots(*scene.reference, kept->level, energyOf(cells),
                                       dissipatedOf(kept->steps, kept->level.number)),
                         kept->level.estimate(), *scene.reference);
@@ -199,6 +199,9 @@ class StudyRun {
             const std::optional<Reference>& reference, const SolvedLevel& level,
             const LevelRow& row, const std::string& folder) {
     StudiedLevel studied;
+    studied.estimate = row.estimate;
+    studied.sweepValue = variant.sweepValue;
+    studied.reason = row.reason;
     studied.folder = folder;
     if (study_.smallestEigenvalue)
       studied.smallestEigenvalue = smallestEigenvalue(level);
@@ -207,9 +210,9 @@ class StudyRun {
       std::vector<double> dissipated;
       for (const auto& step : level.steps)
         dissipated.push_back(step->row.energyDissipated);
-      studied.error = trueError(takeSnapshots(variant.scene, level.level,
-                                              energyOf(historyCells(row)), dissipated),
-                                *reference, variant.scene);
+      studied.error = trueError(
+          takeSnapshots(variant.scene, level.level, energyOf(cellsOf(row)), dissipated),
+          *reference, variant.scene);
       studied.counted = studied.error->largest >= 10 * reference->estimate;
     }
     table_.level(scene.name, variant, row, studied);
@@ -226,7 +229,11 @@ class StudyRun {
             const std::string& reason,
             double eigenvalue = std::numeric_limits<double>::quiet_NaN()) {
     ++unsolved_;
-    table_.failure(scene.name, variant, level, reason, eigenvalue);
+    StudiedLevel studied;
+    studied.sweepValue = variant.sweepValue;
+    studied.smallestEigenvalue = eigenvalue;
+    studied.reason = reason;
+    table_.failure(scene.name, variant, level, studied);
     folder_.write("study.csv", table_.text());
     progress_.clear();
     out_ << "  " << scene.name << ": " << variant.name << " failed on level " << level

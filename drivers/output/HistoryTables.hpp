@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/output/Csv.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
 #include <optional>
@@ -8,29 +9,21 @@
 
 namespace epafi::drivers {
 
-/// history.csv, a row per level: names of columns, cells of a row, first line.
-std::vector<std::string> historyColumns();
-std::vector<std::string> historyCells(const LevelRow& row);
-std::string historyHead();
-/// Index of a column.  \pre a column has this name
-std::size_t historyColumn(const std::string& name);
+/// A row of history.csv, a row per level.
+CsvRow cellsOf(const LevelRow& row);
+/// Strain and surface energy - fᵀ u + work of friction, in such a row [stress length²].
+double energyOf(const CsvRow& row);
 
-/// Cells of the last line of a history.csv that this version has written.
-std::vector<std::string> lastCells(const std::string& history);
-/// The number in a column of such cells.
-double valueOf(const std::vector<std::string>& cells, const std::string& name);
-/// Strain and surface energy - fᵀ u + work of friction, from such cells [stress length²].
-double energyOf(const std::vector<std::string>& cells);
-
-/// First line of steps.csv, a row per level and step: columns of the step, of each
-/// contact and of each rigid body.
-std::string stepsHead(const StepRow& row);
+/// A row of steps.csv, a row per level and step: columns of the step, of each contact and of
+/// each rigid body.
+CsvRow cellsOf(const StepRow& row);
 /// Work of friction up to each step of a level, from steps.csv; empty for an empty text.
 std::vector<double> dissipatedOf(const std::string& steps, int level);
 
-/// bodies.csv, a row per level, step (0 without a path) and body: resultants of loads,
-/// body loads, contact forces and reactions, which sum to zero, and the motion: of an
-/// elastic body the mean over its boundary, of a rigid one that of its reference point.
+/// The first line of bodies.csv, a row per level, step (0 without a path) and body:
+/// resultants of loads, body loads, contact forces and reactions, which sum to zero, and the
+/// motion: of an elastic body the mean over its boundary, of a rigid one that of its
+/// reference point.
 std::string bodiesHead();
 
 /// A level with the tables of its run as text: the content of solution.hdf, for a restart or

@@ -55,6 +55,7 @@ class BodyInsides {
   /// In a step of the level.  Keeps references to the arguments.
   BodyInsides(const Scene& scene, const Level& level, const StepFields& step);
 
+  const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }
   const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 

@@ -104,13 +104,13 @@ void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
       throw InputError("does not fit its own mesh");
   }
   if (!checkpoint.steps.empty())
-    checkHead(checkpoint.steps, stepsHead(spaces.stepRow()));
+    checkHead(checkpoint.steps, headOf(cellsOf(spaces.stepRow())));
 }
 
 /// history.csv without a last level that has not converged: it is solved again.
 std::string historyBehind(const Checkpoint& checkpoint) {
   const std::string& text = checkpoint.history;
-  checkHead(text, historyHead());
+  checkHead(text, headOf(cellsOf(LevelRow())));
   const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
@@ -141,7 +141,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       if (checkpoint.level.status == contact::Status::Converged &&
           checkpoint.level.complete)
         checkpoint.level.relativeEstimate =
-            valueOf(lastCells(checkpoint.history), "estimate_relative");
+            valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
       if (!checkpoint.bodies.empty())

@@ -20,8 +20,10 @@ struct PathPoint {
   contact::State state;
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
-  /// Estimated time error of friction's work since the last point with one, dimensionless.
+  /// Estimated time error of friction's work since the last point with one, dimensionless,
+  /// and of the worn volume, which files do not have.
   double workError = 0;
+  double volumeError = 0;
 };
 
 /// The solution at one time, dimensionless, by body: of a load, or of a step of a path (one of
@@ -94,14 +96,14 @@ struct StepRow {
   double energyInterface = 0;      ///< stored by contact surfaces
   double energySprings = 0;        ///< stored by springs of rigid bodies
   double energyWorn = 0;           ///< work of contact stresses on worn material
+  double wornVolumeError = 0;      ///< time error of the worn volume, relative; likewise
   double energyError = 0;          ///< outside - trapezoidal - worn - stored
   double cycles = 0;  ///< ∫ n dt, n: how often steps are repeated, for wear
   std::vector<PartRow> contacts{};
   std::vector<PartRow> rigid{};
 };
 
-/// LevelRow::operators beside "dense"; the last: if compressed ones failed.
-constexpr const char* compressed = "compressed";
+/// LevelRow::operators if compressed operators failed.
 constexpr const char* denseInstead = "dense instead";
 
 /// A row of history.csv, in the user's units.
@@ -136,11 +138,12 @@ struct LevelRow {
   double secondsTotal = 0;                   ///< CPU since the program's start
   double secondsWall = 0;                    ///< elapsed time since the timer's start
   double memory = 0;                         ///< peak so far [MiB]
-  std::string operators = "dense";           ///< or compressed, or denseInstead
+  std::string operators = "dense";           ///< or "compressed", or denseInstead
   /// Advice on another Method or Form, or another remark on the operators; may be empty.
   std::string note{};
 
   bem::Index dof() const { return displacements + multipliers; }
+  bool isCompressed() const { return operators == "compressed"; }
 };
 
 /// Results of the whole scene from those of the half (Geometry->Symmetry): twice the

@@ -163,7 +163,7 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
   const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
   const bool denseFits = dense <= row.memoryAllowed;
   if (wanted == Operators::Compressed || (isAutomatic && isPossible && gain > 1)) {
-    row.operators = compressed;
+    row.operators = "compressed";
     row.memoryForecast = less;
     if (isThin)
       row.note = fewerDigits;
@@ -209,9 +209,8 @@ std::string tooLarge(int level, const LevelRow& planned, const BodySpaces& space
   const double program = programMemory * ranks.processes().count();
   const double share = std::max((allowed - program) / (memory - program), 0.0);
   // matrices grow with the square
-  const long cap =
-      static_cast<long>((planned.operators == compressed ? share : std::sqrt(share)) *
-                        static_cast<double>(planned.dof()));
+  const long cap = static_cast<long>((planned.isCompressed() ? share : std::sqrt(share)) *
+                                     static_cast<double>(planned.dof()));
   const std::string text = bem::message(
       "level ", level, " with ", planned.dof(), " degrees of freedom would take about ",
       std::ceil(memory), " MiB; ",

@@ -117,18 +117,22 @@ void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings
         message("contact is met up to ", defect, " of the displacements; ", why));
 }
 
-/// Friction's work that steps as short as they may be do not tell to the tolerance.
+/// What steps as short as they may be do not tell to the tolerance.
 void findErrorInTime(const SolvedLevel& level, std::vector<std::string>& warnings) {
   const StepRow& last = level.last().row;
   const double tolerance = level.last().spaces.scene().history.tolerance;
-  const double work =
-      std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside));
-  // each section may take the tolerance of its own work or of its share of the path's
-  if (tolerance > 0 && last.energyDissipatedError > 2 * tolerance * work)
-    warnings.push_back(message(
-        "friction's work has an estimated error in time of ",
-        last.energyDissipatedError / work, " of itself, more than History->Tolerance = ",
-        tolerance, ": a smaller History->Minimum Step, or more of History->Times"));
+  const auto tell = [&](const char* what, double error) {
+    // each section may take the tolerance of its own work or of its share of the path's
+    if (tolerance > 0 && error > 2 * tolerance)
+      warnings.push_back(
+          message(what, " has an estimated error in time of ", error,
+                  " of itself, more than History->Tolerance = ", tolerance,
+                  ": a smaller History->Minimum Step, or more of History->Times"));
+  };
+  tell("friction's work",
+       last.energyDissipatedError /
+           std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside)));
+  tell("the worn volume", last.wornVolumeError);
 }
 
 bool isDeformed(const SolvedStep& step) {

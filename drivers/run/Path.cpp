@@ -110,6 +110,7 @@ class Follower {
           std::max(now.volume, 0.5 * last.volume)};
       last = now;
       points().back().workError = error.work;
+      points().back().volumeError = error.volume;
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
@@ -142,11 +143,13 @@ class Follower {
   /// The worn volume likewise; displacements, and rounding of slips with them, are as large as the
   /// root of the work.
   double volumeOf(const Standing& before, double whole) const {
-    constexpr double rounding = 1e-9;
     const double sofar = here_.memory.wornVolume();
     return std::max({sofar - before.memory.wornVolume(),
-                     whole / scene_.endOfPath() * sofar,
-                     rounding * std::sqrt(std::abs(here_.memory.outside()))});
+                     whole / scene_.endOfPath() * sofar, leastVolume()});
+  }
+  double leastVolume() const {
+    constexpr double rounding = 1e-9;
+    return rounding * std::sqrt(std::abs(here_.memory.outside()));
   }
 
   /// Up to a time in steps, halved where one fails; the path may end before.  Returns the last
@@ -278,10 +281,16 @@ class Follower {
     const double stored = system.storedEnergy(step.at);
     row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
-    double error = 0;
-    for (const PathPoint& point : points())
-      error += point.workError;
-    row_.energyDissipatedError = energy * error;
+    double workError = 0;
+    double volumeError = 0;
+    for (const PathPoint& point : points()) {
+      workError += point.workError;
+      volumeError += point.volumeError;
+    }
+    row_.energyDissipatedError = energy * workError;
+    if (volumeError > 0)
+      row_.wornVolumeError =
+          volumeError / std::max(here_.memory.wornVolume(), leastVolume());
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
     row_.energyStabilisation = energy * (stored - strain);

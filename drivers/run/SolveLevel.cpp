@@ -240,8 +240,7 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const auto stiffness =
-      makeStiffness(spaces, lames, planned.operators == compressed, run);
+  const auto stiffness = makeStiffness(spaces, lames, planned.isCompressed(), run);
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;
   const auto first =
