@@ -52,7 +52,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
                           units);
   }
   try {
-    checkBalance(scene, spaces, conditions, t);
+    checkBalance(spaces, conditions, t);
   } catch (const bem::InputError& error) {  // a warning may explain it
     std::string words = error.what();
     for (const std::string& warning : warningsOf(scene))
@@ -63,7 +63,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
 
 /// Throws what a run would throw on the first mesh, at all times of a path (from 0 on).
 void evaluateAll(const Scene& scene) {
-  const BodySpaces spaces(scene, firstLevel(scene).meshes);
+  const BodySpaces spaces(scene, firstLevel(scene));
   if (scene.history)
     evaluateAt(scene, spaces, spaces.conditionsAt(0), 0);
   for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
@@ -71,7 +71,7 @@ void evaluateAll(const Scene& scene) {
                scene.history.times[k]);
   const std::vector<contact::Conditions> last = spaces.conditionsAt(scene.endOfPath());
   evaluateAt(scene, spaces, last, scene.endOfPath());
-  aboveCap(0, spaces.totalSize(), scene);
+  aboveCap(0, spaces.levelRow(), scene);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
     const std::vector<double> places = outputPlaces(scene, scene.bodies[b].degree);
@@ -153,30 +153,39 @@ std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
 }  // namespace
 
 std::string sceneCsv(const Scene& scene) {
-  std::string csv = csvLine({"x", "y", "nx", "ny", "body", "boundary", "element",
-                             "condition", "tx", "ty", "gap", "contact_name"});
-  const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
+  std::string csv;
+  const BodySpaces spaces(scene, firstLevel(scene));
   const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
                        const std::string& boundary, int element,
-                       const std::vector<std::string>& rest, const std::string& contact) {
-    std::vector<std::string> cells = {exactly(x.x),           exactly(x.y), exactly(n.x),
-                                      exactly(n.y),           body,         boundary,
-                                      std::to_string(element)};
-    cells.insert(cells.end(), rest.begin(), rest.end());
-    cells.push_back(contact);
-    csv += csvLine(cells);
+                       const std::vector<std::string>& there,
+                       const std::string& contact) {
+    addRow({{"x", exactly(x.x)},
+            {"y", exactly(x.y)},
+            {"nx", exactly(n.x)},
+            {"ny", exactly(n.y)},
+            {"body", body},
+            {"boundary", boundary},
+            {"element", number(element)},
+            {"condition", there[0]},
+            {"tx", there[1]},
+            {"ty", there[2]},
+            {"gap", there[3]},
+            {"contact_name", contact}},
+           csv);
   };
   constexpr int lines = 4;
-  for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (int e = 0; e < meshes[b].size(); ++e)
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Mesh& mesh = spaces.space(b).mesh();
+    for (int e = 0; e < mesh.size(); ++e)
       for (int k = 0; k <= lines; ++k) {
-        const std::string& boundary = meshes[b].boundary(e);
+        const std::string& boundary = mesh.boundary(e);
         const double t = -1 + 2.0 * k / lines;
-        const bem::Vec2 x = meshes[b].physicalPoint(e, t);
-        row(x, meshes[b][e].curve.normal(t), scene.bodies[b].name, boundary, e,
+        const bem::Vec2 x = mesh.physicalPoint(e, t);
+        row(x, mesh[e].curve.normal(t), scene.bodies[b].name, boundary, e,
             conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines),
             contactOf(scene, false, b, boundary));
       }
+  }
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)
     for (std::size_t e = 0; e < scene.rigid[b].outline->edges().size(); ++e)
       for (int k = 0; k <= 4 * lines; ++k) {

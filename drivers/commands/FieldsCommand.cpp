@@ -31,16 +31,18 @@ using Points = std::vector<InsidePoint>;
 /// The last level of a run, read from its folder, with the scene that it was solved for.
 class SavedRun {
  public:
-  /// `step`: as --step gives it; empty: the last one.
-  SavedRun(const std::string& folder, const std::string& step)
-      : checkpoint_(step.empty() ? read(folder) : atStep(read(folder), folder, step)),
-        scene_(sceneOf(checkpoint_.used, folder + "/used.xml", {})),
-        insides_(scene_, checkpoint_.level) {}
+  explicit SavedRun(std::string folder)
+      : folder_(std::move(folder)),
+        checkpoint_(read(folder_)),
+        scene_(sceneOf(checkpoint_.used, folder_ + "/used.xml", {})) {}
 
-  const Scene& scene() const { return scene_; }
-  const BodyInsides& insides() const { return insides_; }
-  /// Times of the steps of a path; empty without a path.
+  /// `step`: as --step gives it; empty: the last one.
+  BodyInsides insides(const std::string& step) const {
+    return {scene_, checkpoint_.level, stepOf(step)};
+  }
+  /// Times of the steps of a path.
   std::vector<double> times() const {
+    stepOf("1");  // there are some
     std::vector<double> times;
     for (const StepFields& step : checkpoint_.level.steps)
       times.push_back(step.t);
@@ -56,42 +58,37 @@ class SavedRun {
     return readSolution(folder + "/solution.hdf");
   }
 
-  static Checkpoint atStep(Checkpoint run, const std::string& folder,
-                           const std::string& text) {
+  const StepFields& stepOf(const std::string& text) const {
+    const Level& level = checkpoint_.level;
+    if (text.empty())
+      return level.last();
     const int number = positiveNumber("--step", text);
-    Level& level = run.level;
     if (level.path.empty())
-      throw InputError("--step: the run in '", folder,
+      throw InputError("--step: the run in '", folder_,
                        "' has no History, and no steps; leave --step out");
     if (!level.complete)
       throw InputError(
-          "--step: the path in '", folder, "' was interrupted behind ", level.path.size(),
+          "--step: the path in '", folder_, "' was interrupted behind ",
+          level.path.size(),
           " solved steps, and fields of its steps are kept at its end; go on with epafi "
           "run --restart, or leave --step out for the last one");
     if (static_cast<std::size_t>(number) > level.steps.size())
-      throw InputError("--step ", number, ": the path in '", folder, "' has ",
+      throw InputError("--step ", number, ": the path in '", folder_, "' has ",
                        level.steps.size(), level.steps.size() == 1 ? " step" : " steps");
-    StepFields& step = level.steps[static_cast<std::size_t>(number) - 1];
-    for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-      level.bodies[b].displacement = std::move(step.displacement[b]);
-      level.bodies[b].density = std::move(step.density[b]);
-    }
-    while (level.path.size() > 1 && level.path.back().t > step.t)
-      level.path.pop_back();
-    return run;
+    return level.steps[static_cast<std::size_t>(number) - 1];
   }
 
+  std::string folder_;
   Checkpoint checkpoint_;
   Scene scene_;
-  BodyInsides insides_;
 };
 
 std::optional<double> trimmedNumber(const std::string& text) {
   return numberIn<double>(trimmed(text));
 }
 
-bool isInside(const InsidePoint& point, const SavedRun& run) {
-  return point.body < run.scene().bodies.size();
+bool isInside(const InsidePoint& point, const BodyInsides& insides) {
+  return point.body < insides.size();
 }
 
 struct Box {
@@ -111,14 +108,14 @@ Box windowOf(const std::string& text) {
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
-Box boxOf(const SavedRun& run) {
+Box boxOf(const BodyInsides& insides) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   bem::Vec2 low{infinity, infinity};
   bem::Vec2 high{-infinity, -infinity};
-  for (std::size_t b = 0; b < run.insides().size(); ++b)
-    for (int e = 0; e < run.insides().mesh(b).size(); ++e)
+  for (std::size_t b = 0; b < insides.size(); ++b)
+    for (int e = 0; e < insides.mesh(b).size(); ++e)
       for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        const bem::Vec2 x = run.insides().mesh(b).physicalPoint(e, t);
+        const bem::Vec2 x = insides.mesh(b).physicalPoint(e, t);
         low = {std::min(low.x, x.x), std::min(low.y, x.y)};
         high = {std::max(high.x, x.x), std::max(high.y, x.y)};
       }
@@ -126,20 +123,20 @@ Box boxOf(const SavedRun& run) {
 }
 
 /// Centres of those cells that lie inside a body.
-Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
+Points cellsOf(const Box& box, int nx, int ny, const BodyInsides& insides) {
   Points points;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
       const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
                         box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
-      const InsidePoint point{run.scene().bodyAt(x), x};
-      if (isInside(point, run))
+      const InsidePoint point{insides.scene().bodyAt(x), x};
+      if (isInside(point, insides))
         points.push_back(point);
     }
   return points;
 }
 
-Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) {
+Points gridPoints(const std::string& text, const Box& box, const BodyInsides& insides) {
   const auto comma = text.find(',');
   if (comma == std::string::npos)
     throw InputError("fields: --grid: '", text, "' is not NX,NY, as 60,30");
@@ -149,10 +146,10 @@ Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) 
   if (static_cast<double>(nx) * ny > most)
     throw InputError("fields: --grid: '", text, "' are more than ", most,
                      " points; a --window shows a part more finely");
-  return cellsOf(box, nx, ny, run);
+  return cellsOf(box, nx, ny, insides);
 }
 
-Points pointsOf(const std::string& file, const SavedRun& run) {
+Points pointsOf(const std::string& file, const BodyInsides& insides) {
   std::istringstream lines(
       within("fields: --points: '" + file + "': ", [&] { return readText(file); }));
   Points points;
@@ -169,7 +166,7 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     if (!x || !y)
       throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
                        "' does not begin with x,y");
-    points.push_back({run.scene().bodyAt(run.scene().drawn({*x, *y})), {*x, *y}});
+    points.push_back({insides.scene().bodyAt(insides.scene().drawn({*x, *y})), {*x, *y}});
   }
   if (points.empty())
     throw InputError("fields: --points: '", file, "' has no points");
@@ -177,13 +174,13 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
 }
 
 /// Points at a depth below a boundary, 2(p+1) per element; points outside are left out.
-Points alongPoints(const std::string& where, double depth, const SavedRun& run) {
+Points alongPoints(const std::string& where, double depth, const BodyInsides& insides) {
   std::vector<std::string> known;
   Points points;
-  for (std::size_t b = 0; b < run.insides().size(); ++b) {
-    const bem::Mesh& mesh = run.insides().mesh(b);
+  for (std::size_t b = 0; b < insides.size(); ++b) {
+    const bem::Mesh& mesh = insides.mesh(b);
     for (int e = 0; e < mesh.size(); ++e) {
-      const std::string name = run.scene().bodies[b].name + ":" + mesh.boundary(e);
+      const std::string name = insides.scene().bodies[b].name + ":" + mesh.boundary(e);
       if (std::find(known.begin(), known.end(), name) == known.end())
         known.push_back(name);
       if (name != where)
@@ -206,7 +203,7 @@ Points alongPoints(const std::string& where, double depth, const SavedRun& run) 
   return points;
 }
 
-Points chosenPoints(const Given& given, const SavedRun& run) {
+Points chosenPoints(const Given& given, const BodyInsides& insides) {
   const int ways = static_cast<int>(given.has("--grid")) +
                    static_cast<int>(given.has("--points")) +
                    static_cast<int>(given.has("--along"));
@@ -217,16 +214,17 @@ Points chosenPoints(const Given& given, const SavedRun& run) {
   if (given.has("--window") && (given.has("--points") || given.has("--along")))
     throw InputError("fields: --window belongs to --grid");
   if (given.has("--points"))
-    return pointsOf(given.value("--points"), run);
+    return pointsOf(given.value("--points"), insides);
   if (!given.has("--along"))
     return gridPoints(
         given.value("--grid", "60,60"),
-        given.has("--window") ? windowOf(given.value("--window")) : boxOf(run), run);
+        given.has("--window") ? windowOf(given.value("--window")) : boxOf(insides),
+        insides);
   const auto depth = trimmedNumber(given.value("--depth"));
   if (!depth || !(*depth > 0))
     throw InputError("fields: --depth: '", given.value("--depth"),
                      "' is not a length > 0");
-  return alongPoints(given.value("--along"), *depth, run);
+  return alongPoints(given.value("--along"), *depth, insides);
 }
 
 void write(const std::string& file, const std::string& text) {
@@ -238,8 +236,8 @@ void write(const std::string& file, const std::string& text) {
     throw InputError("fields: '", file, "' cannot be written: ", std::strerror(errno));
 }
 
-void writeVtu(const SavedRun& run, const std::string& file) {
-  write(file, vtuFile(fill(run.insides())));
+void writeVtu(const BodyInsides& insides, const std::string& file) {
+  write(file, vtuFile(fill(insides)));
 }
 
 /// Writes a file and prints the summary to `out`; "-" writes the text to `out`.
@@ -254,14 +252,14 @@ void deliver(const std::string& file, const std::string& text, const std::string
 }
 
 std::string summary(const std::string& file, const Points& points,
-                    const std::vector<InsideValue>& values, const SavedRun& run) {
+                    const std::vector<InsideValue>& values, const BodyInsides& insides) {
   const auto largest = std::max_element(
       values.begin(), values.end(),
       [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
   const bem::Vec2 x = points[largest - values.begin()].x;
   const auto outside =
       std::count_if(points.begin(), points.end(),
-                    [&](const InsidePoint& p) { return !isInside(p, run); });
+                    [&](const InsidePoint& p) { return !isInside(p, insides); });
   return message(
       "fields  ", file, ": ", points.size(), " points, largest von Mises stress ",
       largest->vonMises, " at (", x.x, ", ", x.y, ")",
@@ -271,11 +269,12 @@ std::string summary(const std::string& file, const Points& points,
 
 /// steps/<k>/fields.vtu of all steps and fields.pvd.
 void writeSeries(const std::string& folder, std::ostream& out) {
-  const std::vector<double> times = SavedRun(folder, "1").times();
+  const SavedRun run(folder);
+  const std::vector<double> times = run.times();
   for (std::size_t k = 1; k <= times.size(); ++k) {
     const std::string file = folder + "/" + stepFile(k, "fields.vtu");
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-    writeVtu(SavedRun(folder, std::to_string(k)), file);
+    writeVtu(run.insides(std::to_string(k)), file);
   }
   write(folder + "/fields.pvd", stepsPvd(times, "fields.vtu"));
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
@@ -287,23 +286,24 @@ void writeInside(const std::string& folder, const std::string& step) {
   std::ostream silence(nullptr);
   if (step == everyStep)
     writeSeries(folder, silence);
-  writeVtu(SavedRun(folder, step == everyStep ? "" : step), folder + "/fields.vtu");
+  writeVtu(SavedRun(folder).insides(step == everyStep ? "" : step),
+           folder + "/fields.vtu");
 }
 
 void writeWindow(const std::string& folder, const std::string& step,
                  const std::string& window) {
   constexpr double cells = 240;  // along the longer side
-  const SavedRun run(folder, step);
+  const SavedRun run(folder);
+  const BodyInsides insides = run.insides(step);
   const Box box = windowOf(window);
   const bem::Vec2 size = box.high - box.low;
   const auto along = [&](double side) {
     return std::max(1, static_cast<int>(cells * (side / std::max(size.x, size.y))));
   };
-  const Points points = cellsOf(box, along(size.x), along(size.y), run);
+  const Points points = cellsOf(box, along(size.x), along(size.y), insides);
   if (points.empty())
     throw InputError("--window: '", window, "' shows nothing of the bodies");
-  write(folder + "/fields-window.csv",
-        run.insides().csv(points, run.insides().at(points)));
+  write(folder + "/fields-window.csv", insides.csv(points, insides.at(points)));
 }
 
 void checkWindow(const std::string& window) { windowOf(window); }
@@ -330,21 +330,22 @@ int fieldsCommand(const Given& given, std::ostream& out) {
     writeSeries(folder, out);
     return 0;
   }
-  const SavedRun run(folder, step);
+  const SavedRun run(folder);
+  const BodyInsides insides = run.insides(step);
   if (given.has("--vtk")) {
     const std::string file = given.value("--output", folder + "/fields.vtu");
-    const FilledBodies filled = fill(run.insides());
-    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, run), out);
+    const FilledBodies filled = fill(insides);
+    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, insides),
+            out);
     return 0;
   }
-  const Points points = chosenPoints(given, run);
+  const Points points = chosenPoints(given, insides);
   if (points.empty())
     throw InputError("fields: --grid: none of its points lies inside a body; take more",
                      given.has("--window") ? ", or another --window" : "");
-  const std::vector<InsideValue> values = run.insides().at(points);
+  const std::vector<InsideValue> values = insides.at(points);
   const std::string file = given.value("--output", folder + "/fields.csv");
-  deliver(file, run.insides().csv(points, values), summary(file, points, values, run),
-          out);
+  deliver(file, insides.csv(points, values), summary(file, points, values, insides), out);
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "drivers/commands/Recorder.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -23,7 +24,7 @@ constexpr double workPerWriting = 10;
 
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
-  const BodyInsides insides(scene, level);
+  const BodyInsides insides(scene, level, level.last());
   std::vector<InsidePoint> points;
   for (const bem::Vec2 x : scene.output.interiorPoints)
     points.push_back({scene.bodyAt(scene.drawn(x)), x});
@@ -45,16 +46,13 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
       progress_(progress),
       table_(table),
       written_(std::move(written)),
-      tables_(scene, earlier),
-      contact_(scene) {
+      tables_(Checkpoint::before(scene, earlier)) {
   if (!folder_)
     return;
   if (earlier_)  // without rows of levels that did not make it
     folder_->write("history.csv", tables_.history);
   folder_->write("used.xml", tables_.used);
   folder_->drop("interior.csv");  // of an earlier level
-  if (earlier_)
-    last_ = earlier_->level;
 }
 
 void Recorder::beginWith(const std::string& folder) {
@@ -78,63 +76,65 @@ void Recorder::beginWith(const std::string& folder) {
 void Recorder::take(const SolvedLevel& level) {
   if (!folder_)
     return;
-  solved_ = solvedOf(level);
-  last_ = level.level;
-  const LevelRow& row = solved_->row;
+  const LevelRow row = rowOf(level);
+  const bool onPath = level.level.onPath();
   tables_.addLevel(level, row);
   files_ = {{"history.csv", made(tables_.history)}};
   std::move(stepFiles_.begin(), stepFiles_.end(), std::back_inserter(files_));
   stepFiles_.clear();
-  if (scene_.output.fields && !times_.empty())
-    files_.emplace_back("steps.pvd", made(stepsPvd(times_, "boundary.vtu")));
+  if (scene_.output.fields) {
+    grid_ = std::make_shared<const VtkGrid>(boundaryLines(level.last()));
+    if (onPath)
+      files_.emplace_back("steps.pvd", made(stepsPvd(times_, "boundary.vtu")));
+  }
   if (scene_.hasContact())
-    files_.emplace_back("contact.csv",
-                        made(times_.empty() ? contactCsv(scene_, level.bodies)
-                                            : std::exchange(contactOfStep_, {})));
+    files_.emplace_back("contact.csv", made(onPath ? std::exchange(contactOfStep_, {})
+                                                   : contactCsv(level.last())));
   if (scene_.output.fields)
-    files_.emplace_back("boundary.csv", [this, grid = solved_->grid] {
-      return boundaryCsv(scene_, *grid);
-    });
+    files_.emplace_back("boundary.csv",
+                        [this, grid = grid_] { return boundaryCsv(scene_, *grid); });
   if (scene_.tellsBodies())
     files_.emplace_back("bodies.csv", made(tables_.bodies));
   times_.clear();
-  points_.clear();
-  contact_ = PathContact(scene_);
+  contact_ = {};
   stages_ +=
       bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
   progress_.clear();
   table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
          << operatorsNote(row) << worstStepNote(row) << std::flush;
-  warnings_ = warningsOf(scene_, level);
+  warnings_ = warningsOf(level);
   if (row.operators == denseInstead)
     told_.push_back(bem::message("level ", row.level, ": ", row.note));
   warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
+  tables_.take(level, row);
+  isTaken_ = true;
   writeIfDue();
 }
 
 void Recorder::takeStep(const SolvedLevel& level) {
   if (!folder_)
     return;
-  const StepRow& row = level.path->last().row;
-  tables_.addStep(row);
-  times_.push_back(row.t);
+  const SolvedStep& step = level.last();
+  tables_.addStep(step);
+  times_.push_back(step.row.t);
   if (scene_.hasContact()) {
-    contactOfStep_ = contact_.next(level);
+    contactOfStep_ = contact_.next(step);
     stepFiles_.emplace_back(stepFile(times_.size(), "contact.csv"), made(contactOfStep_));
   }
-  for (const PathPoint& point : level.path->points)
-    if (points_.empty() || point.t > points_.back().t)
-      points_.push_back(point);
-  Solved solved = solvedOf(level);
-  if (scene_.output.fields)
+  std::shared_ptr<const VtkGrid> grid;
+  if (scene_.output.fields) {
+    grid = std::make_shared<const VtkGrid>(boundaryLines(step));
     stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
-                            made(vtuText(solved.grid->grid())));
+                            made(vtuText(*grid)));
+  }
   if (isKnown(level.level))
     return;
-  solved_ = std::move(solved);
+  grid_ = grid;
+  tables_.take(level, rowOf(level));
+  isTaken_ = true;
   writeIfDue();
   progress_.clear();
-  table_ << tableLine(row) << std::flush;
+  table_ << tableLine(step.row) << std::flush;
 }
 
 void Recorder::writeIfDue() {
@@ -143,27 +143,23 @@ void Recorder::writeIfDue() {
 }
 
 void Recorder::write() {
-  if (!solved_ && restored_.empty())
+  if (!isTaken_ && restored_.empty())
     return;
   const double begin = cpuSeconds();
   for (const auto& [name, text] : files_)
     folder_->stage(name, text());
   if (!tables_.steps.empty())
     folder_->stage("steps.csv", tables_.steps);
-  if (solved_ && !solved_->level.complete)
-    solved_->level.path = points_;
   if (scene_.output.fields)
-    folder_->stage("solution.hdf",
-                   solved_
-                       ? tables_.solution(solved_->level, solved_->row, *solved_->grid)
-                       : readText(restored_ + "solution.hdf"));
+    folder_->stage("solution.hdf", isTaken_ ? solutionFile(scene_, tables_, *grid_)
+                                            : readText(restored_ + "solution.hdf"));
   folder_->dropMade();
   folder_->commit();
-  if (solved_)
-    written_(solved_->level);
+  if (isTaken_)
+    written_(tables_.level);
   files_.clear();
   restored_.clear();
-  solved_.reset();
+  isTaken_ = false;
   writtenAt_ = cpuSeconds();
   writingTook_ = writtenAt_ - begin;
 }
@@ -171,8 +167,8 @@ void Recorder::write() {
 void Recorder::finish(PhaseTimer& timer) {
   if (folder_) {
     write();  // before a phase begins, which an interrupted run does not do any more
-    if (last_ && !scene_.output.interiorPoints.empty())
-      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+    if (!tables_.level.steps.empty() && !scene_.output.interiorPoints.empty())
+      timer.run(Phase::Results, [&] { writeInterior(scene_, tables_.level, *folder_); });
   }
   writeTimings(timer);
 }
@@ -182,21 +178,18 @@ void Recorder::writeTimings(PhaseTimer& timer) {
     folder_->write("timings.txt", timer.report() + stages_);
 }
 
-Recorder::Solved Recorder::solvedOf(const SolvedLevel& level) const {
-  Solved solved{level.level, level.row,
-                std::make_shared<const BoundaryLines>(scene_.output.fields
-                                                          ? boundaryLines(scene_, level)
-                                                          : BoundaryLines())};
+LevelRow Recorder::rowOf(const SolvedLevel& level) const {
+  LevelRow row = level.row;
   if (earlier_) {
-    solved.row.secondsTotal += earlier_->secondsTotal;
-    solved.row.secondsWall += earlier_->secondsWall;
+    row.secondsTotal += earlier_->secondsTotal;
+    row.secondsWall += earlier_->secondsWall;
   }
-  return solved;
+  return row;
 }
 
 bool Recorder::isKnown(const Level& level) const {
   return earlier_ && level.number == earlier_->level.number &&
-         points_.size() < earlier_->level.path.size();
+         level.path.size() < earlier_->level.path.size();
 }
 
 }  // namespace epafi::drivers

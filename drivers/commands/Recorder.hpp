@@ -1,9 +1,9 @@
 #pragma once
 
 #include "drivers/output/ContactTable.hpp"
-#include "drivers/output/HistoryTables.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
+#include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/process/ProgressLine.hpp"
 
@@ -49,14 +49,8 @@ class Recorder {
   /// the operators are gone.
   using File = std::pair<std::string, std::function<std::string()>>;
 
-  /// The data of solution.hdf.
-  struct Solved {
-    Level level;
-    LevelRow row;
-    std::shared_ptr<const BoundaryLines> grid;  ///< empty without Fields
-  };
-
-  Solved solvedOf(const SolvedLevel& level) const;
+  /// With the times of the earlier run.
+  LevelRow rowOf(const SolvedLevel& level) const;
   /// Does the earlier run have a later step?  Then its files must not be replaced.
   bool isKnown(const Level& level) const;
   void writeIfDue();
@@ -67,19 +61,18 @@ class Recorder {
   const ProgressLine& progress_;
   std::ostream& table_;
   std::function<void(const Level&)> written_;
-  HistoryTables tables_;
+  Checkpoint tables_;  ///< with the last level or a step behind it
   // of the level that is solved now
   std::vector<File> stepFiles_;
   std::vector<double> times_;
-  std::vector<PathPoint> points_;
   std::string contactOfStep_;  ///< contact.csv
   PathContact contact_;
 
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
-  std::optional<Level> last_;
-  std::vector<File> files_;       ///< of the last level, until they are written
-  std::string restored_;          ///< folder whose solution.hdf stands for solved_
-  std::optional<Solved> solved_;  ///< likewise, of the last level or of a step behind it
+  std::vector<File> files_;  ///< of the last level, until they are written
+  std::string restored_;     ///< folder whose solution.hdf stands for that of tables_
+  bool isTaken_ = false;     ///< has that of tables_ to be written?
+  std::shared_ptr<const VtkGrid> grid_;  ///< of it; without Fields empty
   double writtenAt_ = cpuSeconds();
   double writingTook_ = 0;
   std::vector<std::string> warnings_;

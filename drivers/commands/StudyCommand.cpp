@@ -2,8 +2,8 @@
 #include "contact/body/CoupledBody.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/ContactTable.hpp"
-#include "drivers/output/HistoryTables.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
@@ -41,12 +41,13 @@ std::string fileName(const std::string& name) {
 }
 
 /// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
-double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
+double smallestEigenvalue(const SolvedLevel& level) {
+  const Scene& scene = level.last().spaces.scene();
   double smallest = 1;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const contact::Solved& solved = level.bodies[b];
+    const contact::Solved& solved = level.last().bodies[b];
     const double limit = contact::limitGamma0(
-        {solved.space, solved.stiffness, scene.lame(b), solved.units,
+        {solved.space, level.stiffness[b], scene.lame(b), solved.units,
          scene.bodies[b].conditions, contact::multiplierBasis(scene.multiplier),
          scene.stabilization});
     smallest = std::min(smallest, 1 - solved.problem.gamma0() / limit);
@@ -55,11 +56,12 @@ double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
 }
 
 /// All of a level at once, with its steps.
-void addTo(HistoryTables& tables, const SolvedLevel& level, const LevelRow& row) {
-  if (level.path != nullptr)
-    for (const auto& step : level.path->steps)
-      tables.addStep(step->row);
+void addTo(Checkpoint& tables, const SolvedLevel& level, const LevelRow& row) {
+  if (level.level.onPath())
+    for (const auto& step : level.steps)
+      tables.addStep(*step);
   tables.addLevel(level, row);
+  tables.take(level, level.row);
 }
 
 class StudyRun {
@@ -103,7 +105,7 @@ class StudyRun {
       kept = readSolution(path);
     if (!kept)
       return std::nullopt;
-    const std::vector<std::string> cells = lastCells(kept->history);
+    const CsvRow cells = rowsOf(kept->history).back();
     Reference reference(takeSnapshots(*scene.reference, kept->level, energyOf(cells),
                                       dissipatedOf(kept->steps, kept->level.number)),
                         kept->level.estimate(), *scene.reference);
@@ -121,7 +123,7 @@ class StudyRun {
   bool compute(const StudiedScene& scene, const std::string& name) {
     const Variant reference{"reference", *scene.reference};
     PhaseTimer timer = makeTimer();
-    HistoryTables tables(reference.scene);
+    Checkpoint tables = Checkpoint::before(reference.scene);
     std::string last;
     int solved = 0;
     const bool whole = attempt(scene, reference, solved, [&] {
@@ -129,8 +131,7 @@ class StudyRun {
           solveLevels(reference.scene, ranks_, timer, [&](const SolvedLevel& level) {
             ++solved;
             addTo(tables, level, level.row);
-            last = tables.solution(level.level, level.row,
-                                   boundaryLines(reference.scene, level));
+            last = solutionFile(reference.scene, tables, boundaryLines(level.last()));
           });
       if (outcome.status != contact::Status::Converged)
         throw bem::NumericalError("not converged: " + outcome.reason);
@@ -165,7 +166,7 @@ class StudyRun {
     out_ << scene.name << ": " << variant.name << "\n" << std::flush;
     const std::string name = folderOf(scene, variant);
     OutputFolder own(folder_.path() + "/" + name, EarlierRun::Delete);
-    HistoryTables tables(variant.scene);
+    Checkpoint tables = Checkpoint::before(variant.scene);
     own.write("used.xml", tables.used);
     PhaseTimer timer = makeTimer();
     double unwatched = cpuSeconds();  // before the variant, and in what is not its work
@@ -182,7 +183,7 @@ class StudyRun {
         ++solved;
         note(scene, variant, reference, level, row, name);
         writeFiles(variant, level, tables, own);
-        ofLevel = warningsOf(variant.scene, level);
+        ofLevel = warningsOf(level);
         progress_.clear();
         unwatched += cpuSeconds() - now;
         if (row.report.status != contact::Status::Converged)
@@ -198,18 +199,20 @@ class StudyRun {
             const std::optional<Reference>& reference, const SolvedLevel& level,
             const LevelRow& row, const std::string& folder) {
     StudiedLevel studied;
+    studied.estimate = row.estimate;
+    studied.sweepValue = variant.sweepValue;
+    studied.reason = row.reason;
     studied.folder = folder;
     if (study_.smallestEigenvalue)
-      studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level);
+      studied.smallestEigenvalue = smallestEigenvalue(level);
     // a path that broke off ends under other loads
-    if (reference && (level.path == nullptr || level.path->last().row.converged)) {
+    if (reference && (!level.level.onPath() || level.last().row.converged)) {
       std::vector<double> dissipated;
-      if (level.path != nullptr)
-        for (const auto& step : level.path->steps)
-          dissipated.push_back(step->row.energyDissipated);
-      studied.error = trueError(takeSnapshots(variant.scene, level.level,
-                                              energyOf(historyCells(row)), dissipated),
-                                *reference, variant.scene);
+      for (const auto& step : level.steps)
+        dissipated.push_back(step->row.energyDissipated);
+      studied.error = trueError(
+          takeSnapshots(variant.scene, level.level, energyOf(cellsOf(row)), dissipated),
+          *reference, variant.scene);
       studied.counted = studied.error->largest >= 10 * reference->estimate;
     }
     table_.level(scene.name, variant, row, studied);
@@ -226,7 +229,11 @@ class StudyRun {
             const std::string& reason,
             double eigenvalue = std::numeric_limits<double>::quiet_NaN()) {
     ++unsolved_;
-    table_.failure(scene.name, variant, level, reason, eigenvalue);
+    StudiedLevel studied;
+    studied.sweepValue = variant.sweepValue;
+    studied.smallestEigenvalue = eigenvalue;
+    studied.reason = reason;
+    table_.failure(scene.name, variant, level, studied);
     folder_.write("study.csv", table_.text());
     progress_.clear();
     out_ << "  " << scene.name << ": " << variant.name << " failed on level " << level
@@ -236,10 +243,10 @@ class StudyRun {
 
   /// Of sweeps, which may have hundreds of values, only contact.csv and steps.csv.
   void writeFiles(const Variant& variant, const SolvedLevel& level,
-                  const HistoryTables& tables, OutputFolder& folder) const {
+                  const Checkpoint& tables, OutputFolder& folder) const {
     const Scene& scene = variant.scene;
     if (scene.hasContact())
-      folder.write("contact.csv", contactCsv(scene, level.bodies));
+      folder.write("contact.csv", contactCsv(level.last()));
     if (!tables.steps.empty())
       folder.write("steps.csv", tables.steps);
     if (variant.swept && !study_.keepSolutions)
@@ -249,10 +256,10 @@ class StudyRun {
       folder.write("bodies.csv", tables.bodies);
     if (!scene.output.fields)
       return;
-    const BoundaryLines grid = boundaryLines(scene, level);
+    const VtkGrid grid = boundaryLines(level.last());
     folder.write("boundary.csv", boundaryCsv(scene, grid));
     if (study_.keepSolutions)
-      folder.write("solution.hdf", tables.solution(level.level, level.row, grid));
+      folder.write("solution.hdf", solutionFile(scene, tables, grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

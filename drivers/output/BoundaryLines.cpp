@@ -12,33 +12,48 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-void add(bem::Vec2 vector, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {vector.x, vector.y, 0});
+// The fields of a point, and of a segment.
+enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction };
+enum { Element, Degree, Boundary, OfBody };
+
+VtkGrid emptyGrid() {
+  const std::vector<double> real;
+  const std::vector<int> whole;
+  return {2,
+          "Vectors=\"displacement\"",
+          {{"displacement", real, 3},
+           {"traction", real, 3},
+           {"lambda_n", real},
+           {"lambda_t", real},
+           {"gap", real},
+           {"contact", whole},
+           {"friction", whole}},
+          {{"element", whole}, {"degree", whole}, {"boundary", whole}, {"body", whole}}};
 }
 
 /// Adds a point.  `contact`: null where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
-              const contact::ContactPoint* contact, BoundaryLines& grid) {
-  add(place, grid.points);
-  add(displacement, grid.displacement);
-  add(traction, grid.traction);
-  grid.pressure.push_back(contact == nullptr ? nothing : contact->pressure);
-  grid.shear.push_back(contact == nullptr ? nothing : contact->shear);
-  grid.gap.push_back(contact == nullptr ? nothing : contact->gap);
-  grid.contact.push_back(contact == nullptr ? -1 : contact->closed ? 1 : 0);
-  grid.friction.push_back(contact == nullptr ? -1 : numberOf(contact->friction));
+              const contact::ContactPoint* contact, VtkGrid& grid) {
+  std::vector<VtkArray>& fields = grid.pointData;
+  grid.points.add(place);
+  fields[Displacement].add(displacement);
+  fields[Traction].add(traction);
+  fields[Pressure].add(contact == nullptr ? nothing : contact->pressure);
+  fields[Shear].add(contact == nullptr ? nothing : contact->shear);
+  fields[Gap].add(contact == nullptr ? nothing : contact->gap);
+  fields[Contact].add(contact == nullptr ? -1 : contact->closed ? 1 : 0);
+  fields[Friction].add(contact == nullptr ? -1 : numberOf(contact->friction));
 }
 
 /// Adds the `lines` segments between the `lines` + 1 points that were added last.
-void addLines(int lines, int element, int degree, int boundary, int body,
-              BoundaryLines& grid) {
-  const auto first = static_cast<long long>(grid.pressure.size()) - lines - 1;
+void addLines(int lines, int element, int degree, int boundary, int body, VtkGrid& grid) {
+  const auto first = static_cast<long long>(grid.size()) - lines - 1;
   for (int k = 0; k < lines; ++k) {
-    grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
-    grid.element.push_back(element);
-    grid.degree.push_back(degree);
-    grid.boundary.push_back(boundary);
-    grid.body.push_back(body);
+    grid.corners.insert(grid.corners.end(), {first + k, first + k + 1});
+    grid.cellData[Element].add(element);
+    grid.cellData[Degree].add(degree);
+    grid.cellData[Boundary].add(boundary);
+    grid.cellData[OfBody].add(body);
   }
 }
 
@@ -69,7 +84,7 @@ class Sampler {
       contacts_[element.element] = &element;
   }
 
-  void sample(int e, BoundaryLines& grid) const {
+  void sample(int e, VtkGrid& grid) const {
     const bem::Element& element = mesh()[e];
     const int lines = std::max(2 * (element.degree + 1), linesOf(element.curve));
     for (int k = 0; k <= lines; ++k)
@@ -81,7 +96,7 @@ class Sampler {
  private:
   const bem::Mesh& mesh() const { return solved_.space.mesh(); }
 
-  void samplePoint(int e, double t, BoundaryLines& grid) const {
+  void samplePoint(int e, double t, VtkGrid& grid) const {
     const bem::Units& units = solved_.units;
     contact::ContactPoint point;
     const auto* contact = contacts_[e];
@@ -105,7 +120,7 @@ class Sampler {
 
 /// Adds the outline of a rigid body, moved by `motion`, in the user's units.
 void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
-              int firstBoundary, BoundaryLines& grid) {
+              int firstBoundary, VtkGrid& grid) {
   const bem::Outline& outline = *body.outline;
   const std::vector<std::string> names = boundaryNames(outline);
   for (std::size_t e = 0; e < outline.edges().size(); ++e) {
@@ -122,40 +137,21 @@ void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int num
 
 }  // namespace
 
-VtkGrid BoundaryLines::grid() const {
-  return {points,
-          ends,
-          2,
-          "Vectors=\"displacement\"",
-          {{"displacement", &displacement, 3},
-           {"traction", &traction, 3},
-           {"lambda_n", &pressure},
-           {"lambda_t", &shear},
-           {"gap", &gap},
-           {"contact", &contact},
-           {"friction", &friction}},
-          {{"element", &element},
-           {"degree", &degree},
-           {"boundary", &boundary},
-           {"body", &body}}};
-}
-
-BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level) {
-  BoundaryLines grid;
+VtkGrid boundaryLines(const SolvedStep& solved) {
+  const Scene& scene = solved.spaces.scene();
+  VtkGrid grid = emptyGrid();
   int boundaries = 0;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const bem::Mesh& mesh = level.bodies[b].space.mesh();
-    const Sampler sampler(level.bodies[b], level.level.bodies[b].density,
-                          static_cast<int>(b), boundaries);
+  for (std::size_t b = 0; b < solved.bodies.size(); ++b) {
+    const bem::Mesh& mesh = solved.bodies[b].space.mesh();
+    const Sampler sampler(solved.bodies[b], solved.densities[b], static_cast<int>(b),
+                          boundaries);
     for (int e = 0; e < mesh.size(); ++e)
       sampler.sample(e, grid);
     boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
   }
   for (std::size_t k = 0; k < scene.rigid.size(); ++k) {
-    contact::RigidMotion motion = level.level.rigid[k];
-    motion.slide = scene.units().length * motion.slide;
-    addRigid(scene.rigid[k], motion, static_cast<int>(level.bodies.size() + k),
-             boundaries, grid);
+    addRigid(scene.rigid[k], solved.row.rigid[k].summary.motion,
+             static_cast<int>(solved.bodies.size() + k), boundaries, grid);
     boundaries += static_cast<int>(boundaryNames(*scene.rigid[k].outline).size());
   }
   return grid;
@@ -172,35 +168,39 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
   return all;
 }
 
-std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
+std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
   std::string csv;
   const std::vector<std::string> names = namesOfBoundaries(scene);
+  const std::vector<VtkArray>& fields = grid.pointData;
+  const auto of = [&](std::size_t line, int field) {
+    return grid.cellData[field].at<int>(line);
+  };
   const auto addPoint = [&](std::size_t line, long long point) {
-    const auto at = [&](const std::vector<double>& field, int component) {
-      return exactly(field[3 * point + component]);
+    const auto at = [&](const VtkArray& field, int component) {
+      return exactly(field.at<double>(3 * point + component));
     };
     addRow({{"x", at(grid.points, 0)},
             {"y", at(grid.points, 1)},
-            {"ux", at(grid.displacement, 0)},
-            {"uy", at(grid.displacement, 1)},
-            {"tx", at(grid.traction, 0)},
-            {"ty", at(grid.traction, 1)},
-            {"boundary", names[grid.boundary[line]]},
-            {"element", number(grid.element[line])},
-            {"degree", number(grid.degree[line])},
-            {"body", scene.bodies[grid.body[line]].name}},
+            {"ux", at(fields[Displacement], 0)},
+            {"uy", at(fields[Displacement], 1)},
+            {"tx", at(fields[Traction], 0)},
+            {"ty", at(fields[Traction], 1)},
+            {"boundary", names[of(line, Boundary)]},
+            {"element", number(of(line, Element))},
+            {"degree", number(of(line, Degree))},
+            {"body", scene.bodies[of(line, OfBody)].name}},
            csv);
   };
-  const std::size_t lines = grid.element.size();
+  const std::size_t lines = grid.corners.size() / 2;
   const auto deforms = [&](std::size_t line) {
-    return line < lines && grid.body[line] < static_cast<int>(scene.bodies.size());
+    return line < lines && of(line, OfBody) < static_cast<int>(scene.bodies.size());
   };
   for (std::size_t line = 0; deforms(line); ++line) {
-    addPoint(line, grid.ends[2 * line]);
+    addPoint(line, grid.corners[2 * line]);
     const bool endsElement =
-        !deforms(line + 1) || grid.ends[2 * line + 2] != grid.ends[2 * line + 1];
+        !deforms(line + 1) || grid.corners[2 * line + 2] != grid.corners[2 * line + 1];
     if (endsElement)
-      addPoint(line, grid.ends[2 * line + 1]);
+      addPoint(line, grid.corners[2 * line + 1]);
   }
   return csv;
 }

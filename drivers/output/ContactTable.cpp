@@ -1,6 +1,7 @@
 #include "drivers/output/ContactTable.hpp"
 
 #include "bem/space/LocalField.hpp"
+#include "contact/path/PathMemory.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
 
@@ -65,9 +66,11 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
 
 /// \param more  columns of a point t of a body's element on a path; empty: none
 std::string tableOf(
-    const Scene& scene, const std::vector<contact::Solved>& bodies,
+    const SolvedStep& solved,
     const std::function<CsvRow(std::size_t body, const Element& element, double t,
                                const ContactPoint& point)>& more) {
+  const Scene& scene = solved.spaces.scene();
+  const std::vector<contact::Solved>& bodies = solved.bodies;
   std::string csv;
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -108,30 +111,28 @@ std::string tableOf(
 
 }  // namespace
 
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies) {
-  return tableOf(scene, bodies, {});
-}
+std::string contactCsv(const SolvedStep& solved) { return tableOf(solved, {}); }
 
-std::string PathContact::next(const SolvedLevel& level) {
-  const PathStep& step = level.path->last();
+std::string PathContact::next(const SolvedStep& step) {
+  const Scene& scene = step.spaces.scene();
   const bool isFirst = traces_.empty();
   std::vector<bem::Vector> densities;
   std::size_t elements = 0;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const contact::MultiplierSpace& multiplier = level.bodies[b].problem.multiplier();
-    densities.push_back(contact::frictionWorkDensity(level.bodies[b].space.mesh(),
+  for (std::size_t b = 0; b < step.bodies.size(); ++b) {
+    const contact::MultiplierSpace& multiplier = step.bodies[b].problem.multiplier();
+    densities.push_back(contact::frictionWorkDensity(step.bodies[b].space.mesh(),
                                                      multiplier, step.frictionWork[b]));
     elements += multiplier.elements().size();
   }
-  traces_.resize(elements * static_cast<std::size_t>(scene_->output.contactSamples));
+  traces_.resize(elements * static_cast<std::size_t>(scene.output.contactSamples));
   auto trace = traces_.begin();
   return tableOf(
-      *scene_, level.bodies,
+      step,
       [&](std::size_t b, const Element& element, double t,
           const ContactPoint& point) -> CsvRow {
         Trace& here = *trace++;
-        const contact::Solved& solved = level.bodies[b];
-        const double stress = stressAlong(solved, scene_->bodies[b].material,
+        const contact::Solved& solved = step.bodies[b];
+        const double stress = stressAlong(solved, scene.bodies[b].material,
                                           element.element, t, point.pressure);
         const double slip = point.tangential - point.sliding;
         if (isFirst)

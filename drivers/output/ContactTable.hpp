@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/run/Path.hpp"
+#include "drivers/run/SolvedStep.hpp"
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace epafi::drivers {
 
 /// contact.csv: on each contact element the points t = -1 + (2k+1)/samples, k < samples.
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies);
+std::string contactCsv(const SolvedStep& solved);
 
 /// contact.csv for the steps of a path on one mesh, with columns for the history of each
 /// point:                                                 [doc/theory/paths.md, Fretting]
@@ -23,10 +23,8 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
 ///   slip_distance   Σ |slip| while closed
 class PathContact {
  public:
-  explicit PathContact(const Scene& scene) : scene_(&scene) {}  ///< must outlive it
-
   /// contact.csv of the next step.  Call it once per step, in the order of the path.
-  std::string next(const SolvedLevel& level);
+  std::string next(const SolvedStep& step);
 
  private:
   /// History of a point.
@@ -38,7 +36,6 @@ class PathContact {
     double tension = 0;  ///< largest tensile stress_t, or 0
   };
 
-  const Scene* scene_;
   std::vector<Trace> traces_;
 };
 

@@ -1,7 +1,10 @@
 #include "drivers/output/Csv.hpp"
 
+#include "drivers/scene/Text.hpp"
+
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 namespace epafi::drivers {
 
@@ -22,6 +25,16 @@ void add(const std::string& cell, std::string& line) {
   line += '"';
 }
 
+std::string joined(const CsvRow& row, std::string CsvRow::value_type::*part) {
+  std::string line;
+  for (const auto& column : row) {
+    if (&column != &row.front())
+      line += ',';
+    add(column.*part, line);
+  }
+  return line + '\n';
+}
+
 }  // namespace
 
 std::string exactly(double value) {
@@ -31,30 +44,29 @@ std::string exactly(double value) {
   return {text, end.ptr};
 }
 
-std::string csvLine(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    if (&cell != &cells.front())
-      line += ',';
-    add(cell, line);
-  }
-  return line + '\n';
-}
+std::string headOf(const CsvRow& row) { return joined(row, &CsvRow::value_type::first); }
+
+std::string lineOf(const CsvRow& row) { return joined(row, &CsvRow::value_type::second); }
 
 void addRow(const CsvRow& row, std::string& table) {
-  const bool isFirst = table.empty();
-  for (const auto& [name, cell] : row)
-    if (isFirst)
-      table += (table.empty() ? "" : ",") + std::string(name);
-  for (const auto& [name, cell] : row) {
-    table += &cell == &row.front().second ? (isFirst ? "\n" : "") : ",";
-    add(cell, table);
-  }
-  table += '\n';
+  if (table.empty())
+    table = headOf(row);
+  table += lineOf(row);
 }
 
-void append(CsvRow& row, const CsvRow& more) {
-  row.insert(row.end(), more.begin(), more.end());
+void append(CsvRow& row, const CsvRow& more, const std::string& prefix) {
+  for (const auto& [name, cell] : more)
+    row.emplace_back(prefix + name, cell);
+}
+
+std::string& cellOf(CsvRow& row, const std::string& column) {
+  return std::find_if(row.begin(), row.end(),
+                      [&](const auto& each) { return each.first == column; })
+      ->second;
+}
+
+double valueOf(CsvRow row, const std::string& column) {
+  return numberIn<double>(cellOf(row, column)).value();
 }
 
 std::vector<std::string> csvCells(const std::string& line) {
@@ -71,6 +83,20 @@ std::vector<std::string> csvCells(const std::string& line) {
       inQuotes = !inQuotes;
   }
   return cells;
+}
+
+std::vector<CsvRow> rowsOf(const std::string& table) {
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = csvCells(line);
+  std::vector<CsvRow> rows;
+  while (std::getline(lines, line)) {
+    CsvRow& row = rows.emplace_back();
+    for (const std::string& cell : csvCells(line))
+      row.emplace_back(names.at(row.size()), cell);
+  }
+  return rows;
 }
 
 }  // namespace epafi::drivers

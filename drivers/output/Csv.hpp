@@ -19,58 +19,23 @@ std::string number(Number value) {
     return exactly(value);
 }
 
-/// A column of a table: its name, and the function that returns its cell of a row.
-template <class Row>
-struct Column {
-  const char* name;
-  std::string (*cell)(const Row& row);
-};
+/// A row of a table: the names of its columns with the cells.
+using CsvRow = std::vector<std::pair<std::string, std::string>>;
 
-/// The cell of a (nested) member of a row: row.a.b for &Row::a, &A::b.
-template <class Row, auto... members>
-std::string cellOf(const Row& row) {
-  return number((row.*....*members));
-}
-
-template <class Row, std::size_t count>
-void addNames(const Column<Row> (&columns)[count], const std::string& prefix,
-              std::vector<std::string>& names) {
-  for (const Column<Row>& column : columns)
-    names.push_back(prefix + column.name);
-}
-
-template <class Row, std::size_t count>
-void addCells(const Column<Row> (&columns)[count], const Row& row,
-              std::vector<std::string>& cells) {
-  for (const Column<Row>& column : columns)
-    cells.push_back(column.cell(row));
-}
-
-/// One line of comma-separated values.
-std::string csvLine(const std::vector<std::string>& cells);
-
-/// The first line of a table with these columns, and the line of a row.
-template <class Row, std::size_t count>
-std::string csvHead(const Column<Row> (&columns)[count]) {
-  std::vector<std::string> names;
-  addNames(columns, "", names);
-  return csvLine(names);
-}
-
-template <class Row, std::size_t count>
-std::string csvRow(const Column<Row> (&columns)[count], const Row& row) {
-  std::vector<std::string> cells;
-  addCells(columns, row, cells);
-  return csvLine(cells);
-}
-
-/// The cells of a row with the names of their columns.
-using CsvRow = std::vector<std::pair<const char*, std::string>>;
+/// The first line of the table of a row, and the line of the row.
+std::string headOf(const CsvRow& row);
+std::string lineOf(const CsvRow& row);
 /// Adds a row to a table, with a line of names before the first one.
 void addRow(const CsvRow& row, std::string& table);
-void append(CsvRow& row, const CsvRow& more);
+void append(CsvRow& row, const CsvRow& more, const std::string& prefix = "");
 
-/// The cells of a line of csvLine, with or without the line end.
+/// The cell of a column, and the number in it.  \pre there is a column of this name
+std::string& cellOf(CsvRow& row, const std::string& column);
+double valueOf(CsvRow row, const std::string& column);
+
+/// The cells of a line of comma-separated values, with or without the line end.
 std::vector<std::string> csvCells(const std::string& line);
+/// The rows of a table.
+std::vector<CsvRow> rowsOf(const std::string& table);
 
 }  // namespace epafi::drivers

@@ -1,321 +1,229 @@
 #include "drivers/output/HistoryTables.hpp"
 
-#include "drivers/output/Csv.hpp"
 #include "drivers/scene/SceneReader.hpp"
-#include "drivers/scene/Text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <sstream>
 
 namespace epafi::drivers {
 
-// Users rely on order and names of columns: append new ones, never rename.
-namespace {
-
-using adaptivity::Source;
 using contact::Resultant;
 using contact::Summary;
 
-template <auto... members>
-constexpr auto cell = cellOf<LevelRow, members...>;
+// Users rely on order and names of columns: append new ones, never rename.
 
-template <auto member>
-constexpr auto size = cell<&LevelRow::size, member>;
-
-template <auto... members>
-constexpr auto sum = cell<&LevelRow::summary, members...>;
-
-template <Source source>
-std::string eta(const LevelRow& row) {
-  return number(std::sqrt(row.squares[static_cast<std::size_t>(source)]));
+CsvRow cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a table
+  using adaptivity::Source;
+  const Summary& s = r.summary;
+  const auto eta = [&](Source source) {
+    return number(std::sqrt(r.squares[static_cast<std::size_t>(source)]));
+  };
+  const auto seconds = [&](Phase phase) {
+    return number(r.seconds[static_cast<std::size_t>(phase)]);
+  };
+  return {
+      {"level", number(r.level)},
+      {"elements", number(r.elements)},
+      {"dof_displacement", number(r.displacements)},
+      {"dof_multiplier", number(r.multipliers)},
+      {"dof", number(r.dof())},
+      {"dof_density", number(r.densities)},
+      {"degree_min", number(r.degreeMin)},
+      {"degree_max", number(r.degreeMax)},
+      {"size_min", number(r.sizeMin)},
+      {"size_max", number(r.sizeMax)},
+      {"estimate", number(r.estimate)},
+      {"eta_neumann", eta(Source::Neumann)},
+      {"eta_contact", eta(Source::Contact)},
+      {"eta_density", eta(Source::Density)},
+      {"eta_complementarity", eta(Source::Complementarity)},
+      {"eta_penetration", eta(Source::Penetration)},
+      {"eta_tension", eta(Source::Tension)},
+      {"eta_bound", eta(Source::Bound)},
+      {"eta_slip", eta(Source::Slip)},
+      {"energy_strain", number(s.energyStrain)},
+      {"energy_load", number(s.energyLoad)},
+      {"energy_friction", number(r.energyFriction)},
+      {"force_normal", number(s.forceNormal)},
+      {"force_tangential", number(s.forceTangential)},
+      {"reaction_x", number(s.reaction.x)},
+      {"reaction_y", number(s.reaction.y)},
+      {"reaction_moment", number(s.reaction.moment)},
+      {"contact_length", number(s.contactLength)},
+      {"slip_length", number(s.slipLength)},
+      {"newton_iterations", number(r.report.newtonIterations)},
+      {"coulomb_iterations", number(r.report.coulombIterations)},
+      {"status", r.report.converged() ? "converged" : "not converged"},
+      {"seconds_assembly", seconds(Phase::Assembly)},
+      {"seconds_factorization", seconds(Phase::Factorization)},
+      {"seconds_stabilization", seconds(Phase::Stabilization)},
+      {"seconds_newton", seconds(Phase::Newton)},
+      {"seconds_estimate", seconds(Phase::Estimate)},
+      {"seconds_total", number(r.secondsTotal)},
+      {"seconds_wall", number(r.secondsWall)},
+      {"memory_mb", number(r.memory)},
+      {"load_x", number(s.load.x)},
+      {"load_y", number(s.load.y)},
+      {"load_moment", number(s.load.moment)},
+      {"contact_x", number(s.contact.x)},
+      {"contact_y", number(s.contact.y)},
+      {"contact_moment", number(s.contact.moment)},
+      {"gamma0", number(r.gamma0)},
+      {"memory_forecast_mb", number(r.memoryForecast)},
+      {"operators", r.operators},
+      {"worst_step", number(r.worstStep)},
+      {"worst_step_estimate", number(r.worstEstimate)},
+      {"estimate_relative", number(r.relativeEstimate)},
+      {"energy_interface", number(r.energyInterface)},
+  };
 }
 
-template <Phase phase>
-std::string seconds(const LevelRow& row) {
-  return number(row.seconds[static_cast<std::size_t>(phase)]);
+double energyOf(const CsvRow& row) {
+  return valueOf(row, "energy_strain") - valueOf(row, "energy_load") +
+         valueOf(row, "energy_friction") + valueOf(row, "energy_interface");
 }
 
-constexpr Column<LevelRow> levelColumns[] = {
-    {"level", cell<&LevelRow::level>},
-    {"elements", size<&Size::elements>},
-    {"dof_displacement", size<&Size::displacements>},
-    {"dof_multiplier", size<&Size::multipliers>},
-    {"dof", [](const LevelRow& r) { return number(r.size.dof()); }},
-    {"dof_density", size<&Size::densities>},
-    {"degree_min", size<&Size::degreeMin>},
-    {"degree_max", size<&Size::degreeMax>},
-    {"size_min", size<&Size::sizeMin>},
-    {"size_max", size<&Size::sizeMax>},
-    {"estimate", cell<&LevelRow::estimate>},
-    {"eta_neumann", eta<Source::Neumann>},
-    {"eta_contact", eta<Source::Contact>},
-    {"eta_density", eta<Source::Density>},
-    {"eta_complementarity", eta<Source::Complementarity>},
-    {"eta_penetration", eta<Source::Penetration>},
-    {"eta_tension", eta<Source::Tension>},
-    {"eta_bound", eta<Source::Bound>},
-    {"eta_slip", eta<Source::Slip>},
-    {"energy_strain", sum<&Summary::energyStrain>},
-    {"energy_load", sum<&Summary::energyLoad>},
-    {"energy_friction", cell<&LevelRow::energyFriction>},
-    {"force_normal", sum<&Summary::forceNormal>},
-    {"force_tangential", sum<&Summary::forceTangential>},
-    {"reaction_x", sum<&Summary::reaction, &Resultant::x>},
-    {"reaction_y", sum<&Summary::reaction, &Resultant::y>},
-    {"reaction_moment", sum<&Summary::reaction, &Resultant::moment>},
-    {"contact_length", sum<&Summary::contactLength>},
-    {"slip_length", sum<&Summary::slipLength>},
-    {"newton_iterations", cell<&LevelRow::report, &contact::Report::newtonIterations>},
-    {"coulomb_iterations", cell<&LevelRow::report, &contact::Report::coulombIterations>},
-    {"status",
-     [](const LevelRow& r) {
-       return std::string(
-           r.report.status == contact::Status::Converged ? "converged" : "not converged");
-     }},
-    {"seconds_assembly", seconds<Phase::Assembly>},
-    {"seconds_factorization", seconds<Phase::Factorization>},
-    {"seconds_stabilization", seconds<Phase::Stabilization>},
-    {"seconds_newton", seconds<Phase::Newton>},
-    {"seconds_estimate", seconds<Phase::Estimate>},
-    {"seconds_total", cell<&LevelRow::secondsTotal>},
-    {"seconds_wall", cell<&LevelRow::secondsWall>},
-    {"memory_mb", cell<&LevelRow::memory>},
-    {"load_x", sum<&Summary::load, &Resultant::x>},
-    {"load_y", sum<&Summary::load, &Resultant::y>},
-    {"load_moment", sum<&Summary::load, &Resultant::moment>},
-    {"contact_x", sum<&Summary::contact, &Resultant::x>},
-    {"contact_y", sum<&Summary::contact, &Resultant::y>},
-    {"contact_moment", sum<&Summary::contact, &Resultant::moment>},
-    {"gamma0", cell<&LevelRow::gamma0>},
-    {"memory_forecast_mb", size<&Size::memory>},
-    {"operators", [](const LevelRow& r) { return r.operators; }},
-    {"worst_step", cell<&LevelRow::worstStep>},
-    {"worst_step_estimate", cell<&LevelRow::worstEstimate>},
-    {"estimate_relative", cell<&LevelRow::relativeEstimate>},
-    {"energy_interface", cell<&LevelRow::energyInterface>},
-};
-
-template <auto member>
-constexpr auto step = cellOf<StepRow, member>;
-
-constexpr Column<StepRow> stepColumns[] = {
-    {"level", step<&StepRow::level>},
-    {"step", step<&StepRow::step>},
-    {"t", step<&StepRow::t>},
-    {"newton_iterations", step<&StepRow::newtonIterations>},
-    {"status",
-     [](const StepRow& r) {
-       return std::string(r.converged ? "converged" : "not converged");
-     }},
-    {"energy_strain", step<&StepRow::energyStrain>},
-    {"energy_dissipated", step<&StepRow::energyDissipated>},
-    {"energy_dissipated_trapezoidal", step<&StepRow::energyTrapezoidal>},
-    {"energy_outside", step<&StepRow::energyOutside>},
-    {"energy_stabilisation", step<&StepRow::energyStabilisation>},
-    {"energy_error", step<&StepRow::energyError>},
-    {"parts", step<&StepRow::parts>},
-    {"energy_dissipated_error", step<&StepRow::energyDissipatedError>},
-    {"energy_stored", step<&StepRow::energyStored>},
-    {"energy_interface", step<&StepRow::energyInterface>},
-    {"energy_worn", step<&StepRow::energyWorn>},
-    {"cycles", step<&StepRow::cycles>},
-    {"energy_springs", step<&StepRow::energySprings>},
-};
-
-template <auto... members>
-constexpr auto ofContact = cellOf<ContactRow, &ContactRow::summary, members...>;
-
-constexpr Column<ContactRow> contactColumns[] = {
-    {"force_x", ofContact<&Summary::contact, &Resultant::x>},
-    {"force_y", ofContact<&Summary::contact, &Resultant::y>},
-    {"force_normal", ofContact<&Summary::forceNormal>},
-    {"force_tangential", ofContact<&Summary::forceTangential>},
-    {"contact_length", ofContact<&Summary::contactLength>},
-    {"slip_length", ofContact<&Summary::slipLength>},
-    {"energy_dissipated", cellOf<ContactRow, &ContactRow::dissipated>},
-    {"worn_volume", ofContact<&Summary::wornVolume>},
-    {"pressure_max", ofContact<&Summary::pressureMax>},
-};
-
-/// Motion of a rigid body, and the forces that move or hold it.
-constexpr Column<RigidRow> rigidColumns[] = {
-    {"motion_x", [](const RigidRow& r) { return number(r.motion.slide.x); }},
-    {"motion_y", [](const RigidRow& r) { return number(r.motion.slide.y); }},
-    {"rotation", [](const RigidRow& r) { return number(r.motion.turn); }},
-    {"force_x", [](const RigidRow& r) { return number(r.load.x + r.reaction.x); }},
-    {"force_y", [](const RigidRow& r) { return number(r.load.y + r.reaction.y); }},
-    {"moment",
-     [](const RigidRow& r) { return number(r.load.moment + r.reaction.moment); }},
-};
-
-/// A row of bodies.csv.
-struct BodyRow {
-  int level;
-  int step;
-  std::string name;
-  Summary summary;
-};
-
-template <auto... members>
-constexpr auto body = cellOf<BodyRow, &BodyRow::summary, members...>;
-
-constexpr Column<BodyRow> bodyColumns[] = {
-    {"level", cellOf<BodyRow, &BodyRow::level>},
-    {"body", [](const BodyRow& r) { return r.name; }},
-    {"load_x", body<&Summary::load, &Resultant::x>},
-    {"load_y", body<&Summary::load, &Resultant::y>},
-    {"load_moment", body<&Summary::load, &Resultant::moment>},
-    {"contact_x", body<&Summary::contact, &Resultant::x>},
-    {"contact_y", body<&Summary::contact, &Resultant::y>},
-    {"contact_moment", body<&Summary::contact, &Resultant::moment>},
-    {"reaction_x", body<&Summary::reaction, &Resultant::x>},
-    {"reaction_y", body<&Summary::reaction, &Resultant::y>},
-    {"reaction_moment", body<&Summary::reaction, &Resultant::moment>},
-    {"energy_strain", body<&Summary::energyStrain>},
-    {"step", cellOf<BodyRow, &BodyRow::step>},
-    {"motion_x", body<&Summary::motion, &contact::RigidMotion::slide, &bem::Vec2::x>},
-    {"motion_y", body<&Summary::motion, &contact::RigidMotion::slide, &bem::Vec2::y>},
-    {"rotation", body<&Summary::motion, &contact::RigidMotion::turn>},
-    {"body_force_x", body<&Summary::inside, &Resultant::x>},
-    {"body_force_y", body<&Summary::inside, &Resultant::y>},
-    {"body_moment", body<&Summary::inside, &Resultant::moment>},
-};
-
-/// Moves the moment to the origin of the user's coordinates, as for elastic bodies.
-contact::Resultant aboutOrigin(contact::Resultant sum, bem::Vec2 pole) {
-  sum.moment += cross(pole, {sum.x, sum.y});
-  return sum;
+CsvRow cellsOf(const StepRow& r) {
+  CsvRow cells = {
+      {"level", number(r.level)},
+      {"step", number(r.step)},
+      {"t", number(r.t)},
+      {"newton_iterations", number(r.newtonIterations)},
+      {"status", r.converged ? "converged" : "not converged"},
+      {"energy_strain", number(r.energyStrain)},
+      {"energy_dissipated", number(r.energyDissipated)},
+      {"energy_dissipated_trapezoidal", number(r.energyTrapezoidal)},
+      {"energy_outside", number(r.energyOutside)},
+      {"energy_stabilisation", number(r.energyStabilisation)},
+      {"energy_error", number(r.energyError)},
+      {"parts", number(r.parts)},
+      {"energy_dissipated_error", number(r.energyDissipatedError)},
+      {"energy_stored", number(r.energyStored)},
+      {"energy_interface", number(r.energyInterface)},
+      {"energy_worn", number(r.energyWorn)},
+      {"cycles", number(r.cycles)},
+      {"energy_springs", number(r.energySprings)},
+  };
+  for (const auto& [name, s, dissipated] : r.contacts)
+    append(cells,
+           {
+               {"force_x", number(s.contact.x)},
+               {"force_y", number(s.contact.y)},
+               {"force_normal", number(s.forceNormal)},
+               {"force_tangential", number(s.forceTangential)},
+               {"contact_length", number(s.contactLength)},
+               {"slip_length", number(s.slipLength)},
+               {"energy_dissipated", number(dissipated)},
+               {"worn_volume", number(s.wornVolume)},
+               {"pressure_max", number(s.pressureMax)},
+           },
+           name + ".");
+  for (const auto& [name, s, dissipated] : r.rigid)  // the forces that move or hold it
+    append(cells,
+           {
+               {"motion_x", number(s.motion.slide.x)},
+               {"motion_y", number(s.motion.slide.y)},
+               {"rotation", number(s.motion.turn)},
+               {"force_x", number(s.load.x + s.reaction.x)},
+               {"force_y", number(s.load.y + s.reaction.y)},
+               {"moment", number(s.load.moment + s.reaction.moment)},
+           },
+           name + ".");
+  return cells;
 }
 
-/// The summary of a rigid body.
-Summary summaryOf(const RigidRow& row) {
-  Summary summary;
-  summary.load = aboutOrigin(row.load, row.pole);
-  summary.contact = aboutOrigin(row.contact, row.pole);
-  summary.reaction = aboutOrigin(row.reaction, row.pole);
-  summary.inside = aboutOrigin(row.inside, row.pole);
-  summary.motion = row.motion;
+std::vector<double> dissipatedOf(const std::string& steps, int level) {
+  std::vector<double> work;
+  for (const CsvRow& row : rowsOf(steps))
+    if (valueOf(row, "level") == level)
+      work.push_back(valueOf(row, "energy_dissipated"));
+  return work;
+}
+
+namespace {
+
+CsvRow bodyCells(const StepRow& step, const std::string& body, const Summary& s) {
+  return {
+      {"level", number(step.level)},
+      {"body", body},
+      {"load_x", number(s.load.x)},
+      {"load_y", number(s.load.y)},
+      {"load_moment", number(s.load.moment)},
+      {"contact_x", number(s.contact.x)},
+      {"contact_y", number(s.contact.y)},
+      {"contact_moment", number(s.contact.moment)},
+      {"reaction_x", number(s.reaction.x)},
+      {"reaction_y", number(s.reaction.y)},
+      {"reaction_moment", number(s.reaction.moment)},
+      {"energy_strain", number(s.energyStrain)},
+      {"step", number(step.step)},
+      {"motion_x", number(s.motion.slide.x)},
+      {"motion_y", number(s.motion.slide.y)},
+      {"rotation", number(s.motion.turn)},
+      {"body_force_x", number(s.inside.x)},
+      {"body_force_y", number(s.inside.y)},
+      {"body_moment", number(s.inside.moment)},
+  };
+}
+
+/// With moments about the origin of the user's coordinates, as for elastic bodies.
+Summary aboutOrigin(Summary summary, bem::Vec2 pole) {
+  for (const auto member :
+       {&Summary::load, &Summary::contact, &Summary::reaction, &Summary::inside}) {
+    Resultant& sum = summary.*member;
+    sum.moment += cross(pole, {sum.x, sum.y});
+  }
   return summary;
 }
 
-/// Index of a column.  \pre a column has this name
-template <class Row, std::size_t count>
-std::size_t placeOf(const std::string& name, const Column<Row> (&columns)[count]) {
-  const auto at =
-      std::find_if(std::begin(columns), std::end(columns),
-                   [&](const Column<Row>& column) { return column.name == name; });
-  return static_cast<std::size_t>(at - columns);
-}
-
-std::string stepsLine(const StepRow& row) {
-  std::vector<std::string> cells;
-  addCells(stepColumns, row, cells);
-  for (const ContactRow& contact : row.contacts)
-    addCells(contactColumns, contact, cells);
-  for (const RigidRow& body : row.rigid)
-    addCells(rigidColumns, body, cells);
-  return csvLine(cells);
-}
-
-std::string bodiesLines(const Scene& scene, int level, int step,
-                        const std::vector<Summary>& bodies,
-                        const std::vector<RigidRow>& rigid) {
+/// The lines of a step in bodies.csv, of all bodies.
+std::string bodiesLines(const SolvedStep& solved) {
+  const Scene& scene = solved.spaces.scene();
+  const StepRow& row = solved.row;
   if (!scene.tellsBodies())
     return "";
   std::string lines;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    lines += csvRow(bodyColumns, {level, step, scene.bodies[b].name, bodies[b]});
-  for (const RigidRow& row : rigid)
-    lines += csvRow(bodyColumns, {level, step, row.name, summaryOf(row)});
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    lines += lineOf(bodyCells(
+        row, scene.bodies[b].name,
+        wholeOf(scene.symmetry, *scene.bodies[b].outline, solved.summaries()[b])));
+  for (std::size_t k = 0; k < scene.rigid.size(); ++k)
+    lines += lineOf(bodyCells(row, scene.rigid[k].name,
+                              aboutOrigin(row.rigid[k].summary, scene.rigid[k].pole)));
   return lines;
 }
 
 }  // namespace
 
-std::string bodiesHead() { return csvHead(bodyColumns); }
+std::string bodiesHead() { return headOf(bodyCells({}, "", {})); }
 
-std::vector<std::string> historyColumns() {
-  std::vector<std::string> names;
-  addNames(levelColumns, "", names);
-  return names;
+Checkpoint Checkpoint::before(const Scene& scene,
+                              const std::optional<Checkpoint>& earlier) {
+  Checkpoint tables = earlier.value_or(Checkpoint());
+  tables.used = usedXml(scene);
+  if (!earlier)
+    tables.history = headOf(cellsOf(LevelRow()));
+  if (!scene.tellsBodies())
+    tables.bodies.clear();
+  else if (tables.bodies.empty())
+    tables.bodies = bodiesHead();
+  return tables;
 }
 
-std::vector<std::string> historyCells(const LevelRow& row) {
-  std::vector<std::string> cells;
-  addCells(levelColumns, row, cells);
-  return cells;
+void Checkpoint::addStep(const SolvedStep& step) {
+  addRow(cellsOf(step.row), steps);
+  bodies += bodiesLines(step);
 }
 
-std::size_t historyColumn(const std::string& name) { return placeOf(name, levelColumns); }
-
-std::string historyHead() { return csvHead(levelColumns); }
-
-std::vector<std::string> lastCells(const std::string& history) {
-  const std::size_t begin = history.rfind('\n', history.size() - 2) + 1;
-  return csvCells(history.substr(begin));
+void Checkpoint::addLevel(const SolvedLevel& solved, const LevelRow& row) {
+  addRow(cellsOf(row), history);
+  if (!solved.level.onPath())
+    bodies += bodiesLines(solved.last());
 }
 
-double valueOf(const std::vector<std::string>& cells, const std::string& name) {
-  return numberIn<double>(cells.at(historyColumn(name))).value();
-}
-
-double energyOf(const std::vector<std::string>& cells) {
-  return valueOf(cells, "energy_strain") - valueOf(cells, "energy_load") +
-         valueOf(cells, "energy_friction") + valueOf(cells, "energy_interface");
-}
-
-std::string stepsHead(const StepRow& row) {
-  std::vector<std::string> names;
-  addNames(stepColumns, "", names);
-  for (const ContactRow& contact : row.contacts)
-    addNames(contactColumns, contact.name + ".", names);
-  for (const RigidRow& body : row.rigid)
-    addNames(rigidColumns, body.name + ".", names);
-  return csvLine(names);
-}
-
-std::vector<double> dissipatedOf(const std::string& steps, int level) {
-  std::vector<double> work;
-  std::istringstream lines(steps);
-  std::string line;
-  std::getline(lines, line);  // the head
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> cells = csvCells(line);
-    if (cells.at(placeOf("level", stepColumns)) == std::to_string(level))
-      work.push_back(
-          numberIn<double>(cells.at(placeOf("energy_dissipated", stepColumns))).value());
-  }
-  return work;
-}
-
-HistoryTables::HistoryTables(const Scene& scene_,
-                             const std::optional<Checkpoint>& earlier)
-    : scene(scene_),
-      used(usedXml(scene)),
-      history(earlier ? earlier->history : historyHead()),
-      steps(earlier ? earlier->steps : ""),
-      bodies(!scene.tellsBodies()                  ? ""
-             : earlier && !earlier->bodies.empty() ? earlier->bodies
-                                                   : bodiesHead()) {}
-
-void HistoryTables::addStep(const StepRow& row) {
-  steps += (steps.empty() ? stepsHead(row) : "") + stepsLine(row);
-  bodies += bodiesLines(scene, row.level, row.step, row.bodies, row.rigid);
-}
-
-void HistoryTables::addLevel(const SolvedLevel& level, const LevelRow& row) {
-  history += csvLine(historyCells(row));
-  if (level.path == nullptr)
-    bodies += bodiesLines(scene, row.level, 0, row.bodies, row.rigid);
-}
-
-std::string HistoryTables::solution(const Level& level, const LevelRow& row,
-                                    const BoundaryLines& grid) const {
-  return solutionFile(
-      scene, {level, used, history, steps, bodies, row.secondsTotal, row.secondsWall},
-      grid);
+void Checkpoint::take(const SolvedLevel& solved, const LevelRow& row) {
+  level = solved.level;
+  secondsTotal = row.secondsTotal;
+  secondsWall = row.secondsWall;
 }
 
 }  // namespace epafi::drivers

@@ -16,14 +16,15 @@ constexpr double end = 0.05;
 
 }  // namespace
 
-BodyInsides::BodyInsides(const Scene& scene, const Level& level)
-    : scene_(scene), spaces_(scene, meshesOf(scene, level)) {
-  for (const auto& conditions : spaces_.conditionsAt(level.time(scene.endOfPath())))
+BodyInsides::BodyInsides(const Scene& scene, const Level& level, const StepFields& step)
+    : scene_(scene), spaces_(scene, level) {
+  for (const auto& conditions :
+       spaces_.conditionsAt(level.timeOf(step, scene.endOfPath())))
     inside_.push_back(conditions.inside);
   for (std::size_t b = 0; b < size(); ++b) {
-    displacements_.emplace_back(spaces_.space(b), level.bodies[b].displacement);
-    fields_.emplace_back(spaces_.space(b), scene.lame(b), level.bodies[b].displacement,
-                         level.bodies[b].density);
+    displacements_.emplace_back(spaces_.space(b), step.displacement[b]);
+    fields_.emplace_back(spaces_.space(b), scene.lame(b), step.displacement[b],
+                         step.density[b]);
   }
 }
 

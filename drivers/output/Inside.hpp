@@ -52,9 +52,10 @@ struct InsidePoint {
 /// equally accurate near to and far from the boundary.          [doc/theory/operators.md]
 class BodyInsides {
  public:
-  /// Keeps references to both arguments.
-  BodyInsides(const Scene& scene, const Level& level);
+  /// In a step of the level.  Keeps references to the arguments.
+  BodyInsides(const Scene& scene, const Level& level, const StepFields& step);
 
+  const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }
   const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 

@@ -209,29 +209,24 @@ FilledBodies fill(const BodyInsides& insides) {
 }
 
 std::string vtuFile(const FilledBodies& bodies) {
-  std::vector<double> places;
-  std::vector<int> body;
-  for (const auto& [b, x] : bodies.points) {
-    places.insert(places.end(), {x.x, x.y, 0});
-    body.push_back(static_cast<int>(b));
+  VtkGrid grid{3,
+               R"(Scalars="von_mises" Vectors="displacement")",
+               {{"displacement", std::vector<double>(), 3}}};
+  for (const InsideField& field : insideFields)
+    grid.pointData.push_back({field.name, std::vector<double>()});
+  grid.pointData.push_back({"body", std::vector<int>()});
+  for (std::size_t i = 0; i < bodies.points.size(); ++i) {
+    InsideValue value = bodies.values[i];
+    auto array = grid.pointData.begin();
+    grid.points.add(bodies.points[i].x);
+    (array++)->add(value.displacement);
+    for (const InsideField& field : insideFields)
+      (array++)->add(field.of(value));
+    array->add(static_cast<int>(bodies.points[i].body));
   }
-  std::vector<double> displacements;
-  std::array<std::vector<double>, std::size(insideFields)> fields;
-  for (InsideValue value : bodies.values) {
-    displacements.insert(displacements.end(),
-                         {value.displacement.x, value.displacement.y, 0});
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      fields[k].push_back(insideFields[k].of(value));
-  }
-  std::vector<VtkArray> arrays = {{"displacement", &displacements, 3}};
-  for (std::size_t k = 0; k < fields.size(); ++k)
-    arrays.push_back({insideFields[k].name, &fields[k]});
-  arrays.push_back({"body", &body});
-  std::vector<long long> corners;
   for (const auto& triangle : bodies.corners)
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-  return vtuText(
-      {places, corners, 3, R"(Scalars="von_mises" Vectors="displacement")", arrays});
+    grid.corners.insert(grid.corners.end(), triangle.begin(), triangle.end());
+  return vtuText(grid);
 }
 
 std::vector<std::string> fieldNames() {

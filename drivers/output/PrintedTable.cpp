@@ -17,10 +17,9 @@ std::string fixed(double value, int digits) {
   return text.str();
 }
 
-std::string degrees(const Size& size) {
-  const std::string low = std::to_string(size.degreeMin);
-  return size.degreeMin == size.degreeMax ? low
-                                          : low + "-" + std::to_string(size.degreeMax);
+std::string degrees(const LevelRow& row) {
+  const std::string low = std::to_string(row.degreeMin);
+  return row.degreeMin == row.degreeMax ? low : low + "-" + std::to_string(row.degreeMax);
 }
 
 std::string iterations(const contact::Report& report) {
@@ -33,15 +32,15 @@ std::string iterations(const contact::Report& report) {
 constexpr std::size_t contactsShown = 3;
 
 /// Those with the largest forces, if there are more than are shown.
-std::vector<ContactRow> largest(std::vector<ContactRow> contacts) {
+std::vector<PartRow> largest(std::vector<PartRow> contacts) {
   if (contacts.size() <= contactsShown)
     return contacts;
-  const auto force = [](const ContactRow& row) {
+  const auto force = [](const PartRow& row) {
     return std::hypot(row.summary.forceNormal, row.summary.forceTangential);
   };
   std::stable_sort(
       contacts.begin(), contacts.end(),
-      [&](const ContactRow& a, const ContactRow& b) { return force(a) > force(b); });
+      [&](const PartRow& a, const PartRow& b) { return force(a) > force(b); });
   contacts.resize(contactsShown);
   return contacts;
 }
@@ -54,9 +53,9 @@ struct Column {
 
 constexpr Column columns[] = {
     {"level", 5, [](const LevelRow& r) { return std::to_string(r.level); }},
-    {"elements", 9, [](const LevelRow& r) { return std::to_string(r.size.elements); }},
-    {"dof", 7, [](const LevelRow& r) { return std::to_string(r.size.dof()); }},
-    {"degree", 7, [](const LevelRow& r) { return degrees(r.size); }},
+    {"elements", 9, [](const LevelRow& r) { return std::to_string(r.elements); }},
+    {"dof", 7, [](const LevelRow& r) { return std::to_string(r.dof()); }},
+    {"degree", 7, [](const LevelRow& r) { return degrees(r); }},
     {"steps", 9, [](const LevelRow& r) { return iterations(r.report); }},
     {"estimate", 11, [](const LevelRow& r) { return significant(r.estimate, 4); }},
     {"strain energy", 16,
@@ -102,16 +101,16 @@ std::string tableLine(const StepRow& row) {
        << std::setw(10) << significant(row.t, 6) << std::right << std::setw(16)
        << counted(row.newtonIterations, "Newton step", "Newton steps")
        << ", friction's work " << significant(row.energyDissipated, 6);
-  for (const ContactRow& contact : largest(row.contacts))
+  for (const PartRow& contact : largest(row.contacts))
     line << (contact.name.empty() ? ";" : "; " + contact.name) << " normal force "
          << significant(contact.summary.forceNormal, 5) << ", shear "
          << significant(contact.summary.forceTangential, 5);
   if (row.contacts.size() > contactsShown)
     line << "; " << row.contacts.size() - contactsShown << " more in steps.csv";
-  for (const RigidRow& body : row.rigid)
-    line << "; " << body.name << " at (" << significant(body.motion.slide.x, 5) << ", "
-         << significant(body.motion.slide.y, 5) << "), turned by "
-         << significant(body.motion.turn, 5);
+  for (const auto& [name, summary, dissipated] : row.rigid)
+    line << "; " << name << " at (" << significant(summary.motion.slide.x, 5) << ", "
+         << significant(summary.motion.slide.y, 5) << "), turned by "
+         << significant(summary.motion.turn, 5);
   if (row.parts > 1)
     line << "; halved: " << row.parts << " parts";
   line << (row.converged ? "\n" : "  not converged\n");

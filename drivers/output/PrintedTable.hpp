@@ -1,7 +1,7 @@
 #pragma once
 
 #include "drivers/process/PhaseTimer.hpp"
-#include "drivers/run/Path.hpp"
+#include "drivers/run/Level.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/HistoryTables.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
@@ -77,40 +76,41 @@ void checkHead(const std::string& table, const std::string& head) {
 /// Checks that sizes, indices and columns fit the meshes; the checksum cannot.
 void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
   const Level& level = checkpoint.level;
-  if (level.bodies.size() != scene.bodies.size())
+  if (level.meshes.size() != scene.bodies.size())
     throw InputError("has not as many bodies as the scene");
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < level.meshes.size(); ++b) {
     const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
-    for (const bem::Piece& piece : level.bodies[b].pieces)
+    for (const bem::Piece& piece : level.meshes[b])
       if (piece.edge < 0 || piece.edge >= edges)
         throw InputError("has an element on edge ", piece.edge, "; the outline has ",
                          edges, " edges");
   }
-  if (level.rigid.size() != scene.rigid.size())
+  const StepFields& last = level.last();
+  if (last.rigid.size() != scene.rigid.size())
     throw InputError("has not the motions of the scene's rigid bodies");
-  const BodySpaces spaces(scene, meshesOf(scene, level));
+  const BodySpaces spaces(scene, level);
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());
   };
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const BodyLevel& body = level.bodies[b];
     const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    if (level.number < 0 || size(body.displacement) != spaces.space(b).displacements() ||
-        size(body.density) != spaces.space(b).densities() ||
-        size(body.state.multiplier) != multiplier.size() ||
-        size(body.states.normal) != multiplier.normals() ||
-        size(body.states.tangential) != multiplier.size() - multiplier.normals() ||
-        size(body.indicators.squares) != spaces.space(b).mesh().size())
+    if (level.number < 0 ||
+        size(last.displacement[b]) != spaces.space(b).displacements() ||
+        size(last.density[b]) != spaces.space(b).densities() ||
+        size(last.own[b].multiplier) != multiplier.size() ||
+        size(last.states[b].normal) != multiplier.normals() ||
+        size(last.states[b].tangential) != multiplier.size() - multiplier.normals() ||
+        size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
   if (!checkpoint.steps.empty())
-    checkHead(checkpoint.steps, stepsHead(emptyRow(scene, spaces)));
+    checkHead(checkpoint.steps, headOf(cellsOf(spaces.stepRow())));
 }
 
 /// history.csv without a last level that has not converged: it is solved again.
 std::string historyBehind(const Checkpoint& checkpoint) {
   const std::string& text = checkpoint.history;
-  checkHead(text, historyHead());
+  checkHead(text, headOf(cellsOf(LevelRow())));
   const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
@@ -141,7 +141,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       if (checkpoint.level.status == contact::Status::Converged &&
           checkpoint.level.complete)
         checkpoint.level.relativeEstimate =
-            valueOf(lastCells(checkpoint.history), "estimate_relative");
+            valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
       if (!checkpoint.bodies.empty())

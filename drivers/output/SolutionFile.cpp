@@ -1,6 +1,7 @@
 #include "drivers/output/SolutionFile.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Hdf5File.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -114,28 +115,33 @@ class Archive {
   std::size_t most_ = 0;  ///< all numbers; no size in a file may be larger
 };
 
-void visit(Archive& archive, BodyLevel& body) {
-  auto& [normal, tangential] = body.states;
-  archive.sizes("bodies", body.pieces, normal, tangential, body.state.rigid,
-                body.displacement, body.density);
-  archive.resize(body.indicators.squares, body.pieces.size());
-  archive.resize(body.state.multiplier, normal.size() + tangential.size());
-  for (bem::Piece& piece : body.pieces) {
+/// A body's mesh and the last state on it.
+void visit(Archive& archive, Level& level, std::size_t b) {
+  StepFields& last = level.steps.back();
+  auto& [multiplier, rigid] = last.own[b];
+  auto& [normal, tangential] = last.states[b];
+  std::vector<bem::Piece>& pieces = level.meshes[b];
+  adaptivity::Indicators& indicators = level.indicators[b];
+  archive.sizes("bodies", pieces, normal, tangential, rigid, last.displacement[b],
+                last.density[b]);
+  archive.resize(indicators.squares, pieces.size());
+  archive.resize(multiplier, normal.size() + tangential.size());
+  for (bem::Piece& piece : pieces) {
     archive("edge", piece.edge);
     archive("degree", piece.degree);
     for (bem::Position* end : {&piece.start, &piece.end})
       for (double* distance : {&end->fromStart, &end->toEnd})
         archive("position", *distance);
   }
-  for (adaptivity::Contributions& squares : body.indicators.squares)
+  for (adaptivity::Contributions& squares : indicators.squares)
     for (double& square : squares)
       archive("indicators", square);
-  archive("multiplier", body.state.multiplier);
-  archive("rigid", body.state.rigid);
+  archive("multiplier", multiplier);
+  archive("rigid", rigid);
   archive("contact_state", normal, contact::NormalState::Closed);
   archive("friction_state", tangential, contact::FrictionState::SlipBackward);
-  archive("displacement", body.displacement);
-  archive("density", body.density);
+  archive("displacement", last.displacement[b]);
+  archive("density", last.density[b]);
 }
 
 void visit(Archive& archive, PathPoint& point, std::size_t points) {
@@ -149,19 +155,20 @@ void visit(Archive& archive, PathPoint& point, std::size_t points) {
   archive("path_work_error", point.workError);
 }
 
-void visit(Archive& archive, StepFields& step, const Level& level) {
+/// \param like a step on the same meshes
+void visit(Archive& archive, StepFields& step, const StepFields& like) {
+  const std::size_t bodies = like.displacement.size();
   archive("step_t", step.t);
-  archive.resize(step.displacement, level.bodies.size());
-  archive.resize(step.density, level.bodies.size());
-  archive.resize(step.states, level.bodies.size());
-  archive.resize(step.rigid, level.rigid.size());
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const BodyLevel& body = level.bodies[b];
+  archive.resize(step.displacement, bodies);
+  archive.resize(step.density, bodies);
+  archive.resize(step.states, bodies);
+  archive.resize(step.rigid, like.rigid.size());
+  for (std::size_t b = 0; b < bodies; ++b) {
     auto& [normal, tangential] = step.states[b];
-    archive.resize(step.displacement[b], body.displacement.size());
-    archive.resize(step.density[b], body.density.size());
-    archive.resize(normal, body.states.normal.size());
-    archive.resize(tangential, body.states.tangential.size());
+    archive.resize(step.displacement[b], like.displacement[b].size());
+    archive.resize(step.density[b], like.density[b].size());
+    archive.resize(normal, like.states[b].normal.size());
+    archive.resize(tangential, like.states[b].tangential.size());
     archive("step_displacement", step.displacement[b]);
     archive("step_density", step.density[b]);
     archive("step_contact_state", normal, contact::NormalState::Closed);
@@ -170,18 +177,29 @@ void visit(Archive& archive, StepFields& step, const Level& level) {
   archive("step_rigid_bodies", step.rigid);
 }
 
+/// Of a path at its end all steps, else the last one as the state of the bodies.
 void visit(Archive& archive, Level& level) {
-  archive.resize(level.bodies, archive.rows("bodies"));
-  for (BodyLevel& body : level.bodies)
-    visit(archive, body);
-  archive.resize(level.rigid, archive.rows("rigid_bodies"));
-  archive("rigid_bodies", level.rigid);
+  const std::size_t bodies = archive.rows("bodies");
+  archive.resize(level.steps, std::max<std::size_t>(archive.rows("step_t"), 1));
+  StepFields& last = level.steps.back();
+  archive.resize(level.meshes, bodies);
+  archive.resize(level.indicators, bodies);
+  archive.resize(last.own, bodies);
+  archive.resize(last.states, bodies);
+  archive.resize(last.displacement, bodies);
+  archive.resize(last.density, bodies);
+  for (std::size_t b = 0; b < level.meshes.size(); ++b)
+    visit(archive, level, b);
+  archive.resize(last.rigid, archive.rows("rigid_bodies"));
+  archive("rigid_bodies", last.rigid);
   archive.resize(level.path, archive.rows("path_t"));
   for (PathPoint& point : level.path)
     visit(archive, point, level.path.size());
-  archive.resize(level.steps, archive.rows("step_t"));
-  for (StepFields& step : level.steps)
-    visit(archive, step, level);
+  if (archive.rows("step_t") > 0 || (level.complete && level.onPath()))
+    for (StepFields& step : level.steps)
+      visit(archive, step, last);
+  else if (last.t == 0 && !level.path.empty())
+    last.t = level.path.back().t;
 }
 
 /// All of them, empty.
@@ -316,12 +334,12 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
 }  // namespace
 
 std::string solutionFile(const Scene& scene, const Checkpoint& checkpoint,
-                         const BoundaryLines& grid) {
+                         const VtkGrid& grid) {
   std::string names;
   for (const std::string& name : namesOfBoundaries(scene))
     names += name + "\n";
   Hdf5Writer writer;
-  writeVtkHdf(grid.grid(), writer);
+  writeVtkHdf(grid, writer);
   writeCheckpoint(checkpoint, writer);
   writer.text(group + "/boundaries", names);
   return writer.bytes();

@@ -73,25 +73,35 @@ const std::string format =
 
 }  // namespace
 
+void VtkArray::add(bem::Vec2 vector) {
+  auto& all = std::get<std::vector<double>>(numbers);
+  all.insert(all.end(), {vector.x, vector.y, 0});
+}
+
+std::size_t VtkGrid::size() const {
+  return std::get<std::vector<double>>(points.numbers).size() / 3;
+}
+
 std::string vtuText(const VtkGrid& grid) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " +
                      format + "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-                     std::to_string(grid.points.size() / 3) + "\" NumberOfCells=\"" +
+                     std::to_string(grid.size()) + "\" NumberOfCells=\"" +
                      std::to_string(cellsOf(grid)) + "\">\n<PointData " + grid.shown +
                      ">\n";
   const auto add = [&](const std::vector<VtkArray>& arrays) {
     for (const VtkArray& array : arrays)
       std::visit(
-          [&](const auto* numbers) {
-            text += dataArray(array.name, *numbers, array.components);
+          [&](const auto& numbers) {
+            text += dataArray(array.name, numbers, array.components);
           },
           array.numbers);
   };
   add(grid.pointData);
   text += "</PointData>\n<CellData>\n";
   add(grid.cellData);
-  text += "</CellData>\n<Points>\n" + dataArray("Points", grid.points, 3) +
-          "</Points>\n<Cells>\n" + dataArray("connectivity", grid.corners) +
+  text += "</CellData>\n<Points>\n";
+  add({grid.points});
+  text += "</Points>\n<Cells>\n" + dataArray("connectivity", grid.corners) +
           dataArray("offsets", offsetsOf(grid, 1)) + dataArray("types", typesOf(grid));
   return text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
@@ -115,25 +125,25 @@ void writeVtkHdf(const VtkGrid& grid, Hdf5Writer& writer) {
   const auto write = [&](const std::string& name, const auto& array, int columns = 1) {
     writer.array("/VTKHDF/" + name, array, columns);
   };
-  const auto count = [&](const char* name, std::size_t number) {
-    write(name, Indices{static_cast<long long>(number)});
-  };
-  count("NumberOfPoints", grid.points.size() / 3);
-  count("NumberOfCells", cellsOf(grid));
-  count("NumberOfConnectivityIds", grid.corners.size());
-  write("Points", grid.points, 3);
-  write("Connectivity", grid.corners);
-  write("Offsets", offsetsOf(grid, 0));
-  write("Types", typesOf(grid));
   const auto writeAll = [&](const std::string& group,
                             const std::vector<VtkArray>& arrays) {
     for (const VtkArray& array : arrays)
       std::visit(
-          [&](const auto* numbers) {
-            write(group + array.name, *numbers, array.components);
+          [&](const auto& numbers) {
+            write(group + array.name, numbers, array.components);
           },
           array.numbers);
   };
+  const auto count = [&](const char* name, std::size_t number) {
+    write(name, Indices{static_cast<long long>(number)});
+  };
+  count("NumberOfPoints", grid.size());
+  count("NumberOfCells", cellsOf(grid));
+  count("NumberOfConnectivityIds", grid.corners.size());
+  writeAll("", {grid.points});
+  write("Connectivity", grid.corners);
+  write("Offsets", offsetsOf(grid, 0));
+  write("Types", typesOf(grid));
   writeAll("PointData/", grid.pointData);
   writeAll("CellData/", grid.cellData);
 }

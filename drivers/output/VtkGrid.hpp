@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bem/base/Vec2.hpp"
+
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,21 +10,31 @@ namespace epafi::drivers {
 
 class Hdf5Writer;
 
-/// A field of a grid, point by point or cell by cell.  Refers to the numbers.
+/// A field of a grid, point by point or cell by cell.
 struct VtkArray {
   std::string name;
-  std::variant<const std::vector<double>*, const std::vector<int>*> numbers;
+  std::variant<std::vector<double>, std::vector<int>> numbers;
   int components = 1;
+
+  void add(int value) { std::get<std::vector<int>>(numbers).push_back(value); }
+  void add(double value) { std::get<std::vector<double>>(numbers).push_back(value); }
+  void add(bem::Vec2 vector);  ///< of three components
+  template <class Number>
+  Number at(std::size_t k) const {
+    return std::get<std::vector<Number>>(numbers)[k];
+  }
 };
 
 /// Segments or triangles with fields for ParaView, in the user's units: an UnstructuredGrid.
 struct VtkGrid {
-  const std::vector<double>& points;      ///< x, y, 0
-  const std::vector<long long>& corners;  ///< indices of the points of each cell
-  int cornersPerCell;                     ///< 2: segments, 3: triangles
-  std::string shown;  ///< attributes of PointData: the arrays that ParaView shows first
+  int cornersPerCell;  ///< 2: segments, 3: triangles
+  std::string shown;   ///< attributes of PointData: the arrays that ParaView shows first
   std::vector<VtkArray> pointData;
   std::vector<VtkArray> cellData{};
+  VtkArray points{"Points", std::vector<double>(), 3};  ///< x, y, 0
+  std::vector<long long> corners{};                     ///< indices of points, by cell
+
+  std::size_t size() const;  ///< number of points
 };
 
 /// The grid in VTK's XML format (.vtu), arrays in Base64.

@@ -1,23 +1,27 @@
 #include "drivers/run/BodySpaces.hpp"
 
+#include "bem/base/Error.hpp"
 #include "contact/conditions/Conduction.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 namespace epafi::drivers {
 
-BodySpaces::BodySpaces(const Scene& scene, const std::vector<bem::Mesh>& meshes)
-    : scene_(scene) {
+BodySpaces::BodySpaces(const Scene& scene, const Level& level) : scene_(scene) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  spaces_.reserve(meshes.size());  // multipliers refer to nothing of them, opposites do
-  for (std::size_t b = 0; b < meshes.size(); ++b) {
+  const std::size_t count = level.meshes.size();
+  spaces_.reserve(count);  // multipliers refer to nothing of them, opposites do
+  for (std::size_t b = 0; b < count; ++b) {
     const contact::Conditions& conditions = scene.bodies[b].conditions;
-    spaces_.push_back(contact::makeSpace(meshes[b], conditions, scene.stabilization));
+    spaces_.push_back(contact::makeSpace({scene.bodies[b].outline, level.meshes[b]},
+                                         conditions, scene.stabilization));
     multipliers_.emplace_back(spaces_.back().mesh(), basis, conditions);
   }
-  for (std::size_t b = 0; b < meshes.size(); ++b)
+  for (std::size_t b = 0; b < count; ++b)
     opposites_.push_back(makeOpposite(b));
 }
 
@@ -77,11 +81,47 @@ std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {
   return all;
 }
 
-Size BodySpaces::totalSize() const {
-  Size sum = sizeOf(spaces_[0], multipliers_[0], scene_.bodies[0].conditions);
-  for (std::size_t b = 1; b < size(); ++b)
-    sum += sizeOf(spaces_[b], multipliers_[b], scene_.bodies[b].conditions);
-  return sum;
+LevelRow BodySpaces::levelRow() const {
+  LevelRow row;
+  row.degreeMin = bem::largestDegree;
+  row.sizeMin = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < size(); ++b) {
+    const bem::Mesh& mesh = spaces_[b].mesh();
+    const double diameter = mesh.outline().scaling().length;
+    row.elements += mesh.size();
+    row.displacements +=
+        contact::freeDisplacements(spaces_[b], scene_.bodies[b].conditions);
+    row.multipliers += multipliers_[b].size();
+    row.densities += spaces_[b].densities();
+    for (const bem::Element& element : mesh.elements()) {
+      row.degreeMin = std::min(row.degreeMin, element.degree);
+      row.degreeMax = std::max(row.degreeMax, element.degree);
+      row.sizeMin = std::min(row.sizeMin, 2 * element.half * diameter);
+      row.sizeMax = std::max(row.sizeMax, 2 * element.half * diameter);
+    }
+  }
+  return row;
+}
+
+StepRow BodySpaces::stepRow() const {
+  StepRow row;
+  std::map<std::string, int> uses;  // of a name
+  for (const RigidBody& body : scene_.rigid) {
+    row.rigid.push_back({body.name});
+    ++uses[body.name];
+  }
+  std::vector<std::set<std::string>> contacts(size());
+  for (std::size_t b = 0; b < size(); ++b) {
+    for (const auto& element : multipliers_[b].elements())
+      contacts[b].insert(contact::nameOf(element));
+    for (const std::string& name : contacts[b])
+      ++uses[name];
+  }
+  for (std::size_t b = 0; b < size(); ++b)
+    for (const std::string& name : contacts[b])
+      row.contacts.push_back(
+          {uses[name] > 1 ? bem::message(scene_.bodies[b].name, ":", name) : name});
+  return row;
 }
 
 contact::Motions BodySpaces::motions(
@@ -139,11 +179,18 @@ bem::Mesh firstMesh(const Body& body) {
   return {body.outline, pieces};
 }
 
-std::vector<bem::Mesh> meshesOf(const Scene& scene, const Level& level) {
-  std::vector<bem::Mesh> meshes;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b)
-    meshes.emplace_back(scene.bodies[b].outline, level.bodies[b].pieces);
-  return meshes;
+Level firstMeshes(const Scene& scene) {
+  Level level;
+  for (const Body& body : scene.bodies)
+    level.meshes.push_back(piecesOf(firstMesh(body)));
+  return level;
+}
+
+std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
+  std::vector<bem::Piece> pieces;
+  for (const bem::Element& element : mesh.elements())
+    pieces.push_back(element.piece);
+  return pieces;
 }
 
 }  // namespace epafi::drivers

@@ -18,11 +18,14 @@ namespace epafi::drivers {
 /// The spaces on the meshes of a scene's bodies, and the opposite sides of their contacts.
 class BodySpaces {
  public:
-  /// Refers to the scene.  \throws bem::InputError, see contact::MultiplierSpace.
-  BodySpaces(const Scene& scene, const std::vector<bem::Mesh>& meshes);
+  /// On the meshes of a level.  Refers to the scene.
+  /// \throws bem::InputError if they do not fit the scene's outlines, and see
+  ///   contact::MultiplierSpace.
+  BodySpaces(const Scene& scene, const Level& level);
   BodySpaces(const BodySpaces&) = delete;
   BodySpaces& operator=(const BodySpaces&) = delete;
 
+  const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }
   const bem::Space& space(std::size_t b) const { return spaces_[b]; }
   const contact::MultiplierSpace& multiplier(std::size_t b) const {
@@ -36,7 +39,11 @@ class BodySpaces {
   /// Conditions of the bodies at time t, body loads with conducted heat on these meshes.
   std::vector<contact::Conditions> conditionsAt(double t) const;
 
-  Size totalSize() const;
+  /// A row with the sizes of all meshes and spaces.
+  LevelRow levelRow() const;
+  /// A row with names only: of contacts, preceded by that of the body if not unique, and of
+  /// rigid bodies, in the order of the scene.
+  StepRow stepRow() const;
 
   /// Motions for given displacements of the elastic bodies, which must outlive the
   /// result, and given motions of rigid bodies.
@@ -59,8 +66,9 @@ class BodySpaces {
 /// there, its elements are distributed by length.
 bem::Mesh firstMesh(const Body& body);
 
-/// The meshes of a level.  \throws bem::InputError if its pieces do not fit the scene's
-/// outlines
-std::vector<bem::Mesh> meshesOf(const Scene& scene, const Level& level);
+/// A level with those of all bodies.
+Level firstMeshes(const Scene& scene);
+
+std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh);
 
 }  // namespace epafi::drivers

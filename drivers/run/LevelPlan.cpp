@@ -142,9 +142,9 @@ std::string advised(double gain, bool isAutomatic, bool isPossible, double compr
 
 int formedUpTo(int steps) { return std::min(500 * (1 + steps), 3000); }
 
-Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
-            double allowedBefore) {
+LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefore) {
   using Operators = LinearMethod::Operators;
+  const Scene& scene = spaces.scene();
   const Operators wanted = linearMethods().at(scene.solver.linear.method).operators;
   const int processes = ranks.processes().count();
   const std::vector<BodySize> sizes = sizesOf(spaces);
@@ -152,34 +152,33 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
   const bool isGraded = std::any_of(sizes.begin(), sizes.end(), [](const BodySize& b) {
     return b.grading > mostGraded;
   });
-  Plan compressed{true,
-                  compressedMemory(sizes, scene.history.steps(), processes),
-                  {},
-                  isThin ? fewerDigits : ""};
-  Plan dense{false, denseMemory(sizes, processes)};
-  const double most = std::max(dense.memory, compressed.memory);
-  compressed.allowed = dense.allowed =
-      most < plentiful * allowedBefore ? allowedBefore : allowedMemory(scene, ranks);
-  if (wanted == Operators::Compressed)
-    return compressed;
-
+  const double dense = denseMemory(sizes, processes);
+  const double less = compressedMemory(sizes, scene.history.steps(), processes);
+  LevelRow row = spaces.levelRow();
+  row.memoryAllowed = std::max(dense, less) < plentiful * allowedBefore
+                          ? allowedBefore
+                          : allowedMemory(scene, ranks);
   const double gain = isThin || isGraded ? 0 : gainOf(sizes);
   const bool isAutomatic = wanted == Operators::Cheaper;
   const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
-  const bool denseFits = dense.memory <= dense.allowed;
-  if (isAutomatic && isPossible && gain > 1) {
-    if (denseFits)
-      compressed.denseInstead = dense.memory;
-    return compressed;
+  const bool denseFits = dense <= row.memoryAllowed;
+  if (wanted == Operators::Compressed || (isAutomatic && isPossible && gain > 1)) {
+    row.operators = "compressed";
+    row.memoryForecast = less;
+    if (isThin)
+      row.note = fewerDigits;
+    if (isAutomatic && denseFits)
+      row.memoryOfDense = dense;
+    return row;
   }
   constexpr double worthTelling = 2;
-  if (compressed.memory < dense.memory && (gain > worthTelling || !denseFits))
-    dense.advice =
-        advised(gain, isAutomatic, isPossible, compressed.memory, dense.memory);
-  return dense;
+  row.memoryForecast = dense;
+  if (less < dense && (gain > worthTelling || !denseFits))
+    row.note = advised(gain, isAutomatic, isPossible, less, dense);
+  return row;
 }
 
-std::string aboveCap(int level, const Size& size, const Scene& scene) {
+std::string aboveCap(int level, const LevelRow& size, const Scene& scene) {
   const long cap = scene.adaptivity.limits.degreesOfFreedom;
   if (size.dof() <= cap)
     return "";
@@ -191,9 +190,9 @@ std::string aboveCap(int level, const Size& size, const Scene& scene) {
   return text;
 }
 
-std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
-                                    const Scene& scene, const BodySpaces& spaces,
-                                    const Ranks& ranks) {
+std::string tooLarge(int level, const LevelRow& planned, const BodySpaces& spaces,
+                     const Ranks& ranks) {
+  const Scene& scene = spaces.scene();
   for (std::size_t b = 0; b < spaces.size() && level > 0; ++b)
     if (scene.bodies[b].conditions.heat &&
         contact::Conduction::sizeOn(spaces.space(b).mesh()) >
@@ -203,20 +202,22 @@ std::optional<std::string> tooLarge(int level, const Size& size, const Plan& pla
           " degrees of all elements of ", "Bodies->", scene.bodies[b].name,
           ", which conducts heat by dense operators");
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
-  if (plan.memory <= plan.allowed)
-    return std::nullopt;
+  const double memory = planned.memoryForecast;
+  const double allowed = planned.memoryAllowed;
+  if (memory <= allowed)
+    return "";
   const double program = programMemory * ranks.processes().count();
-  const double share = std::max((plan.allowed - program) / (plan.memory - program), 0.0);
+  const double share = std::max((allowed - program) / (memory - program), 0.0);
   // matrices grow with the square
-  const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *
-                                     static_cast<double>(size.dof()));
+  const long cap = static_cast<long>((planned.isCompressed() ? share : std::sqrt(share)) *
+                                     static_cast<double>(planned.dof()));
   const std::string text = bem::message(
-      "level ", level, " with ", size.dof(), " degrees of freedom would take about ",
-      std::ceil(plan.memory), " MiB; ",
+      "level ", level, " with ", planned.dof(), " degrees of freedom would take about ",
+      std::ceil(memory), " MiB; ",
       limit ? "Adaptivity->Maximum Memory = " : "MiB that are free: ",
-      std::floor(plan.allowed),
-      limit ? "" : " (Adaptivity->Maximum Memory overrules them)", "; ", plan.advice,
-      plan.advice.empty() ? "" : "; ", "about ", cap, " degrees of freedom fit: ");
+      std::floor(allowed), limit ? "" : " (Adaptivity->Maximum Memory overrules them)",
+      "; ", planned.note, planned.note.empty() ? "" : "; ", "about ", cap,
+      " degrees of freedom fit: ");
   if (level == 0)
     throw bem::InputError(text + "make the first mesh coarser");
   return text + "set Adaptivity->Maximum Degrees of Freedom";

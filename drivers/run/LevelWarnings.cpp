@@ -34,12 +34,9 @@ void findSliding(const contact::Solved& solved, std::map<std::string, double>& s
 /// The largest of each contact over the level or over the steps of its path.
 std::map<std::string, double> slidingOf(const SolvedLevel& level) {
   std::map<std::string, double> shares;
-  for (const contact::Solved& solved : level.bodies)
-    findSliding(solved, shares);
-  if (level.path != nullptr)
-    for (const auto& step : level.path->steps)
-      for (const contact::Solved& solved : step->solved->bodies())
-        findSliding(solved, shares);
+  for (const auto& step : level.steps)
+    for (const contact::Solved& solved : step->bodies)
+      findSliding(solved, shares);
   return shares;
 }
 
@@ -47,18 +44,19 @@ std::map<std::string, double> slidingOf(const SolvedLevel& level) {
 /// largest n k |λₜ| of each over the steps of the path, at most n k f p.
 std::map<std::string, double> unsettledWear(const SolvedLevel& level) {
   std::map<std::string, double> rates;
-  if (level.path != nullptr)
-    for (const auto& step : level.path->steps)
-      for (const contact::Solved& solved : step->solved->bodies()) {
-        const contact::ContactFields fields(solved);
-        for (const auto& element : fields.elements())
-          if (element.condition->wear && element.tangential >= 0) {
-            const contact::ContactPoint point = fields.at(element, 0);
-            double& rate = rates[nameOf(element)];
-            rate = std::max(rate, element.condition->cycles *
-                                      element.condition->wear(point.place) * point.bound);
-          }
-      }
+  if (!level.level.onPath())
+    return rates;
+  for (const auto& step : level.steps)
+    for (const contact::Solved& solved : step->bodies) {
+      const contact::ContactFields fields(solved);
+      for (const auto& element : fields.elements())
+        if (element.condition->wear && element.tangential >= 0) {
+          const contact::ContactPoint point = fields.at(element, 0);
+          double& rate = rates[nameOf(element)];
+          rate = std::max(rate, element.condition->cycles *
+                                    element.condition->wear(point.place) * point.bound);
+        }
+    }
   return rates;
 }
 
@@ -90,54 +88,56 @@ double imbalanceOf(const contact::Summary& body, double motion, double youngsMod
 
 /// Digits that rounding has taken, of bodies too slender for double precision, or of small
 /// deformations beside large motions.
-void findLostDigits(const Scene& scene, const SolvedLevel& level,
-                    std::vector<std::string>& warnings) {
+void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings) {
   // of forces; a beam's bending is off by three hundred times as much
   constexpr double smallImbalance = 1e-7;
   constexpr double smallDefect = 1e-6;
   const char* const why =
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
       "1000, and where a motion is 1e10 times what deforms: look at units and loads";
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+  const SolvedStep& last = level.last();
+  const Scene& scene = last.spaces.scene();
+  for (std::size_t b = 0; b < last.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     const double motion =
-        largestMotion(level.bodies[b], *body.outline) * body.outline->diameter();
+        largestMotion(last.bodies[b], *body.outline) * body.outline->diameter();
     const double imbalance =
-        imbalanceOf(level.row.bodies[b], motion, body.material.youngsModulus);
+        imbalanceOf(wholeOf(scene.symmetry, *body.outline, last.summaries()[b]), motion,
+                    body.material.youngsModulus);
     if (imbalance > smallImbalance)
       warnings.push_back(message("Bodies->", body.name,
                                  ": its forces are out of balance by ", imbalance,
                                  " of the largest; ", why));
   }
-  double defect = level.row.defect;
-  if (level.path != nullptr)
-    for (const auto& step : level.path->steps)
-      defect = std::max(defect, step->solved->at().defect);
+  double defect = 0;
+  for (const auto& step : level.steps)
+    defect = std::max(defect, step->at.defect);
   if (defect > smallDefect)
     warnings.push_back(
         message("contact is met up to ", defect, " of the displacements; ", why));
 }
 
-/// Friction's work that steps as short as they may be do not tell to the tolerance.
-void findErrorInTime(const Scene& scene, const SolvedLevel& level,
-                     std::vector<std::string>& warnings) {
-  if (level.path == nullptr)
-    return;
-  const StepRow& last = level.path->last().row;
-  const double tolerance = scene.history.tolerance;
-  const double work =
-      std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside));
-  // each section may take the tolerance of its own work or of its share of the path's
-  if (tolerance > 0 && last.energyDissipatedError > 2 * tolerance * work)
-    warnings.push_back(message(
-        "friction's work has an estimated error in time of ",
-        last.energyDissipatedError / work, " of itself, more than History->Tolerance = ",
-        tolerance, ": a smaller History->Minimum Step, or more of History->Times"));
+/// What steps as short as they may be do not tell to the tolerance.
+void findErrorInTime(const SolvedLevel& level, std::vector<std::string>& warnings) {
+  const StepRow& last = level.last().row;
+  const double tolerance = level.last().spaces.scene().history.tolerance;
+  const auto tell = [&](const char* what, double error) {
+    // each section may take the tolerance of its own work or of its share of the path's
+    if (tolerance > 0 && error > 2 * tolerance)
+      warnings.push_back(
+          message(what, " has an estimated error in time of ", error,
+                  " of itself, more than History->Tolerance = ", tolerance,
+                  ": a smaller History->Minimum Step, or more of History->Times"));
+  };
+  tell("friction's work",
+       last.energyDissipatedError /
+           std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside)));
+  tell("the worn volume", last.wornVolumeError);
 }
 
-bool isDeformed(const SolvedLevel& level) {
+bool isDeformed(const SolvedStep& step) {
   return std::any_of(
-      level.bodies.begin(), level.bodies.end(), [](const contact::Solved& solved) {
+      step.bodies.begin(), step.bodies.end(), [](const contact::Solved& solved) {
         return std::any_of(solved.displacement.begin(), solved.displacement.end(),
                            [](double u) { return u != 0; });
       });
@@ -158,23 +158,23 @@ struct Extent {
 Extent extentOf(const SolvedLevel& level) {
   const contact::Summary& summary = level.row.summary;
   Extent extent{summary.energyStrain, summary.contactLength};
-  if (level.path != nullptr)
-    for (const auto& step : level.path->steps) {
-      extent.energy = std::max(extent.energy, step->row.energyStrain);
-      for (const ContactRow& row : step->row.contacts)
-        extent.contact = std::max(extent.contact, row.summary.contactLength);
-    }
+  for (const auto& step : level.steps) {
+    extent.energy = std::max(extent.energy, step->row.energyStrain);
+    for (const PartRow& row : step->row.contacts)
+      extent.contact = std::max(extent.contact, row.summary.contactLength);
+  }
   return extent;
 }
 
 }  // namespace
 
-std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level) {
+std::vector<std::string> warningsOf(const SolvedLevel& level) {
+  const Scene& scene = level.last().spaces.scene();
   std::vector<std::string> warnings;
   const Extent extent = extentOf(level);
   if (extent.energy == 0) {
     warnings.emplace_back(
-        isDeformed(level)
+        isDeformed(level.last())
             ? "the strain energy is too small for a number: loads are next to nothing "
               "beside Young's modulus; look at the units of both"
             : "nothing loads the scene: no traction, force, prescribed displacement or "
@@ -191,9 +191,9 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
               "look at the signs of loads (tractions pull along x and y), at the gap, "
               "and at a finer first mesh");
   if (isSolved)
-    findLostDigits(scene, level, warnings);
+    findLostDigits(level, warnings);
   if (isSolved)
-    findErrorInTime(scene, level, warnings);
+    findErrorInTime(level, warnings);
   if (const std::string missing = missingTo(scene, level.level);
       isSolved && !missing.empty())
     warnings.push_back("a limit ends the run" + missing);
@@ -211,8 +211,8 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
           "contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",
           "bound reaches ", rate, ", above ", settled,
           ": slip and wear may have several ", "solutions; shorten steps or the jump"));
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const double motion = largestMotion(level.bodies[b], *scene.bodies[b].outline);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const double motion = largestMotion(level.last().bodies[b], *scene.bodies[b].outline);
     if (motion > small)
       warnings.push_back(
           message("Bodies->", scene.bodies[b].name, ": displacements reach ",

@@ -2,34 +2,34 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/process/Ranks.hpp"
-#include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/Path.hpp"
+#include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/SolveLevel.hpp"
 
 namespace epafi::drivers {
 
 namespace {
 
-/// By attempt(plan); with dense operators where compressed ones fail and the plan lets it: which
-/// is told.  Of several processes one may have broken down alone: that ends all of them.
-template <class Attempts>
-Level solveAnyhow(const Attempts& attempt, const Plan& plan,
-                  const bem::Processes& processes) {
+/// As planned; with dense operators where compressed ones fail and the plan lets it: which is
+/// told.  Of several processes one may have broken down alone: that ends all of them.
+Level solveAnyhow(const BodySpaces& spaces, const Level& from, const LevelRow& planned,
+                  const Run& run) {
   std::string failure;
   try {
-    Attempt first = attempt(plan);
+    Attempt first = solveLevel(spaces, from, planned, run);
     if (auto* level = std::get_if<Level>(&first))
       return std::move(*level);
     failure = std::get<std::string>(first);
   } catch (const bem::NumericalError& error) {
-    if (!plan.denseInstead || processes.count() > 1)
+    if (!planned.memoryOfDense || run.processes.count() > 1)
       throw;
     failure = error.what();
   }
-  Plan dense{false, *plan.denseInstead};
-  dense.advice = "compressed operators failed, dense ones took their place: " + failure;
-  dense.insteadOfCompressed = true;
-  return std::get<Level>(attempt(dense));
+  LevelRow dense = planned;
+  dense.operators = denseInstead;
+  dense.memoryForecast = *planned.memoryOfDense;
+  dense.memoryOfDense.reset();
+  dense.note = "compressed operators failed, dense ones took their place: " + failure;
+  return std::get<Level>(solveLevel(spaces, from, dense, run));
 }
 
 }  // namespace
@@ -45,37 +45,32 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   double allowed = 0;    // memory, as it was found
   std::string missing = earlier ? missingTo(scene, *earlier) : "";
   auto next = earlier ? levelAfterRestart(scene, *earlier, processes) : firstLevel(scene);
-  while (const auto* from = std::get_if<LevelStart>(&next)) {
-    const int number = from->level;
-    const BodySpaces spaces(scene, from->meshes);
-    const Size size = spaces.totalSize();
-    const std::string capReached = aboveCap(number, size, scene);
-    if (!capReached.empty())
-      return {contact::Status::Converged, capReached + missing};
-    Plan plan = planOf(scene, spaces, ranks, allowed);
-    allowed = plan.allowed;
-    if (const auto reason = tooLarge(number, size, plan, scene, spaces, ranks))
-      return {contact::Status::Converged, *reason + missing};
+  while (const auto* from = std::get_if<Level>(&next)) {
+    const BodySpaces spaces(scene, *from);
+    std::string reason = aboveCap(from->number, spaces.levelRow(), scene);
+    if (!reason.empty())
+      return {contact::Status::Converged, reason + missing};
+    LevelRow planned = planOf(spaces, ranks, allowed);
+    allowed = planned.memoryAllowed;
+    reason = tooLarge(from->number, planned, spaces, ranks);
+    if (!reason.empty())
+      return {contact::Status::Converged, reason + missing};
     if (advised)
-      plan.advice.clear();
-    advised = advised || !plan.advice.empty();
-    timer.startLevel(number);
+      planned.note.clear();
+    advised = advised || !planned.note.empty();
+    timer.startLevel(from->number);
 
     std::size_t handed = 0;  // steps, which another attempt does not hand out again
     std::function<void(const SolvedLevel&)> handOutNew;
     if (handOutStep)
       handOutNew = [&](const SolvedLevel& level) {
-        if (level.path->steps.size() > handed) {
+        if (level.steps.size() > handed) {
           ++handed;
           handOutStep(level);
         }
       };
     const Level level = solveAnyhow(
-        [&](const Plan& by) {
-          return solveLevel(scene, spaces, processes, krylov.get(), *from,
-                            {by, timer, handOut, handOutNew});
-        },
-        plan, processes);
+        spaces, *from, planned, {processes, timer, krylov.get(), handOut, handOutNew});
     timer.endLevel();
     missing = missingTo(scene, level);
     next = nextLevel(scene, level, processes);

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "drivers/process/PhaseTimer.hpp"
-#include "drivers/run/Level.hpp"
 #include "drivers/run/NextLevel.hpp"
-#include "drivers/scene/Scene.hpp"
+#include "drivers/run/SolvedStep.hpp"
 
 #include <functional>
 #include <optional>
@@ -19,7 +18,7 @@ class Ranks;
 /// \param earlier a level of an earlier run, after which this one continues, see
 ///   levelAfterRestart
 /// \param handOutStep called after each step of a path, with a Level that is not complete,
-///   without row and indicators
+///   without indicators
 /// \throws bem::InputError, bem::NumericalError, Interrupted; earlier calls stay valid
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,

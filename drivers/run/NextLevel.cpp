@@ -21,8 +21,9 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Halves the elements of contacts that begin or end at a corner or at an end of contact.
-bem::Mesh halvedAtEnds(const bem::Mesh& mesh, const contact::Conditions& conditions) {
+/// With elements of contacts halved that begin or end at a corner or at an end of contact.
+std::vector<bem::Piece> halvedAtEnds(const bem::Mesh& mesh,
+                                     const contact::Conditions& conditions) {
   const auto points = adaptivity::findSingularPoints(mesh, conditions);
   adaptivity::Marks marks(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
@@ -30,27 +31,26 @@ bem::Mesh halvedAtEnds(const bem::Mesh& mesh, const contact::Conditions& conditi
         (points.at(mesh, e, false) != adaptivity::Singularity::None ||
          points.at(mesh, e, true) != adaptivity::Singularity::None))
       marks[e] = adaptivity::Mark::Bisect;
-  return adaptivity::refine(mesh, marks);
+  return piecesOf(adaptivity::refine(mesh, marks));
 }
 
 }  // namespace
 
-LevelStart firstLevel(const Scene& scene) {
-  LevelStart first;
-  for (const Body& body : scene.bodies)
-    first.meshes.push_back(firstMesh(body));
+Level firstLevel(const Scene& scene) {
+  Level first = firstMeshes(scene);
   constexpr int most = 12;
-  std::vector<bem::Mesh> meshes = first.meshes;
+  Level finer = first;
   std::vector<double> left =
-      unbalanced(scene, BodySpaces(scene, meshes),
+      unbalanced(BodySpaces(scene, first),
                  scene.history ? scene.history.times : std::vector<double>{1});
   for (int k = 0; k < most && !left.empty(); ++k) {
-    for (std::size_t b = 0; b < meshes.size(); ++b)
-      meshes[b] = halvedAtEnds(meshes[b], scene.bodies[b].conditions);
+    for (std::size_t b = 0; b < finer.meshes.size(); ++b)
+      finer.meshes[b] = halvedAtEnds({scene.bodies[b].outline, finer.meshes[b]},
+                                     scene.bodies[b].conditions);
     const std::size_t before = left.size();
-    left = unbalanced(scene, BodySpaces(scene, meshes), left);
+    left = unbalanced(BodySpaces(scene, finer), left);
     if (left.size() < before)
-      first.meshes = meshes;
+      first.meshes = finer.meshes;
   }
   return first;
 }
@@ -67,8 +67,9 @@ const adaptivity::Strategy& strategyOf(const Scene& scene) {
   return adaptivity::strategies().at(scene.adaptivity.strategy.name);
 }
 
-std::vector<SingularMesh> singularMeshes(const Scene& scene, const BodySpaces& spaces,
+std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
                                          const std::vector<StepFields>& steps) {
+  const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     std::vector<contact::ContactState> states;
@@ -87,7 +88,9 @@ std::vector<SingularMesh> singularMeshes(const Scene& scene, const BodySpaces& s
 
 /// Of each element of a body: does it look analytic in every step?
 std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b,
-                             const Scene& scene, const bem::Space& space) {
+                             const BodySpaces& spaces) {
+  const Scene& scene = spaces.scene();
+  const bem::Space& space = spaces.space(b);
   std::vector<bool> always(space.mesh().size(), true);
   for (const StepFields& step : steps) {
     const std::vector<bool> now = adaptivity::looksAnalytic(
@@ -123,23 +126,23 @@ std::vector<StepFields> loaded(std::vector<StepFields> steps) {
 
 /// The elements that carry most of the estimate are chosen among those of all bodies; where
 /// Graded hp cuts one side of a contact, the other follows.
-std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spaces,
-                                       const Level& level,
+std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& level,
                                        const bem::Processes& processes) {
-  const std::vector<StepFields> steps = loaded(level.solved());
-  const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps);
+  const Scene& scene = spaces.scene();
+  const std::vector<StepFields> steps = loaded(level.steps);
+  const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
-  for (const BodyLevel& body : level.bodies)
-    squares.push_back(body.indicators.elements());
+  for (const adaptivity::Indicators& ofBody : level.indicators)
+    squares.push_back(ofBody.elements());
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
     worst = withFacing(scene, meshes, std::move(worst));
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
-                                     analyticIn(steps, b, scene, spaces.space(b)),
-                                     meshes[b].singular, gradingOf(scene)};
+                                     analyticIn(steps, b, spaces), meshes[b].singular,
+                                     gradingOf(scene)};
     marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   return marks;
@@ -167,23 +170,25 @@ bool hasFirst(const Scene& scene, const Level& level) {
 }
 
 /// The state from which the next level starts: under the load, or in the first step of a path.
-void carryFirst(const Scene& scene, const BodySpaces& spaces, const Level& level,
-                LevelStart& next) {
-  next.rigid = scene.history ? level.steps.front().rigid : level.rigid;
+StepFields carryFirst(const BodySpaces& spaces, const Level& level, const Level& next) {
+  const Scene& scene = spaces.scene();
+  StepFields start;
+  start.rigid = level.steps.front().rigid;
   const contact::Numbering numbering(spaces.sides());
   std::size_t motions = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    contact::State state = level.bodies[b].state;
+    contact::State state = level.last().own[b];
     if (scene.history) {
       const contact::State& first = level.path.front().state;
       state.multiplier = numbering.of(b, first.multiplier);
       for (double& motion : state.rigid)
         motion = first.rigid[motions++];
     }
-    next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
-                                           state, next.meshes[b],
-                                           scene.bodies[b].conditions));
+    start.own.push_back(adaptivity::carry(
+        spaces.space(b).mesh(), spaces.multiplier(b), state,
+        {scene.bodies[b].outline, next.meshes[b]}, scene.bodies[b].conditions));
   }
+  return start;
 }
 
 }  // namespace
@@ -194,8 +199,8 @@ std::string missingTo(const Scene& scene, const Level& level) {
              : "";
 }
 
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::Processes& processes) {
+std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
+                                       const bem::Processes& processes) {
   const auto converged = [&](const std::string& reason) {
     return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
   };
@@ -209,29 +214,25 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   if (level.number + 1 >= scene.adaptivity.limits.levels)
     return converged("all levels that the scene allows are computed");
 
-  const BodySpaces spaces(scene, meshesOf(scene, level));
-  const std::vector<adaptivity::Marks> marks = marksOf(scene, spaces, level, processes);
+  const BodySpaces spaces(scene, level);
+  const std::vector<adaptivity::Marks> marks = marksOf(spaces, level, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 
-  LevelStart next{level.number + 1, {}, {}};
+  Level next{level.number + 1};
   for (std::size_t b = 0; b < spaces.size(); ++b)
-    next.meshes.push_back(adaptivity::refine(spaces.space(b).mesh(), marks[b]));
+    next.meshes.push_back(piecesOf(adaptivity::refine(spaces.space(b).mesh(), marks[b])));
   if (strategyOf(scene).start == adaptivity::Start::Carried && hasFirst(scene, level))
-    carryFirst(scene, spaces, level, next);
+    next.steps = {carryFirst(spaces, level, next)};
   return next;
 }
 
-std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const Level& level,
-                                                    const bem::Processes& processes) {
+std::variant<Level, Outcome> levelAfterRestart(const Scene& scene, const Level& level,
+                                               const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
-    LevelStart again{level.number, meshesOf(scene, level), {}, level.path};
+    Level again = level;
     if (scene.history)  // whose last state is not that of the first step
-      return again;
-    again.rigid = level.rigid;
-    for (const BodyLevel& body : level.bodies)
-      again.start.push_back(body.state);
+      again.steps.clear();
     return again;
   }
   return nextLevel(scene, level, processes);

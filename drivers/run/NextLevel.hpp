@@ -9,40 +9,30 @@
 
 namespace epafi::drivers {
 
-/// Data from which a level is computed.
-struct LevelStart {
-  int level = 0;
-  std::vector<bem::Mesh> meshes;      ///< one per body
-  std::vector<contact::State> start;  ///< likewise, in the first step; empty: zero
-  std::vector<PathPoint> path{};      ///< steps on this mesh solved by an earlier run
-  std::vector<contact::RigidMotion> rigid{};  ///< start motions of rigid bodies
-};
-
 /// How a run ended.
 struct Outcome {
   contact::Status status = contact::Status::Converged;
   std::string reason;
 };
 
-/// First meshes of the scene, with start value zero.  Where coarse multipliers cannot
+/// The level to begin with: first meshes of the scene, start value zero.  Where coarse multipliers cannot
 /// balance the load of a body that contact alone holds, and finer ones can (a load above
 /// the edge of its foot), elements are halved towards ends and corners of contacts.
-LevelStart firstLevel(const Scene& scene);
+Level firstLevel(const Scene& scene);
 
 /// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance;
 /// empty if it is reached or not given.
 std::string missingTo(const Scene& scene, const Level& level);
 
-/// The level after a solved one, or the end of the run.  Depends on the scene and the
+/// The level to solve after a solved one, or the end of the run.  Depends on the scene and the
 /// numbers of the level only, so that restarts give the same levels.  Collective.
 /// \throws bem::InputError if the pieces do not fit the scene's outlines
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::Processes& processes);
+std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
+                                       const bem::Processes& processes);
 
 /// Continues a run that ended with this level: nextLevel(), but a level that has not
 /// converged is solved again, from its last state.
-std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const Level& level,
-                                                    const bem::Processes& processes);
+std::variant<Level, Outcome> levelAfterRestart(const Scene& scene, const Level& level,
+                                               const bem::Processes& processes);
 
 }  // namespace epafi::drivers

@@ -111,7 +111,7 @@ std::string withAdvice(const contact::NoBalance& error, const std::string& unres
   return message(unresisted.empty() ? error.what() : unresisted, holdTheMotion);
 }
 
-std::string changingPlaces(const contact::Report& report, const Scene& scene,
+std::string changingPlaces(const contact::Report& report,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces) {
   constexpr std::size_t shown = 5;
@@ -131,7 +131,7 @@ std::string changingPlaces(const contact::Report& report, const Scene& scene,
         const bem::Vec2 place =
             spaces.space(b).mesh().physicalPoint(element.element, at[i]);
         places.push_back(bem::message("(", place.x, ", ", place.y, ") on ",
-                                      scene.boundaryName(b, *element.boundary)));
+                                      spaces.scene().boundaryName(b, *element.boundary)));
       }
     }
   }

@@ -18,7 +18,7 @@ std::string withAdvice(const contact::NoBalance& error, const std::string& unres
 
 /// "; contact points that still change state: (0.31, 0) on foundation, ...", at most
 /// five; empty if there are none.
-std::string changingPlaces(const contact::Report& report, const Scene& scene,
+std::string changingPlaces(const contact::Report& report,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces);
 

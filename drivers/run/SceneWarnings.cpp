@@ -159,10 +159,7 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
     bem::Vec2 place;
   };
   std::map<std::string, Deepest> deepest;  // by contact
-  std::vector<bem::Mesh> meshes;
-  for (const Body& body : scene.bodies)
-    meshes.push_back(firstMesh(body));
-  const BodySpaces spaces(scene, meshes);
+  const BodySpaces spaces(scene, firstMeshes(scene));
   for (std::size_t b = 0; b < spaces.size(); ++b)
     for (const auto& element : spaces.multiplier(b).elements())
       for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
@@ -172,7 +169,7 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
             -spaces.opposite(b)->at(element, t).gap * scene.units().length;
         Deepest& most = deepest[element.condition->name];
         if (depth > most.depth)
-          most = {depth, meshes[b].physicalPoint(element.element, t)};
+          most = {depth, spaces.space(b).mesh().physicalPoint(element.element, t)};
       }
   for (const ContactPair& pair : scene.contacts) {
     const auto& [depth, place] = deepest[pair.name];

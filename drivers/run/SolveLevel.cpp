@@ -4,7 +4,8 @@
 #include "bem/operators/ExactRotation.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/solve/DefectCorrection.hpp"
-#include "drivers/process/Resources.hpp"
+#include "drivers/process/Ranks.hpp"
+#include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
@@ -18,102 +19,92 @@ namespace epafi::drivers {
 namespace {
 
 /// The Steklov-Poincaré operators of all bodies, factored, as dense matrices or compressed.
-/// \param krylov solves with V; null: its factor does
 /// \throws bem::NumericalError if a factorisation breaks down
-std::vector<bem::SteklovPoincare> makeStiffness(
-    const Scene& scene, const BodySpaces& spaces, const std::vector<bem::Lame>& lames,
-    bool compressed, const bem::SingleLayerSolver* krylov,
-    const bem::Processes& processes, PhaseTimer& timer) {
+std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
+                                                const std::vector<bem::Lame>& lames,
+                                                bool compressed, const Run& run) {
+  const Scene& scene = spaces.scene();
   if (compressed)
-    return timer.run(Phase::Factorization, [&] {
+    return run.timer.run(Phase::Factorization, [&] {
       return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
-                                              scene.units(), processes,
+                                              scene.units(), run.processes,
                                               scene.solver.linear.compression);
     });
-  std::vector<bem::Operators> operators = timer.run(Phase::Assembly, [&] {
+  std::vector<bem::Operators> operators = run.timer.run(Phase::Assembly, [&] {
     std::vector<bem::Operators> all;
     for (std::size_t b = 0; b < spaces.size(); ++b)
       all.push_back(bem::withExactRotation(
           bem::assembleOperators(spaces.space(b), lames[b]), spaces.space(b)));
     return all;
   });
-  return timer.run(Phase::Factorization, [&] {
+  return run.timer.run(Phase::Factorization, [&] {
     std::vector<bem::SteklovPoincare> all;
     for (std::size_t b = 0; b < spaces.size(); ++b) {
       const bem::LocalCompliance compliance =
           contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
                                      scene.stabilization, lames[b], scene.units());
       all.push_back(
-          krylov != nullptr
-              ? bem::SteklovPoincare(std::move(operators[b]), *krylov, compliance)
+          run.krylov != nullptr
+              ? bem::SteklovPoincare(std::move(operators[b]), *run.krylov, compliance)
               : bem::SteklovPoincare(std::move(operators[b]), compliance));
     }
     return all;
   });
 }
 
-/// Indicators of one body in each state; of a half cut by symmetry as of the whole.
-std::vector<adaptivity::Indicators> indicatorsOf(
-    const Ground& ground, const std::vector<const SolvedBodies*>& states, std::size_t b) {
-  std::vector<adaptivity::Estimated> ofBody;
-  ofBody.reserve(states.size());
-  for (const SolvedBodies* solved : states)
-    ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
-  std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
-      ofBody, ground.lames[b], ground.scene.adaptivity.estimator, ground.processes);
-  for (adaptivity::Indicators& one : all)
-    for (adaptivity::Contributions& squares : one.squares)
-      for (double& square : squares)
-        square *= ground.scene.symmetry.copies();
-  return all;
-}
-
 /// Squared energy norms below which rounding has all digits: those of a motion without strain.
-double roundingOf(const Scene& scene, const SolvedBodies& solved) {
+double roundingOf(const SolvedStep& solved) {
   double motion = 0;
-  for (const bem::Vector& displacement : solved.placement().displacements)
+  for (const bem::Vector& displacement : solved.at.displacements)
     for (const double u : displacement)
       motion = std::max(motion, std::abs(u));
-  return 1e-24 * scene.energy() * motion * motion;
+  return 1e-24 * solved.spaces.scene().energy() * motion * motion;
 }
 
 /// See Level::relativeEstimate.
-double relative(const Scene& scene, const std::vector<const SolvedBodies*>& states,
-                const bem::Vector& estimates, const bem::Vector& strainEnergies) {
-  const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
+double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
+  double largest = solved.steps.front()->row.energyStrain;
+  for (const auto& step : solved.steps)
+    largest = std::max(largest, step->row.energyStrain);
   double result = 0;
   for (std::size_t k = 0; k < estimates.size(); ++k) {
     if (!std::isfinite(estimates[k]))
       return std::numeric_limits<double>::infinity();
+    const SolvedStep& step = *solved.steps[k];
     const double square = estimates[k] * estimates[k];
     // rounding may leave an energy below zero
-    const double norm = 2 * std::max({strainEnergies[k], largest / 100, 0.0});
-    if (std::max(square, norm) > roundingOf(scene, *states[k]))
+    const double norm = 2 * std::max({step.row.energyStrain, largest / 100, 0.0});
+    if (std::max(square, norm) > roundingOf(step))
       result = std::max(result, estimates[k] / std::sqrt(norm));
   }
   return result;
 }
 
-/// Estimates the error of some states on one mesh: the steps of a path, or one load.
+/// Estimates the error of all steps; of a half cut by symmetry as of the whole.
 ///
-/// Sets the level's indicators, of each element those of the state in which they are largest,
+/// Sets the level's indicators, of each element those of the step in which they are largest,
 /// and its relative estimate.
-/// \param strainEnergies of each state, in the user's units
-/// \returns the error estimate of each state
-bem::Vector estimateErrors(const Ground& ground,
-                           const std::vector<const SolvedBodies*>& states,
-                           const bem::Vector& strainEnergies, Level& level) {
-  bem::Vector estimates(states.size(), 0.0);
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const std::vector<adaptivity::Indicators> all = indicatorsOf(ground, states, b);
-    for (std::size_t k = 0; k < all.size(); ++k)
+/// \returns the error estimate of each step
+bem::Vector estimateErrors(const bem::Processes& processes, SolvedLevel& solved) {
+  const Scene& scene = solved.last().spaces.scene();
+  bem::Vector estimates(solved.steps.size(), 0.0);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    std::vector<adaptivity::Estimated> ofBody;
+    ofBody.reserve(solved.steps.size());
+    for (const auto& step : solved.steps)
+      ofBody.push_back({step->bodies[b], step->densities[b]});
+    std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
+        ofBody, scene.lame(b), scene.adaptivity.estimator, processes);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      for (adaptivity::Contributions& squares : all[k].squares)
+        for (double& square : squares)
+          square *= scene.symmetry.copies();
       estimates[k] = std::hypot(estimates[k], all[k].estimate());
-    level.bodies[b].indicators = adaptivity::largest(all);
+    }
+    solved.level.indicators.push_back(adaptivity::largest(all));
   }
-  level.relativeEstimate =
-      ground.processes
-          .broadcast({relative(ground.scene, states, estimates, strainEnergies)})
-          .front();
+  solved.level.relativeEstimate =
+      processes.broadcast({relative(solved, estimates)}).front();
   return estimates;
 }
 
@@ -128,192 +119,147 @@ double gamma0Of(const contact::ContactSystem& system) {
   return smallest;
 }
 
-/// The row of history.csv, without what its caller knows: size, operators, note, report,
-/// friction's work and the worst step.
-LevelRow makeRow(const Ground& ground, const Level& level,
-                 const contact::ContactSystem& system, const SolvedBodies& solved) {
-  LevelRow row;
-  row.level = level.number;
-  row.gamma0 = gamma0Of(system);
-  row.defect = solved.at().defect;
-  row.bodies = contact::summarizeAll(solved.bodies());
-  row.rigid = solved.rigidRows();
-  row.summary = wholeOf(ground.scene.symmetry, contact::sumOf(row.bodies));
-  row.bodies = wholeBodies(ground.scene, std::move(row.bodies));
-  row.energyInterface = solved.interfaceEnergy();
-  row.reason = level.reason;
-  row.estimate = level.estimate();
-  row.relativeEstimate = level.relativeEstimate;
-  row.worstEstimate = row.estimate;
-  row.squares = level.squares();
-  return row;
-}
-
 /// CPU seconds of the level's phases, elapsed seconds and memory until now, the largest of
 /// all processes.
-void addTimes(const bem::Processes& processes, const PhaseTimer& timer, LevelRow& row) {
-  const auto& phases = timer.levelSeconds();
+void addTimes(const Run& run, LevelRow& row) {
+  const auto& phases = run.timer.levelSeconds();
   bem::Vector cost(phases.begin(), phases.end());
-  cost.insert(cost.end(), {cpuSeconds(), timer.wallSeconds(), peakMemory()});
-  cost = largestOverRanks(processes, cost);
+  cost.insert(cost.end(), {cpuSeconds(), run.timer.wallSeconds(), peakMemory()});
+  cost = largestOverRanks(run.processes, cost);
   std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
   row.secondsTotal = cost[phaseCount];
   row.secondsWall = cost[phaseCount + 1];
   row.memory = cost[phaseCount + 2];
 }
 
-/// The solved equations of a level: of one load, or of the steps of a path.
-struct Solutions {
-  std::vector<const SolvedBodies*> states;
-  bem::Vector strainEnergies;  ///< of each, in the user's units
-  double frictionWork;         ///< so far, likewise
-  const contact::Report& report;
-  const std::string& reason;  ///< empty when converged
-  const Path* path = nullptr;
-};
-
-/// The level of the last state, without indicators and path.
-Level levelOf(const Ground& ground, const Solutions& solutions) {
-  Level level = solutions.states.back()->level(ground.level);
-  level.status = solutions.report.status;
-  level.reason = solutions.reason;
-  return level;
-}
-
-Solutions solutionsOf(const Path& path) {
-  Solutions all{{},          {},          path.last().row.energyDissipated,
-                path.report, path.reason, &path};
-  for (const auto& step : path.steps) {
-    all.states.push_back(step->solved.get());
-    all.strainEnergies.push_back(step->row.energyStrain);
+/// Adds the results of the last step to the row, `estimates` of all steps.
+void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
+  const SolvedStep& last = solved.last();
+  const Level& level = solved.level;
+  LevelRow& row = solved.row;
+  row.level = level.number;
+  row.gamma0 = gamma0Of(*last.system);
+  row.summary = wholeOf(last.spaces.scene().symmetry, contact::sumOf(last.summaries()));
+  row.energyFriction = last.row.energyDissipated;
+  row.energyInterface = last.interfaceEnergy();
+  row.reason = level.reason;
+  row.estimate = level.estimate();
+  row.relativeEstimate = level.relativeEstimate;
+  row.squares = level.squares();
+  row.worstEstimate = row.estimate;
+  if (level.onPath()) {
+    const auto worst = std::max_element(estimates.begin(), estimates.end());
+    row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
+    row.worstEstimate = *worst;
   }
-  return all;
 }
 
-std::vector<StepFields> fieldsOf(const Path& path) {
-  std::vector<StepFields> steps;
-  for (const auto& step : path.steps)
-    steps.push_back({step->row.t, step->solved->placement().displacements,
-                     step->solved->densities(), step->solved->states(),
-                     step->solved->at().rigid});
-  return steps;
-}
-
-/// Estimates the error of solved equations and hands out the level.
-Level finish(const Ground& ground, const contact::ContactSystem& system,
-             const Solutions& solutions, const NewLevel& begun) {
-  PhaseTimer& timer = begun.timer;
-  system.numbers().flexibility.release();  // estimates take as much
-  Level level = levelOf(ground, solutions);
-  if (solutions.path != nullptr) {
-    level.path = solutions.path->points;
-    level.steps = fieldsOf(*solutions.path);
-  }
-  const bem::Vector estimates = timer.run(Phase::Estimate, [&] {
-    return estimateErrors(ground, solutions.states, solutions.strainEnergies, level);
+/// Estimates the error of what is solved and hands out the level.
+Level finish(const Run& run, SolvedLevel solved) {
+  solved.last().system->numbers().flexibility.release();  // estimates take as much
+  Level& level = solved.level;
+  level.complete = true;
+  level.status = solved.row.report.status;
+  level.steps.clear();
+  for (const auto& step : solved.steps)
+    level.steps.push_back(step->fields());
+  level.indicators.clear();
+  const bem::Vector estimates = run.timer.run(
+      Phase::Estimate, [&] { return estimateErrors(run.processes, solved); });
+  run.timer.run(Phase::Results, [&] {
+    addResults(estimates, solved);
+    addTimes(run, solved.row);
+    run.handOut(solved);
   });
-  timer.run(Phase::Results, [&] {
-    const SolvedBodies& last = *solutions.states.back();
-    LevelRow row = makeRow(ground, level, system, last);
-    row.size = ground.spaces.totalSize();
-    row.size.memory = begun.plan.memory;
-    if (begun.plan.compressed)
-      row.operators = "compressed";
-    else if (begun.plan.insteadOfCompressed)
-      row.operators = denseInstead;
-    row.note = begun.plan.advice;
-    row.energyFriction = solutions.frictionWork;
-    row.report = solutions.report;
-    if (solutions.path != nullptr) {
-      const auto worst = std::max_element(estimates.begin(), estimates.end());
-      row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
-      row.worstEstimate = *worst;
-    }
-    addTimes(ground.processes, timer, row);
-    begun.handOut({last.bodies(), level, row, solutions.path});
-  });
-  return level;
+  return std::move(level);
 }
 
 /// Hands out the last step of a path that is not at its end.
-void handOutStep(const Ground& ground, const Path& path, const NewLevel& begun) {
-  Level level = levelOf(ground, solutionsOf(path));
+void handOutStep(const Run& run, SolvedLevel& path) {
+  Level& level = path.level;
   level.complete = false;
-  for (BodyLevel& body : level.bodies)
-    body.indicators.squares.resize(body.pieces.size());
-  LevelRow times;
-  addTimes(ground.processes, begun.timer, times);
-  begun.handOutStep({path.last().solved->bodies(), level, times, &path});
+  level.status = path.row.report.status;
+  level.steps = {path.last().fields()};
+  level.indicators.resize(level.meshes.size());
+  for (std::size_t b = 0; b < level.meshes.size(); ++b)
+    level.indicators[b].squares.resize(level.meshes[b].size());
+  addTimes(run, path.row);
+  run.handOutStep(path);
 }
 
-/// All steps of a path on one mesh.
-Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
-                  const LevelStart& from, const NewLevel& begun) {
-  PhaseTimer& timer = begun.timer;
-  const contact::State first = atZero.joined(from.start, from.rigid);
-  const auto handOut = [&](const Path& sofar) {
-    const bool another = begun.plan.denseInstead && !sofar.last().row.converged;
-    if (begun.handOutStep && !another)
-      timer.run(Phase::Results, [&] { handOutStep(ground, sofar, begun); });
+/// All steps of a path on one mesh, into `path`.
+void solvePath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
+               const Level& from, const Run& run, SolvedLevel& path) {
+  const auto handOut = [&] {
+    const bool another = path.row.memoryOfDense && !path.last().row.converged;
+    if (run.handOutStep && !another)
+      run.timer.run(Phase::Results, [&] { handOutStep(run, path); });
   };
-  const Path path = followPath(ground, atZero, first, from.path, timer, handOut);
-  if (begun.plan.denseInstead && !path.report.converged())
-    return path.reason;
-  return finish(ground, atZero, solutionsOf(path), begun);
+  followPath(spaces, atZero, from, run, handOut, path);
 }
 
-/// One load, from the start value of the level.
-Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
-                  const std::vector<contact::Conditions>& conditions,
-                  const LevelStart& from, const NewLevel& begun) {
-  PhaseTimer& timer = begun.timer;
-  const SolvedProblem outcome = timer.run(Phase::Newton, [&] {
-    return solve(ground.scene, system, ground.spaces,
-                 system.joined(from.start, from.rigid), ground.processes, timer);
+/// One load, from the start value of the level, into `level`.
+void solveOnce(const BodySpaces& spaces,
+               const std::shared_ptr<const SolvedStep::Conditions>& conditions,
+               const std::shared_ptr<const contact::ContactSystem>& system,
+               const Level& from, const Run& run, SolvedLevel& level) {
+  const StepFields start = from.steps.empty() ? StepFields() : from.last();
+  SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
+    return solve(*system, spaces, system->joined(start.own, start.rigid), run.processes,
+                 run.timer);
   });
-  const contact::Report& report = outcome.solution.report;
-  if (begun.plan.denseInstead && !report.converged())
-    return outcome.reason;
-  contact::Configuration at = timer.run(Phase::Newton, [&] {
-    return report.converged()
-               ? contact::corrected(system, outcome.solution.state, ground.processes)
-               : system.configuration(outcome.solution.state);
+  level.row.report = outcome.solution.report;
+  level.level.reason = outcome.reason;
+  const bool converged = level.row.report.converged();
+  if (level.row.memoryOfDense && !converged)
+    return;
+  contact::Configuration at = run.timer.run(Phase::Newton, [&] {
+    return converged ? contact::corrected(*system, outcome.solution.state, run.processes)
+                     : system->configuration(outcome.solution.state);
   });
-  const SolvedBodies solved(ground, system, conditions, std::move(at));
-  const contact::Summary summary = wholeOf(
-      ground.scene.symmetry, contact::sumOf(contact::summarizeAll(solved.bodies())));
-  return finish(
-      ground, system,
-      {{&solved}, {summary.energyStrain}, solved.frictionWork(), report, outcome.reason},
-      begun);
+  const auto solved =
+      std::make_shared<SolvedStep>(spaces, conditions, system, std::move(at));
+  StepRow& row = solved->row = spaces.stepRow();
+  row.level = from.number;
+  row.energyStrain =
+      wholeOf(spaces.scene().symmetry, contact::sumOf(solved->summaries())).energyStrain;
+  row.energyDissipated = solved->frictionWorkOfStep();
+  solved->addRigid(row.rigid);
+  level.steps.push_back(solved);
 }
 
 }  // namespace
 
-Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
-                   const bem::Processes& processes, const bem::SingleLayerSolver* krylov,
-                   const LevelStart& from, const NewLevel& begun) {
+Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& planned,
+                   const Run& run) {
+  const Scene& scene = spaces.scene();
   std::vector<bem::Lame> lames;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const auto stiffness = makeStiffness(scene, spaces, lames, begun.plan.compressed,
-                                       krylov, processes, begun.timer);
-  const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
+  const auto stiffness = makeStiffness(spaces, lames, planned.isCompressed(), run);
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;
-  const std::vector<contact::Conditions> first = spaces.conditionsAt(start);
-  const auto system = begun.timer.run(Phase::Stabilization, [&] {
+  const auto first =
+      std::make_shared<const SolvedStep::Conditions>(spaces.conditionsAt(start));
+  const auto system = run.timer.run(Phase::Stabilization, [&] {
     std::vector<contact::BodyInput> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)
-      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(), first[b],
-                        basis, scene.stabilization, spaces.opposite(b),
+      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
+                        (*first)[b], basis, scene.stabilization, spaces.opposite(b),
                         formedUpTo(scene.history.steps())});
-    return contact::ContactSystem(inputs, scene.drivesAt(start));
+    return std::make_shared<const contact::ContactSystem>(inputs, scene.drivesAt(start));
   });
-  checkResistance(scene, system);
-  return scene.history ? solvePath(ground, system, from, begun)
-                       : solveOnce(ground, system, first, from, begun);
+  checkResistance(scene, *system);
+  SolvedLevel solved{stiffness, {from.number}, planned};
+  solved.level.meshes = from.meshes;
+  if (scene.history)
+    solvePath(spaces, *system, from, run, solved);
+  else
+    solveOnce(spaces, first, system, from, run, solved);
+  if (planned.memoryOfDense && !solved.row.report.converged())
+    return solved.level.reason;
+  return finish(run, std::move(solved));
 }
 
 }  // namespace epafi::drivers

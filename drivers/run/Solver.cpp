@@ -83,31 +83,31 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
 
 }  // namespace
 
-SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
-                    const BodySpaces& spaces, const contact::State& start,
-                    const bem::Processes& processes, PhaseTimer& timer) {
+SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
+                    const contact::State& start, const bem::Processes& processes,
+                    PhaseTimer& timer) {
   return onFirstRank(system, processes, [&]() -> SolvedProblem {
     try {
-      SolvedProblem solved = solveFrom(start, scene, system, nullptr, timer);
-      solved.reason += changingPlaces(solved.solution.report, scene, system, spaces);
+      SolvedProblem solved = solveFrom(start, spaces.scene(), system, nullptr, timer);
+      solved.reason += changingPlaces(solved.solution.report, system, spaces);
       return solved;
     } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
+      throw bem::NumericalError(withAdvice(error, unresisted(spaces, system)));
     }
   });
 }
 
-SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
-                        const BodySpaces& spaces, const contact::Prediction& prediction,
+SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
+                        const contact::Prediction& prediction,
                         const contact::State* better, const bem::Processes& processes,
                         PhaseTimer& timer) {
   const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
-      return solveFrom(start, scene, system, &memory, timer);
+      return solveFrom(start, spaces.scene(), system, &memory, timer);
     } catch (const contact::NoBalance& error) {
-      return {{}, withAdvice(error, unresisted(scene, spaces, system))};
+      return {{}, withAdvice(error, unresisted(spaces, system))};
     } catch (const bem::NumericalError& error) {
       return {{}, error.what()};
     }

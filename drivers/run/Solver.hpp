@@ -25,15 +25,15 @@ struct SolvedProblem {
 /// all ranks have the same bits; it alone has the histories of steps.  The timer's watch
 /// receives the progress of long solves.
 /// \throws see contact::NonlinearSolver; exceptions of the watch
-SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
-                    const BodySpaces& spaces, const contact::State& start,
-                    const bem::Processes& processes, PhaseTimer& timer);
+SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
+                    const contact::State& start, const bem::Processes& processes,
+                    PhaseTimer& timer);
 
 /// The same for a step of a path, from `better` or, if null, from the prediction; if that
 /// fails, from the previous state.  A bem::NumericalError gives a report without a state,
 /// since the step may be tried in parts.
-SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
-                        const BodySpaces& spaces, const contact::Prediction& prediction,
+SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
+                        const contact::Prediction& prediction,
                         const contact::State* better, const bem::Processes& processes,
                         PhaseTimer& timer);
 

@@ -147,8 +147,9 @@ Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
                                   : "drives Bodies->" + body.name + direction(slide)};
 }
 
-std::string unresisted(const Scene& scene, const BodySpaces& spaces,
-                       const contact::Problem& numbers, const FreeMotions& free) {
+std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers,
+                       const FreeMotions& free) {
+  const Scene& scene = spaces.scene();
   const Vector motion = contact::unresistedMotion(numbers);
   if (motion.empty())
     return "";
@@ -183,10 +184,11 @@ struct Balance {
 };
 
 /// The columns of a body's free rigid motions: what contacts feel of them.
-std::vector<Vector> columnsOf(const Scene& scene, const BodySpaces& spaces, std::size_t b,
+std::vector<Vector> columnsOf(const BodySpaces& spaces, std::size_t b,
                               const std::vector<Vector>& free, const bem::Matrix& modes,
                               const contact::Numbering& numbering,
                               const contact::TraceCoupling& opposite) {
+  const Scene& scene = spaces.scene();
   contact::Stabilization none;  // rigid motions have no tractions
   none.form = contact::Stabilization::Form::None;
   const contact::Coupling own = contact::makeCoupling(
@@ -208,8 +210,9 @@ std::vector<Vector> columnsOf(const Scene& scene, const BodySpaces& spaces, std:
   return columns;
 }
 
-Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
+Balance balanceOf(const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
+  const Scene& scene = spaces.scene();
   const contact::Numbering numbering(spaces.sides());
   const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
@@ -233,8 +236,8 @@ Balance balanceOf(const Scene& scene, const BodySpaces& spaces,
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
     if (!balance.free[b].empty())
-      for (Vector& column : columnsOf(scene, spaces, b, balance.free[b],
-                                      holding.modes.motions, numbering, opposite[b]))
+      for (Vector& column : columnsOf(spaces, b, balance.free[b], holding.modes.motions,
+                                      numbering, opposite[b]))
         columns.push_back(std::move(column));
   }
   drives.addFreeMotions(columns);
@@ -253,19 +256,17 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
   requireResistance(scene, system.numbers().rigid, motionsOf(system));
 }
 
-std::string unresisted(const Scene& scene, const BodySpaces& spaces,
-                       const contact::ContactSystem& system) {
-  return unresisted(scene, spaces, system.numbers(), motionsOf(system));
+std::string unresisted(const BodySpaces& spaces, const contact::ContactSystem& system) {
+  return unresisted(spaces, system.numbers(), motionsOf(system));
 }
 
-std::vector<double> unbalanced(const Scene& scene, const BodySpaces& spaces,
+std::vector<double> unbalanced(const BodySpaces& spaces,
                                const std::vector<double>& times) {
   bool mayMove = true;  // free motions are the same at all times
   const auto isBalanced = [&](double t) {
     if (!mayMove)
       return true;
-    const contact::Problem numbers =
-        balanceOf(scene, spaces, spaces.conditionsAt(t), t).numbers;
+    const contact::Problem numbers = balanceOf(spaces, spaces.conditionsAt(t), t).numbers;
     mayMove = numbers.rigidMotions() > 0;
     return contact::unresistedMotion(numbers).empty();
   };
@@ -274,11 +275,12 @@ std::vector<double> unbalanced(const Scene& scene, const BodySpaces& spaces,
   return result;
 }
 
-void checkBalance(const Scene& scene, const BodySpaces& spaces,
+void checkBalance(const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
-  const Balance balance = balanceOf(scene, spaces, conditions, t);
+  const Scene& scene = spaces.scene();
+  const Balance balance = balanceOf(spaces, conditions, t);
   requireResistance(scene, balance.numbers.rigid, balance.free);
-  const std::string motion = unresisted(scene, spaces, balance.numbers, balance.free);
+  const std::string motion = unresisted(spaces, balance.numbers, balance.free);
   if (!motion.empty())
     throw bem::InputError(scene.history ? bem::message("at t = ", t, " ") : "", motion);
 }

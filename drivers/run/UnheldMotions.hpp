@@ -15,17 +15,16 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 /// "the load drives Bodies->pad in the direction (0, 1), a rigid motion in which neither
 /// contact nor friction can balance it": the body that moves farthest in
 /// contact::unresistedMotion; empty if there is none.
-std::string unresisted(const Scene& scene, const BodySpaces& spaces,
-                       const contact::ContactSystem& system);
+std::string unresisted(const BodySpaces& spaces, const contact::ContactSystem& system);
 
 /// Those of some times at which multipliers of these meshes cannot balance the loads.
-std::vector<double> unbalanced(const Scene& scene, const BodySpaces& spaces,
+std::vector<double> unbalanced(const BodySpaces& spaces,
                                const std::vector<double>& times);
 
 /// Both checks for the conditions at time t, without solving.
 /// \throws bem::InputError for a body that nothing holds, or a load that neither contact
 ///   nor friction can balance
-void checkBalance(const Scene& scene, const BodySpaces& spaces,
+void checkBalance(const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t);
 
 }  // namespace epafi::drivers

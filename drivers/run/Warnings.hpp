@@ -1,7 +1,6 @@
 #pragma once
 
-#include "drivers/run/Level.hpp"
-#include "drivers/scene/Scene.hpp"
+#include "drivers/run/SolvedStep.hpp"
 
 #include <string>
 #include <vector>
@@ -23,6 +22,6 @@ void findInConditions(const Scene& scene, std::vector<std::string>& warnings);
 /// displacements beyond a tenth of a body: conditions on the undeformed outline mean little
 /// there.  What rounding has taken: bodies out of balance, conditions of contact that the
 /// displacements do not meet.
-std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level);
+std::vector<std::string> warningsOf(const SolvedLevel& level);
 
 }  // namespace epafi::drivers

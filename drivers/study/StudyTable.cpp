@@ -14,83 +14,52 @@ namespace {
 /// The number as a cell; empty for NaN.
 std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
 
-/// The columns behind those of history.csv.
-struct Row {
-  StudiedLevel studied;
-  double estimate = 0;
-  double sweepValue = std::numeric_limits<double>::quiet_NaN();
-  std::string reason;
-};
-
-template <auto member>
-std::string error(const Row& row) {
-  return row.studied.error ? number((*row.studied.error).*member) : "";
-}
-
-template <auto member>
-std::string path(const Row& row) {
-  const auto& error = row.studied.error;
-  return error && error->path ? number((*error->path).*member) : "";
-}
-
-constexpr Column<Row> columns[] = {
-    {"error", error<&TrueError::relative>},
-    {"error_multiplier", error<&TrueError::multiplier>},
-    {"error_energy", error<&TrueError::energy>},
-    {"counted",
-     [](const Row& r) { return r.studied.error ? number(r.studied.counted) : ""; }},
-    {"effectivity",
-     [](const Row& r) {
-       return r.studied.error ? number(r.estimate / r.studied.error->energyNorm) : "";
-     }},
-    {"error_path", path<&TrueError::Path::relative>},
-    {"error_path_multiplier", path<&TrueError::Path::multiplier>},
-    {"error_path_friction", path<&TrueError::Path::friction>},
-    {"worst_step", path<&TrueError::Path::step>},
-    {"sweep_value", [](const Row& r) { return known(r.sweepValue); }},
-    {"smallest_eigenvalue",
-     [](const Row& r) { return known(r.studied.smallestEigenvalue); }},
-    {"reason", [](const Row& r) { return r.reason; }},
-    {"folder", [](const Row& r) { return r.studied.folder; }},
-};
-
-std::string line(const std::string& scene, const std::string& variant,
-                 std::vector<std::string> cells, const Row& row) {
-  cells.insert(cells.begin(), {scene, variant});
-  addCells(columns, row, cells);
-  return csvLine(cells);
+/// A row with the columns of history.csv.
+CsvRow cells(const std::string& scene, const std::string& variant, const CsvRow& history,
+             const StudiedLevel& studied) {
+  const TrueError* error = studied.error ? &*studied.error : nullptr;
+  const TrueError::Path* path = error != nullptr && error->path ? &*error->path : nullptr;
+  const auto of = [](const auto* row, auto member) {
+    return row == nullptr ? "" : number(row->*member);
+  };
+  CsvRow row = {{"scene", scene}, {"variant", variant}};
+  append(row, history);
+  append(row, {
+                  {"error", of(error, &TrueError::relative)},
+                  {"error_multiplier", of(error, &TrueError::multiplier)},
+                  {"error_energy", of(error, &TrueError::energy)},
+                  {"counted", error == nullptr ? "" : number(studied.counted)},
+                  {"effectivity",
+                   error == nullptr ? "" : number(studied.estimate / error->energyNorm)},
+                  {"error_path", of(path, &TrueError::Path::relative)},
+                  {"error_path_multiplier", of(path, &TrueError::Path::multiplier)},
+                  {"error_path_friction", of(path, &TrueError::Path::friction)},
+                  {"worst_step", of(path, &TrueError::Path::step)},
+                  {"sweep_value", known(studied.sweepValue)},
+                  {"smallest_eigenvalue", known(studied.smallestEigenvalue)},
+                  {"reason", studied.reason},
+                  {"folder", studied.folder},
+              });
+  return row;
 }
 
 }  // namespace
 
-StudyTable::StudyTable() {
-  std::vector<std::string> names = historyColumns();
-  names.insert(names.begin(), {"scene", "variant"});
-  addNames(columns, "", names);
-  text_ = csvLine(names);
-}
-
 void StudyTable::level(const std::string& scene, const Variant& variant,
                        const LevelRow& row, const StudiedLevel& studied) {
-  text_ += line(scene, variant.name, historyCells(row),
-                {studied, row.estimate, variant.sweepValue, row.reason});
+  addRow(cells(scene, variant.name, cellsOf(row), studied), text_);
 }
 
 void StudyTable::failure(const std::string& scene, const Variant& variant, int level,
-                         const std::string& reason, double smallestEigenvalue) {
-  std::vector<std::string> cells(historyColumns().size());
-  cells[historyColumn("level")] = std::to_string(level);
-  cells[historyColumn("status")] = "failed";
-  Row row;
-  row.studied.smallestEigenvalue = smallestEigenvalue;
-  row.sweepValue = variant.sweepValue;
-  row.reason = reason;
-  text_ += line(scene, variant.name, cells, row);
+                         const StudiedLevel& studied) {
+  CsvRow history = cellsOf(LevelRow());
+  for (auto& [name, cell] : history)
+    cell = name == "level" ? std::to_string(level) : name == "status" ? "failed" : "";
+  addRow(cells(scene, variant.name, history, studied), text_);
 }
 
-void StudyTable::reference(const std::string& scene,
-                           const std::vector<std::string>& cells) {
-  text_ += line(scene, "reference", cells, Row());
+void StudyTable::reference(const std::string& scene, const CsvRow& history) {
+  addRow(cells(scene, "reference", history, {}), text_);
 }
 
 /// The relative error; on a path the largest of all steps.
@@ -104,9 +73,8 @@ std::string studyHead() {
 
 std::string studyLine(const LevelRow& row, const StudiedLevel& studied) {
   std::ostringstream line;
-  line << std::setw(7) << row.level << std::setw(7) << row.size.dof() << std::setw(9)
-       << row.size.densities << std::setw(11) << significant(row.estimate, 4)
-       << std::setw(11)
+  line << std::setw(7) << row.level << std::setw(7) << row.dof() << std::setw(9)
+       << row.densities << std::setw(11) << significant(row.estimate, 4) << std::setw(11)
        << (studied.error ? significant(largestOf(*studied.error), 4) : "")
        << std::setw(13)
        << (studied.error ? significant(row.estimate / studied.error->energyNorm, 4) : "")

@@ -12,7 +12,10 @@ namespace epafi::drivers {
 struct StudiedLevel {
   std::optional<TrueError> error;
   bool counted = false;  ///< largest error >= ten times the reference's estimate
+  double estimate = 0;
+  double sweepValue = std::numeric_limits<double>::quiet_NaN();  ///< see Variant
   double smallestEigenvalue = std::numeric_limits<double>::quiet_NaN();
+  std::string reason;  ///< empty when converged
   std::string folder;  ///< of the variant's files, relative to the study's
 };
 
@@ -31,14 +34,12 @@ struct StudiedLevel {
 /// reason.
 class StudyTable {
  public:
-  StudyTable();
-
   void level(const std::string& scene, const Variant& variant, const LevelRow& row,
              const StudiedLevel& studied);
   void failure(const std::string& scene, const Variant& variant, int level,
-               const std::string& reason, double smallestEigenvalue);
-  /// Adds the last level of the reference, from its cells in history.csv.
-  void reference(const std::string& scene, const std::vector<std::string>& cells);
+               const StudiedLevel& studied);
+  /// Adds the last level of the reference, from its row in history.csv.
+  void reference(const std::string& scene, const CsvRow& history);
 
   const std::string& text() const { return text_; }
 

@@ -98,19 +98,19 @@ Distance distanceOf(const Snapshot& level, const Snapshot& reference,
 
 Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
                         const std::vector<double>& dissipated) {
-  const BodySpaces spaces(scene, meshesOf(scene, level));
+  const BodySpaces spaces(scene, level);
   const contact::Numbering numbering(spaces.sides());
   Snapshots result{{}, energy};
-  for (const StepFields& step : level.solved()) {
+  for (const StepFields& step : level.steps) {
     Snapshot& snapshot = result.steps.emplace_back();
     const contact::State* all = nullptr;
-    if (!level.steps.empty()) {
+    if (level.onPath()) {
       all = &stateAt(level, step.t);
       snapshot.t = step.t;
       snapshot.dissipated = dissipated.at(result.steps.size() - 1);
     }
     for (std::size_t b = 0; b < spaces.size(); ++b) {
-      bem::Vector own = level.bodies[b].state.multiplier;
+      bem::Vector own = level.last().own[b].multiplier;
       for (std::size_t i = 0; i < own.size() && all != nullptr; ++i)
         own[i] = all->multiplier[numbering(b, static_cast<bem::Index>(i))];
       snapshot.bodies.push_back(

@@ -28,10 +28,10 @@ std::vector<Level> solveScene(const std::string& name,
   drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
   const auto keep = [&](const drivers::SolvedLevel& level) {
-    levels.push_back(
-        {static_cast<double>(level.row.size.dof()), level.row.estimate,
-         bem::makeCauchyData(level.bodies[0].space, level.bodies[0].displacement,
-                             level.level.bodies[0].density)});
+    levels.push_back({static_cast<double>(level.row.dof()), level.row.estimate,
+                      bem::makeCauchyData(level.last().bodies[0].space,
+                                          level.last().bodies[0].displacement,
+                                          level.last().densities[0])});
   };
   solveLevels(scene, ranks, timer, keep);
   return levels;

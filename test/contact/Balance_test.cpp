@@ -71,8 +71,8 @@ double worstImbalance(const Body& body, double load) {
   state.multiplier.assign(problem.multiplier().size(), 0.0);
   const Vector u = problem.displacement(state);
   const double length = body.space.mesh().outline().diameter();
-  const contact::Summary summary = contact::summarize(
-      {body.space, body.stiffness, problem, conditions, {length, 1}, state, u});
+  const contact::Summary summary =
+      contact::summarize({body.space, problem, conditions, {length, 1}, state, u});
   const double force = std::hypot(summary.load.x, summary.load.y);
   return std::max(
       {std::abs(summary.load.x + summary.reaction.x) / force,

@@ -20,7 +20,7 @@ class SolvedScene {
         density_(system_.body(0).density(solution_.state, displacement_)) {}
 
   contact::Solved solved() const {
-    return {scene_.space, stiffness_,      system_.body(0), scene_.conditions,
+    return {scene_.space, system_.body(0), scene_.conditions,
             scene_.units, solution_.state, displacement_};
   }
   const contact::ContactSystem& system() const { return system_; }

@@ -370,8 +370,9 @@ TEUCHOS_UNIT_TEST(Schema, everyParameterIsPrintedInEveryFormat) {
 }
 
 TEUCHOS_UNIT_TEST(Schema, itsXmlCanBeReadByTeuchos) {
-  const auto list = Teuchos::getParametersFromXmlString(
-      drivers::parametersText(drivers::grammars("scene"), "xml"));
+  std::ostringstream text;
+  drivers::parametersCommand({"", {{"--format", {"xml"}}}}, text);
+  const auto list = Teuchos::getParametersFromXmlString(text.str());
   TEST_EQUALITY(list->sublist("Discretization").get<int>("Degree"), 1);
   TEST_EQUALITY(list->sublist("Solver").get<double>("Tolerance"), 1e-12);
 }

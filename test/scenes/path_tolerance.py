@@ -73,6 +73,9 @@ claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and co
 folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.125"])
 claim("error in time" in text and "History->Tolerance" in text, "what is missing is told")
 claim(steps(folder)[1]["parts"] == 16, "down to the shortest step")
+_, text = solved("worn too fast", scene("fretting-wear.xml"), *path([1, 2], 1, 1e-4),
+                 "History->Minimum Step=0.125")
+claim("the worn volume has an estimated error in time" in text, "of the worn volume, too")
 refused("steps that leave nothing to compare", SCENE, "at least 8 steps from t = 0 to 1; at most 0.125",
         settings=SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"])
 

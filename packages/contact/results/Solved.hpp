@@ -27,7 +27,6 @@ class ForeignPressure {
 /// The solution of a body and the data from which results are computed.
 struct Solved {
   const bem::Space& space;
-  const bem::SteklovPoincare& stiffness;
   const ContactBody& problem;
   const Conditions& conditions;
   bem::Units units;

@@ -1,0 +1,136 @@
+#include "drivers/run/SolvedStep.hpp"
+
+#include "contact/equation/ContactState.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// A body's own part of the states of all coefficients.
+contact::ContactState ofBody(const contact::Numbering& numbering, std::size_t b,
+                             const contact::ContactState& all) {
+  contact::ContactState own;
+  for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
+    const bem::Index k = numbering(b, i);
+    if (k < numbering.normals())
+      own.normal.push_back(all.normal[k]);
+    else
+      own.tangential.push_back(all.tangential[k - numbering.normals()]);
+  }
+  return own;
+}
+
+contact::Configuration atRest(const BodySpaces& spaces) {
+  contact::Configuration at;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    at.displacements.emplace_back(bem::at(spaces.space(b).displacements()));
+  at.rigid.resize(spaces.scene().rigid.size());
+  return at;
+}
+
+}  // namespace
+
+SolvedStep::SolvedStep(const BodySpaces& spaces_)
+    : spaces(spaces_),
+      at(atRest(spaces)),
+      motions(spaces.motions(at.displacements, at.rigid)) {}
+
+SolvedStep::SolvedStep(const BodySpaces& spaces_,
+                       std::shared_ptr<const Conditions> conditions_,
+                       std::shared_ptr<const contact::ContactSystem> system_,
+                       contact::Configuration at_,
+                       std::shared_ptr<const SolvedStep> before_,
+                       std::vector<contact::Wear> wear_)
+    : spaces(spaces_),
+      before(std::move(before_)),
+      conditions(std::move(conditions_)),
+      system(std::move(system_)),
+      at(std::move(at_)),
+      motions(spaces.motions(at.displacements, at.rigid)),
+      wear(std::move(wear_)) {
+  for (const contact::Conditions& ofBody : *conditions)
+    motions.inside.push_back(ofBody.inside);
+  const std::size_t count = system->size();
+  bodies.reserve(count);  // pressed refers to all of them
+  for (std::size_t b = 0; b < count; ++b) {
+    const bem::Vector& u = at.displacements[b];
+    densities.push_back(system->body(b).density(at.bodies[b], u));
+    contact::Solved& solved = bodies.emplace_back(contact::Solved{spaces.space(b),
+                                                                  system->body(b),
+                                                                  (*conditions)[b],
+                                                                  spaces.scene().units(),
+                                                                  at.bodies[b],
+                                                                  u,
+                                                                  at.oppositeForces[b],
+                                                                  {},
+                                                                  &motions});
+    if (!wear.empty())
+      solved.wear = &wear[b];
+    if (before) {
+      solved.displacementBefore = &before->motions.displacements[b];
+      solved.motionsBefore = &before->motions;
+    }
+    if (before && before->system) {
+      solved.stateBefore = &before->at.bodies[b];
+      solved.conditionsBefore = &(*before->conditions)[b];
+    }
+  }
+  for (std::size_t b = 0; b < count; ++b)
+    bodies[b].pressed = contact::ForeignPressure(b, bodies);
+}
+
+StepFields SolvedStep::fields() const {
+  StepFields fields{row.t, at.bodies, {}, at.displacements, densities, at.rigid};
+  const contact::ContactState all =
+      contact::classify(system->numbers(), at.state, at.penetration);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    fields.states.push_back(ofBody(system->numbering(), b, all));
+  return fields;
+}
+
+const std::vector<contact::Summary>& SolvedStep::summaries() const {
+  if (summaries_.empty())
+    summaries_ = contact::summarizeAll(bodies);
+  return summaries_;
+}
+
+double SolvedStep::frictionWorkOfStep() const {
+  const bem::Vector work =
+      contact::frictionWork(system->numbers(), at.state, at.penetration);
+  return spaces.scene().energy() * std::accumulate(work.begin(), work.end(), 0.0);
+}
+
+double SolvedStep::interfaceEnergy() const {
+  return spaces.scene().energy() * system->numbers().surface.energy(at.state.multiplier);
+}
+
+void SolvedStep::addRigid(std::vector<PartRow>& rows) const {
+  const Scene& scene = spaces.scene();
+  const bem::Units units = scene.units();
+  const double force = units.stress * units.length;
+  const auto forces = system->rigidForces(at.state);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    contact::Summary& summary = rows[k].summary;
+    summary.motion = at.rigid[k];
+    summary.motion.slide = units.length * summary.motion.slide;
+    const double scales[] = {force, force, force * units.length};
+    constexpr double contact::Resultant::*members[] = {
+        &contact::Resultant::x, &contact::Resultant::y, &contact::Resultant::moment};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const contact::Drive::Component& drive = system->drives()[k].components[c];
+      summary.contact.*members[c] = scales[c] * forces[k][c];
+      summary.inside.*members[c] = scales[c] * drive.inside;
+      const double load = drive.free ? drive.value : 0;
+      summary.load.*members[c] = scales[c] * load;
+      if (!drive.free || drive.stiffness > 0)
+        summary.reaction.*members[c] = -scales[c] * (forces[k][c] + drive.inside + load);
+    }
+    const RigidBody& body = scene.rigid[k];
+    summary = wholeOf(scene.symmetry, *body.outline, summary, body.pole);
+  }
+}
+
+}  // namespace epafi::drivers

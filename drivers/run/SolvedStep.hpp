@@ -1,0 +1,78 @@
+#pragma once
+
+#include "bem/base/Processes.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
+#include "contact/system/ContactSystem.hpp"
+#include "drivers/run/BodySpaces.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A solution of all bodies on their meshes, with the data for results: under a load, or in
+/// a step of a path.  Refers to the spaces.
+struct SolvedStep {
+  using Conditions = std::vector<contact::Conditions>;
+
+  /// At rest, before the first step of a path.
+  explicit SolvedStep(const BodySpaces& spaces);
+  /// \param before the step before of a path; null: no path
+  /// \param wear by body, after the step
+  SolvedStep(const BodySpaces& spaces, std::shared_ptr<const Conditions> conditions,
+             std::shared_ptr<const contact::ContactSystem> system,
+             contact::Configuration at, std::shared_ptr<const SolvedStep> before = {},
+             std::vector<contact::Wear> wear = {});
+  SolvedStep(const SolvedStep&) = delete;
+  SolvedStep& operator=(const SolvedStep&) = delete;
+
+  /// As numbers.
+  StepFields fields() const;
+  /// Of each body, without the image of a half; computed on first use.
+  const std::vector<contact::Summary>& summaries() const;
+  /// Friction's work in this step, in the user's units.
+  double frictionWorkOfStep() const;
+  /// Energy stored by contact surfaces, in the user's units.
+  double interfaceEnergy() const;
+  /// Fills the rows of rigid bodies.
+  void addRigid(std::vector<PartRow>& rows) const;
+
+  const BodySpaces& spaces;
+  std::shared_ptr<const SolvedStep> before;
+  std::shared_ptr<const Conditions> conditions;
+  std::shared_ptr<const contact::ContactSystem> system;  ///< null: at rest
+  contact::Configuration at;
+  contact::Motions motions;
+  std::vector<contact::Wear> wear;
+  std::vector<bem::Vector> densities;   ///< of each body
+  std::vector<contact::Solved> bodies;  ///< likewise
+
+  StepRow row;
+  /// So far on a path, one per body's tangential coefficient, dimensionless.
+  std::vector<bem::Vector> frictionWork;
+
+ private:
+  mutable std::vector<contact::Summary> summaries_;
+};
+
+/// A level, or a path on its way, as it is handed out.  Refers to the spaces.
+struct SolvedLevel {
+  const std::vector<bem::SteklovPoincare>& stiffness;  ///< of each body
+  Level level;
+  LevelRow row{};  ///< of a path that is not at its end: its report and times only
+  std::vector<std::shared_ptr<const SolvedStep>> steps{};  ///< one without a History
+
+  const SolvedStep& last() const { return *steps.back(); }
+};
+
+/// What all levels of a run share.
+struct Run {
+  const bem::Processes& processes;
+  PhaseTimer& timer;
+  const bem::SingleLayerSolver* krylov;  ///< solves with V; null: its factor does
+  const std::function<void(const SolvedLevel&)>& handOut;      ///< see solveLevels
+  const std::function<void(const SolvedLevel&)>& handOutStep;  ///< likewise; may be empty
+};
+
+}  // namespace epafi::drivers
