@@ -328,7 +328,7 @@ def files(epafi: Mapping[str, Any]) -> dict[str, str]:
                            **{name: {name: keys} for name, keys in epafi["keys"].items()}}.items():
         result["epafi/schema/%s.rng" % name] = relax_ng(grammars)
         result["epafi/schema/%s.json" % name] = json_schema(grammars)
-        result["epafi/parameters/%s.md" % name] = "\n".join(
+        result["epafi/parameters/" + name + ".md"] = "\n".join(
             markdown(one, keys) for one, keys in grammars.items())
         result["epafi/parameters/%s.txt" % name] = "\n".join(
             ("A %s\n\n" % one if len(grammars) > 1 else "") + plain_text(keys)

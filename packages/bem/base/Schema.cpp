@@ -257,16 +257,6 @@ const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
   return nullptr;
 }
 
-/// "; it belongs to 'A' or 'B'": where a table has such a key; empty if nowhere.
-std::string placesOf(const SchemaRows& table, const std::string& name) {
-  std::vector<std::string> places;
-  for (const SchemaRow& row : table)
-    if (row.name() == name && !row.parent().empty() &&
-        std::find(places.begin(), places.end(), row.parent()) == places.end())
-      places.push_back(row.parent());
-  return places.empty() ? "" : "; it belongs to " + quotedList(places);
-}
-
 /// What has been found among these rows; \throws InputError if nothing.
 const SchemaRow& required(const SchemaRows& table, const SchemaRow* row,
                           const std::vector<const SchemaRow*>& rows,

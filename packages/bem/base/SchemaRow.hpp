@@ -48,7 +48,6 @@ enum class Kind {
 struct KindText {
   const char* type;    ///< type in a Teuchos list: "double", "Array(int)", ...
   const char* wanted;  ///< in error messages
-  const char* sample;  ///< an example value, for keys without default
 };
 const KindText& textOf(Kind kind);
 
@@ -121,6 +120,9 @@ using SchemaRows = std::vector<SchemaRow>;
 /// Rows of the keys directly in the list `parent`.
 std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
                                          const std::string& parent);
+
+/// "; it belongs to 'A' or 'B'": the lists that have a key of this name; empty if none has.
+std::string placesOf(const SchemaRows& table, const std::string& name);
 
 /// Appends rows to a table with paths below `parent`; rows with the same path and different
 /// siblings are merged.
