@@ -19,8 +19,7 @@ class Collection {
   explicit Collection(Index size) : sums_(size), counts_(size) {}
 
   template <class Number>
-  void add(const Vector& coefficients, contact::EndCoefficients ends,
-           const Number& number) {
+  void add(const Vector& coefficients, const contact::Ends& ends, const Number& number) {
     const int degree = static_cast<int>(coefficients.size()) - 1;
     for (int i = 0; i <= degree; ++i) {
       if (!ContactElement::isOwn(ends, degree, i))

@@ -48,7 +48,7 @@ class ElementCoupling {
   void addTo(double gamma, Index firstRow, Coupling& coupling) const {
     for (Index i = 0; i < size(); ++i) {
       const Index number = numberOf(i);
-      const EndCompletion* end = endOf(i);
+      const EndCoefficient* end = endOf(i);
       const bool clamped = end != nullptr && end->clamped;
       addTrace(i, number, 1, clamped ? coupling.completion : coupling.trace);
       if (end != nullptr)
@@ -65,7 +65,7 @@ class ElementCoupling {
 
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
-                  TractionMoments& moments) const {
+                  Loads::OfInside& moments) const {
     Vector parts(at(rows()));
     forEachPointOf(
         contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
@@ -74,11 +74,11 @@ class ElementCoupling {
               point.weight * inside.traction(space_.mesh(), contact_.element, point.t);
           addForce(force, orthonormal(point.t).data(), parts.data(), rows());
           for (Index i = 0; i < size() && isWhole(); ++i)
-            moments.multipliers[at(numberOf(i))] +=
+            moments.terms[at(numberOf(i))] -=
                 gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point));
         });
     for (Index i = 0; i < size() && !isWhole(); ++i)
-      moments.multipliers[at(numberOf(i))] +=
+      moments.terms[at(numberOf(i))] -=
           gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
     for (Index row = 0; row < rows(); ++row)
       moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
@@ -98,9 +98,8 @@ class ElementCoupling {
     return isTangential(i) ? point.tangent : point.normal;
   }
   /// Null inside the element.
-  const EndCompletion* endOf(Index i) const {
-    const auto& ends =
-        isTangential(i) ? contact_.tangentialCompletions : contact_.normalCompletions;
+  const EndCoefficient* endOf(Index i) const {
+    const Ends& ends = isTangential(i) ? contact_.tangentialEnds : contact_.normalEnds;
     return functionOf(i) == 0                     ? &ends[0]
            : functionOf(i) == at(contact_.degree) ? &ends[1]
                                                   : nullptr;
@@ -204,18 +203,16 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   return coupling;
 }
 
-TractionMoments tractionMoments(const bem::Space& space,
-                                const MultiplierSpace& multiplier,
-                                const Coupling& coupling,
-                                const ParticularSolution& inside) {
-  TractionMoments moments{Vector(at(coupling.start.back())),
-                          Vector(at(multiplier.size()))};
+void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
+                        const Coupling& coupling, const ParticularSolution& inside,
+                        Loads::OfInside& moments) {
+  moments.weights.assign(at(coupling.start.back()), 0.0);
+  moments.terms.assign(at(multiplier.size()), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
       ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
           .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
-  return moments;
 }
 
 void Coupling::weaken(double newGamma0) {
