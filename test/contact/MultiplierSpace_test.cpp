@@ -129,15 +129,15 @@ double legendre(int degree, double t) {
 }
 
 struct MissingEnds {
-  contact::EndCoefficients ends;
+  contact::Ends ends;
   bool last = false;
   int lost = 0;  ///< degrees
 };
 
-constexpr MissingEnds missingEnds[] = {{{false, true}, false, 1},
-                                       {{true, false}, true, 1},
-                                       {{false, false}, false, 2},
-                                       {{false, false}, true, 2}};
+const MissingEnds missingEnds[] = {{{{{false}, {true}}}, false, 1},
+                                   {{{{true}, {false}}}, true, 1},
+                                   {{{{false}, {false}}}, false, 2},
+                                   {{{{false}, {false}}}, true, 2}};
 
 TEUCHOS_UNIT_TEST(SharedNodes, endWeightsReproduceOneDegreeLessForEachMissingEnd) {
   for (int p = 1; p <= 12; ++p)
@@ -232,8 +232,8 @@ TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpac
                           {"bottom", "right", "top", "left"}};
   const bem::Mesh mesh = bem::makeMesh(test::outlineOf(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
-  TEST_ASSERT(!space.elements().back().normalEnds.last);
-  TEST_ASSERT(space.elements().back().normalCompletions[1].clamped);
+  TEST_ASSERT(!space.elements().back().normalEnds[1].isUnknown);
+  TEST_ASSERT(space.elements().back().normalEnds[1].clamped);
   TEST_COMPARE(worstOfCubic(mesh, space), <, 1e-12);
 }
 
