@@ -44,4 +44,20 @@ inline double largestDifference(const bem::Vector& a, const bem::Vector& b) {
   return size.size();
 }
 
+inline double largestDifference(const bem::Matrix& a, const bem::Matrix& b) {
+  const bool alike = a.rows() == b.rows() && a.columns() == b.columns();
+  Largest size;
+  size.take(alike ? 0 : 1);
+  for (bem::Index j = 0; alike && j < a.columns(); ++j)
+    for (bem::Index i = 0; i < a.rows(); ++i)
+      size.take(a(i, j) - b(i, j));
+  return size.size();
+}
+
+/// The largest difference over the largest entry of b.
+template <class Numbers>
+double relativeDifference(const Numbers& a, const Numbers& b) {
+  return largestDifference(a, b) / largest(b);
+}
+
 }  // namespace epafi::test

@@ -54,10 +54,8 @@ std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b)
   for (const ContactPair& pair : scene_.contacts)
     if (pair.side.body == b)
       opposite.emplace(pair.name, oppositeSide(pair));
-  if (opposite.empty())
-    return std::make_shared<const contact::Opposite>(mesh, length);
-  return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
-                                                       opposite);
+  return std::make_shared<const contact::Opposite>(mesh, multipliers_[b], length,
+                                                   opposite);
 }
 
 std::vector<contact::ContactSide> BodySpaces::sides() const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/opposite/ContactSide.hpp"
-#include "contact/opposite/FacingBodies.hpp"
+#include "contact/opposite/Opposite.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 

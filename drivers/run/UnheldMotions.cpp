@@ -183,39 +183,14 @@ struct Balance {
   FreeMotions free;
 };
 
-/// The columns of a body's free rigid motions: what contacts feel of them.
-std::vector<Vector> columnsOf(const BodySpaces& spaces, std::size_t b,
-                              const std::vector<Vector>& free, const bem::Matrix& modes,
-                              const contact::Numbering& numbering,
-                              const contact::TraceCoupling& opposite) {
-  const Scene& scene = spaces.scene();
-  contact::Stabilization none;  // rigid motions have no tractions
-  none.form = contact::Stabilization::Form::None;
-  const contact::Coupling own = contact::makeCoupling(
-      spaces.space(b), spaces.multiplier(b), none, scene.lame(b), scene.units());
-  const auto movedBy = [&](const Vector& u) {
-    const Vector moved = own.trace.apply(u);
-    Vector column = opposite.rests.empty() ? Vector(numbering.size()) : opposite.apply(u);
-    for (bem::Index i = 0; i < numbering.sizeOf(b); ++i)
-      column[numbering(b, i)] += moved[i];
-    return column;
-  };
-  const Vector alongX = movedBy(bem::columnOf(modes, 0));
-  const Vector alongY = movedBy(bem::columnOf(modes, 1));
-  std::vector<Vector> columns;
-  for (const Vector& u : free) {
-    columns.push_back(movedBy(u));
-    contact::dropRounding(alongX, alongY, u, columns.back());
-  }
-  return columns;
-}
-
 Balance balanceOf(const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
   const contact::Numbering numbering(spaces.sides());
   const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
+  contact::Stabilization none;  // rigid motions have no tractions
+  none.form = contact::Stabilization::Form::None;
   Balance balance{{}, FreeMotions(spaces.size())};
   contact::Problem& numbers = balance.numbers;
   numbers.normals = numbering.normals();
@@ -235,18 +210,19 @@ Balance balanceOf(const BodySpaces& spaces,
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
-    if (!balance.free[b].empty())
-      for (Vector& column : columnsOf(spaces, b, balance.free[b], holding.modes.motions,
-                                      numbering, opposite[b]))
-        columns.push_back(std::move(column));
+    if (balance.free[b].empty())
+      continue;
+    const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
+                                                        scene.lame(b), scene.units());
+    for (Vector& column :
+         motionsOnContacts(holding, holding.fixed(), [&](const Vector& u) {
+           return onAllMultipliers(numbering, b, own.trace.apply(u), opposite[b], u);
+         }))
+      columns.push_back(std::move(column));
   }
-  drives.addFreeMotions(columns);
+  drives.setMotions(std::move(columns), numbers);
   drives.addForces(numbers);
   numbers.stress = size > 0 ? size : 1;
-  numbers.rigid = bem::Matrix(numbering.size(), static_cast<bem::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    std::copy(columns[k].begin(), columns[k].end(),
-              numbers.rigid.column(static_cast<bem::Index>(k)));
   return balance;
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 import functools
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -71,9 +72,12 @@ def program() -> str:
 
 
 def failure(code: int, complaint: str) -> EpafiError:
-    """The exception for an exit code, with the program's own sentence."""
+    """The exception for an exit code, with the program's own sentence, its options by the names
+    of the arguments here: "--restart DIR" is restart, "--force" force=True."""
     kinds: dict[int, type[EpafiError]] = {1: InputError, 2: NumericalError, 3: NotConverged}
     message = complaint.strip().removeprefix("epafi: ") or "exit code %d" % code
+    message = re.sub(r"(?<![^\s(])(?:fields: |epafi run )?--([a-z]+)(?: [A-Z][A-Z:,]*\b)?",
+                     r"\1", message.replace("--force", "force=True"))
     return kinds.get(code, EpafiError)(message, code)
 
 

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import contextlib
-import difflib
 import functools
 import html
 import os
@@ -14,7 +13,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene
-from epafi.tables import HISTORY, Table, html_table, read, title_of
+from epafi.tables import HISTORY, Table, html_table, nearest, read, title_of
 
 if TYPE_CHECKING:
     import h5py
@@ -66,6 +65,9 @@ class Run:
     @functools.cached_property
     def steps(self) -> Table:
         """steps.csv: a row per level and step of a path."""
+        if not os.path.isfile(os.path.join(self.folder, "steps.csv")):
+            raise InputError("the run in '%s' has no steps.csv: its scene has no History" %
+                             self.folder)
         return self._table("steps.csv")
 
     def step(self, k: int) -> Table:
@@ -83,9 +85,7 @@ class Run:
         one contact or of all: a row per step, as those of `steps` with that level, a column per
         point, as the rows of `contact`."""
         if contact is not None and contact not in self.contact["contact_name"]:
-            known = sorted(set(self.contact["contact_name"]))
-            raise InputError("there is no contact %r; did you mean %r? known: %s" % (
-                contact, *difflib.get_close_matches(contact, known, 1, 0), ", ".join(known)))
+            raise _unknown("contact", contact, sorted(set(self.contact["contact_name"])))
         tables = [self.step(k) for k in range(1, self._steps_of_last_level() + 1)]
         return np.array([table[column] if contact is None else
                          table[column][table["contact_name"] == contact] for table in tables])
@@ -185,10 +185,8 @@ class Run:
         from epafi.plot.folder import NAMES, draw_field, draw_run, when
         from epafi.plot.inside import NAMES as FIELDS
 
-        known = [*NAMES, *FIELDS]
-        if what not in known:
-            raise InputError("there is no picture %r; did you mean %r? known: %s" % (
-                what, *difflib.get_close_matches(what, known, 1, 0), ", ".join(known)))
+        if what not in (*NAMES, *FIELDS):
+            raise _unknown("picture", what, [*NAMES, *FIELDS])
         for name, value, other in (("window", window, "deformed"), ("step", step, "contact")):
             if value is not None and what not in (other, *FIELDS):
                 raise InputError("the picture %r takes no %s; %r and fields do" % (
@@ -218,8 +216,7 @@ class Run:
         if field is None and step is not None:
             raise InputError("step: belongs to a field")
         if field is not None and field not in FIELDS:
-            raise InputError("there is no field %r; did you mean %r? known: %s" % (
-                field, *difflib.get_close_matches(field, FIELDS, 1, 0), ", ".join(FIELDS)))
+            raise _unknown("field", field, FIELDS)
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
         pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
         if field is not None:
@@ -249,10 +246,21 @@ class Run:
             return page
 
 
+def _unknown(kind: str, name: str, known: Sequence[str]) -> InputError:
+    return InputError("there is no %s %r%s known: %s" % (
+        kind, name, nearest(name, known), ", ".join(known)))
+
+
 def _chosen(window: Optional[Window], step: Optional[int]) -> list[str]:
     words = [] if step is None else ["--step", str(step)]
     return words if window is None else [
         *words, "--window=" + ",".join(repr(float(end)) for end in np.ravel(window))]
+
+
+def scene_of(scene: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Scene:
+    if not isinstance(scene, Mapping):
+        return Scene.read(scene)
+    return scene if isinstance(scene, Scene) else Scene(scene)
 
 
 def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
@@ -271,10 +279,7 @@ def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
 
     InputError, NumericalError; NotConverged, whose `run` has what was reached.
     """
-    if not isinstance(scene, Mapping):
-        scene = Scene.read(scene)
-    elif not isinstance(scene, Scene):
-        scene = Scene(scene)
+    scene = scene_of(scene)
     if set:
         scene = scene.changed(set)
     with contextlib.ExitStack() as kept, tempfile.TemporaryDirectory(prefix="epafi-") as place:

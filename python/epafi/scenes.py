@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import copy
-import difflib
 import os
 import re
 import tempfile
@@ -12,6 +11,7 @@ from typing import Any, Mapping, Optional
 import numpy as np
 
 from epafi.program import InputError, call, schema
+from epafi.tables import nearest
 
 
 class Scene(dict[str, Any]):
@@ -145,9 +145,8 @@ def _check(value: Any, rules: Mapping[str, Any], path: str) -> None:
         rule = _child(rules, key)
         if rule is None:
             known = list(rules.get("properties", {}))
-            near = difflib.get_close_matches(key, known, 1, 0)
-            raise InputError("%s: unknown; did you mean %r? known: %s" % (
-                here, near[0] if near else None, ", ".join(map(repr, known))))
+            raise InputError("%s: unknown%s known: %s" % (
+                here, nearest(key, known), ", ".join(map(repr, known))))
         _check(entry, rule, here)
 
 

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import itertools
 import os
 import re
@@ -16,9 +15,10 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 import numpy as np
 
 from epafi.program import RUNNING, EpafiError, InputError, NotConverged
-from epafi.runs import Run, run
+from epafi.runs import Run, run, scene_of
 from epafi.scenes import Scene
-from epafi.tables import HISTORY, frame_of, html_table, read, text_table, unknown_column
+from epafi.tables import (HISTORY, frame_of, html_table, nearest, read, text_table,
+                          unknown_column)
 
 if TYPE_CHECKING:
     import pandas
@@ -140,9 +140,7 @@ def _check_constants(scene: Scene, paths: Iterable[str]) -> None:
     for path in paths:
         parent, _, name = path.rpartition("->")
         if parent == "Constants" and name not in known:
-            near = difflib.get_close_matches(name, known, 1, 0)
-            raise InputError("%s: the scene has no such constant%s" % (
-                path, "; did you mean %r?" % near[0] if near else ""))
+            raise InputError("%s: the scene has no such constant%s" % (path, nearest(name, known)))
 
 
 def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
@@ -160,15 +158,15 @@ def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
     A case that fails is kept with its error; the others go on.  InputError at once where a
     value cannot be, or for a constant that the scene does not have.
     """
-    if not isinstance(scene, Mapping):
-        scene = Scene.read(scene)
-    elif not isinstance(scene, Scene):
-        scene = Scene(scene)
+    scene = scene_of(scene)
     _check_constants(scene, parameters)
     for path, values in parameters.items():
         if isinstance(values, str) or not isinstance(values, Iterable):
             raise InputError("%s: is %r, wanted: a list of values" % (path, values))
     parameters = {path: list(values) for path, values in parameters.items()}
+    for path, values in parameters.items():
+        if not values:
+            raise InputError("%s: has no values; a sweep wants one at least" % path)
     if jobs is not None and jobs < 1:
         raise InputError("jobs: is %r, wanted: at least 1" % jobs)
     combinations = [dict(zip(parameters, values))

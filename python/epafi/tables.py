@@ -85,10 +85,15 @@ class Table:
         return column
 
 
-def unknown_column(name: str, known: Iterable[str]) -> KeyError:
+def nearest(name: str, known: Iterable[str]) -> str:
+    """The end of a sentence about a name that is not known."""
     near = isinstance(name, str) and difflib.get_close_matches(name, known, 1, 0)
+    return "; did you mean %r?" % near[0] if near else ""
+
+
+def unknown_column(name: str, known: Iterable[str]) -> KeyError:
     return KeyError("there is no column %r%s; columns: %s" % (
-        name, "; did you mean %r?" % near[0] if near else "", ", ".join(known)))
+        name, nearest(name, known), ", ".join(known)))
 
 
 def frame_of(columns: Mapping[str, Any]) -> pandas.DataFrame:

@@ -20,10 +20,14 @@ struct Level {
   bem::CauchyData solution;
 };
 
+drivers::Scene sceneOf(const std::string& name,
+                       const std::vector<std::string>& settings = {}) {
+  return drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml", settings);
+}
+
 std::vector<Level> solveScene(const std::string& name,
                               const std::vector<std::string>& settings) {
-  const drivers::Scene scene =
-      drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml", settings);
+  const drivers::Scene scene = sceneOf(name, settings);
   std::vector<Level> levels;
   drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
@@ -126,8 +130,7 @@ TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndA
   for (const char* name : {"tresca", "coulomb"}) {
     const std::vector<Level> fine = solveScene(name, with({}, "Graded hp", 100, 1600));
     const bem::CauchyData& reference = fine.back().solution;
-    const drivers::Scene scene =
-        drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml");
+    const drivers::Scene scene = sceneOf(name);
     const bem::Lame lame(scene.bodies[0].material);
     out << name << ", reference: " << fine.back().dof << " unknowns, estimate "
         << fine.back().estimate << "\n";
@@ -179,8 +182,7 @@ TEUCHOS_UNIT_TEST(GradedHp, convergesExponentiallyInTheRootOfDof) {
        {Goal{"tresca", {550, 900, 1400}}, Goal{"coulomb", {400, 650, 950}}}) {
     const auto levels = solveScene(goal.scene, with({}, "Graded hp", 100, 1700));
     const auto fine = solveScene(goal.scene, with({}, "Graded hp", 100, 2300));
-    const drivers::Scene scene =
-        drivers::readScene(std::string(EPAFI_SCENES) + "/" + goal.scene + ".xml");
+    const drivers::Scene scene = sceneOf(goal.scene);
     const bem::Lame lame(scene.bodies[0].material);
     const bem::CauchyData& reference = fine.back().solution;
     out << goal.scene << ", reference: " << fine.back().dof << " unknowns, estimate "

@@ -27,6 +27,14 @@ Marks only(const bem::Mesh& mesh, int element, const Mark& mark) {
   return marks;
 }
 
+/// Every kind of mark.
+Marks inTurn(const bem::Mesh& mesh) {
+  Marks marks(mesh.size(), Mark::None);
+  for (std::size_t e = 0; e < marks.size(); ++e)
+    marks[e] = static_cast<Mark::Kind>(e % 3);
+  return marks;
+}
+
 /// The last element of the first edge: it ends at a vertex.
 int lastOfFirstEdge(const bem::Mesh& mesh) {
   int e = 0;
@@ -106,10 +114,7 @@ TEUCHOS_UNIT_TEST(Refine, theBoundaryKeepsItsLengthAndItsNames) {
       sum += 2 * m[e].half;
     return sum;
   };
-  Marks marks(mesh.size(), Mark::None);
-  for (std::size_t e = 0; e < marks.size(); ++e)
-    marks[e] = static_cast<Mark::Kind>(e % 3);
-  const bem::Mesh next = adaptivity::refine(mesh, marks);
+  const bem::Mesh next = adaptivity::refine(mesh, inTurn(mesh));
   for (const char* boundary : {"bottom", "right", "top", "left"})
     TEST_FLOATING_EQUALITY(length(next, boundary), length(mesh, boundary), 1e-14);
 }
@@ -123,11 +128,7 @@ TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryDiscontinuousB
       const bem::Mesh mesh = test::squareMesh(degree);
       const MultiplierSpace space(mesh, basis, conditions);
       const contact::State state = anyState(space);
-      Marks marks(mesh.size(), Mark::None);
-      for (std::size_t e = 0; e < marks.size(); ++e)
-        marks[e] = static_cast<Mark::Kind>(e % 3);
-
-      const Next next = refined(mesh, marks, space, conditions, state);
+      const Next next = refined(mesh, inTurn(mesh), space, conditions, state);
       const MultiplierSpace finer(next.mesh, basis, conditions);
       TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()), finer.size());
       TEST_COMPARE_ARRAYS(next.start.rigid, state.rigid);
@@ -149,10 +150,7 @@ TEUCHOS_UNIT_TEST(Refine, constantsSurviveWhereNodesAreShared) {
   const MultiplierSpace space(mesh, basis, conditions);
   contact::State state;
   state.multiplier.assign(space.size(), 0.7);
-  Marks marks(mesh.size(), Mark::None);
-  for (std::size_t e = 0; e < marks.size(); ++e)
-    marks[e] = static_cast<Mark::Kind>(e % 3);
-  const Next next = refined(mesh, marks, space, conditions, state);
+  const Next next = refined(mesh, inTurn(mesh), space, conditions, state);
   TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()),
                 MultiplierSpace(next.mesh, basis, conditions).size());
   for (const double coefficient : next.start.multiplier)

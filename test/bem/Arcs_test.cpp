@@ -1,4 +1,5 @@
 // Pairs with an arc, near and far, against plain quadrature in 33 digits.
+#include "MomentErrors.hpp"
 #include "bem/moments/NearPairs.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "reference/ArcErrors.hpp"
@@ -32,19 +33,9 @@ double differenceFromFiner(const Mesh& mesh, int e) {
   bem::nearMoments(mesh, e, f, bem::gradedRule(features, 60, 1e-16), *exact, 0);
   const auto near = std::make_unique<bem::Tile>();
   bem::nearMoments(mesh, e, f, *near, 0);
-  double worst = 0;
-  double largest = 0;
-  for (int i = 0; i < mesh[e].densities; ++i)
-    for (int j = 0; j < mesh[f].densities; ++j) {
-      const int at = i * bem::Tile::stride + j;
-      for (const auto table : {&bem::Tile::log, &bem::Tile::along, &bem::Tile::across,
-                               &bem::Tile::direct, &bem::Tile::reverse}) {
-        const double wanted = ((*exact).*table)[at][0];
-        worst = std::max(worst, std::abs(((*near).*table)[at][0] - wanted));
-        largest = std::max(largest, std::abs(wanted));
-      }
-    }
-  return worst / largest;
+  test::MomentErrors errors;
+  errors.take(*near, 0, *exact, 0, mesh[e].degree, mesh[f].degree);
+  return errors.difference.size() / errors.size.size();
 }
 
 /// The largest difference of far pairs from what near ones would be, over the largest
@@ -59,27 +50,9 @@ double differenceFarAndNear(const Mesh& mesh, int e, int f) {
     return 0;
   const auto near = std::make_unique<bem::Tile>();
   bem::nearMoments(mesh, e, f, *near, 0);
-  const bem::Tile& far = tile;
-  double worst = 0;
-  double largest = 0;
-  const auto compare = [&](const bem::Tile::Lane* a, const bem::Tile::Lane* b, int at) {
-    worst = std::max(worst, std::abs(a[at][lane] - b[at][0]));
-    largest = std::max(largest, std::abs(b[at][0]));
-  };
-  for (int i = 0; i <= mesh[e].degree; ++i)
-    for (int j = 0; j <= mesh[f].degree; ++j) {
-      const int at = i * bem::Tile::stride + j;
-      if (i < mesh[e].degree)
-        compare(far.direct, near->direct, at);
-      if (j < mesh[f].degree)
-        compare(far.reverse, near->reverse, at);
-      if (i == mesh[e].degree || j == mesh[f].degree)
-        continue;
-      compare(far.log, near->log, at);
-      compare(far.along, near->along, at);
-      compare(far.across, near->across, at);
-    }
-  return worst / largest;
+  test::MomentErrors errors;
+  errors.take(tile, lane, *near, 0, mesh[e].degree, mesh[f].degree);
+  return errors.difference.size() / errors.size.size();
 }
 
 }  // namespace

@@ -145,14 +145,6 @@ Matrix oscillating(Index rows, Index columns) {
   return x;
 }
 
-double relativeDifference(const Matrix& a, const Matrix& b) {
-  Matrix difference = a.copy();
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      difference(i, j) -= b(i, j);
-  return largest(difference) / largest(b);
-}
-
 Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   for (const auto& entry : restriction.entries)
     z(entry.row, entry.column) += entry.value;

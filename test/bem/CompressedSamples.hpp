@@ -1,9 +1,12 @@
 #pragma once
 
+#include "Largest.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
 #include "reference/SampleMeshes.hpp"
 
 namespace epafi::reference {
+
+using test::relativeDifference;
 
 struct CompressedSample {
   std::string name;
@@ -26,9 +29,6 @@ bem::Matrix rotated(bem::Matrix z, const bem::Space& space);
 /// T of a cluster for all of its unknowns, which are appended to `unknowns`.
 bem::Matrix nestedWeights(const bem::CompressedOperators& z, int c,
                           std::vector<bem::Index>& unknowns);
-
-/// The largest difference over the largest entry of b.
-double relativeDifference(const bem::Matrix& a, const bem::Matrix& b);
 
 bem::Matrix oscillating(bem::Index rows, bem::Index columns);
 

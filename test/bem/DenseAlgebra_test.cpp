@@ -1,8 +1,8 @@
 #include "bem/algebra/DenseAlgebra.hpp"
 
 #include "Largest.hpp"
+#include "Message.hpp"
 #include "bem/algebra/Products.hpp"
-#include "bem/base/Error.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -91,15 +91,10 @@ TEUCHOS_UNIT_TEST(CholeskyFactor, namesTheRowWhereAMatrixIsIndefinite) {
     for (const Index row : {Index(0), n / 2, n - 1}) {
       Matrix a = positiveDefinite(n);
       a(row, row) = -1;
-      std::string told;
-      try {
-        const bem::CholeskyFactor factor(std::move(a), "A");
-      } catch (const bem::NumericalError& error) {
-        told = error.what();
-      }
-      TEST_INEQUALITY(told.find("A is not positive definite"), std::string::npos);
-      TEST_INEQUALITY(told.find(bem::message("row ", row + 1, " of ", n)),
-                      std::string::npos);
+      const std::string told = test::messageOf<bem::NumericalError>(
+          [&] { bem::CholeskyFactor(std::move(a), "A"); });
+      TEST_ASSERT(test::contains(told, "A is not positive definite"));
+      TEST_ASSERT(test::contains(told, bem::message("row ", row + 1, " of ", n)));
     }
 }
 

@@ -1,4 +1,5 @@
 // Every instruction set that this processor has gives the same moments and sums.
+#include "MomentErrors.hpp"
 #include "bem/fields/PointSources.hpp"
 #include "bem/moments/FarPairs.hpp"
 #include "bem/moments/NearPairs.hpp"
@@ -36,24 +37,10 @@ bem::ElementLanes anyLanes(int densities, bem::Nearness order) {
 }
 
 double difference(const bem::Tile& a, const bem::Tile& b, int degree) {
-  double largest = 0;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; j <= degree; ++j)
-      for (int lane = 0; lane < bem::lanes; ++lane) {
-        const int at = i * bem::Tile::stride + j;
-        if (i < degree)
-          largest = std::max(largest, std::abs(a.direct[at][lane] - b.direct[at][lane]));
-        if (j < degree)
-          largest =
-              std::max(largest, std::abs(a.reverse[at][lane] - b.reverse[at][lane]));
-        if (i == degree || j == degree)
-          continue;
-        for (const double error :
-             {a.log[at][lane] - b.log[at][lane], a.along[at][lane] - b.along[at][lane],
-              a.across[at][lane] - b.across[at][lane]})
-          largest = std::max(largest, std::abs(error));
-      }
-  return largest;
+  test::MomentErrors errors;
+  for (int lane = 0; lane < bem::lanes; ++lane)
+    errors.take(a, lane, b, lane, degree, degree);
+  return errors.difference.size();
 }
 
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {

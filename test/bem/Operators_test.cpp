@@ -140,73 +140,6 @@ TEUCHOS_UNIT_TEST(Operators, giveThePointForcesTractionExponentiallyInP) {
     }
 }
 
-/// Rayleigh quotient <S u, u> / <u, u> on a polygon of diameter 1 for the displacement
-/// u_x + i u_y = e^{ik theta}.
-double discEigenvalue(int sides, int k, double nu) {
-  const auto shape = outlineOf(regularPolygon(sides, 0.5));
-  const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 2));
-  const Vector u = space.interpolate([k](Vec2 x) {
-    const double angle = k * std::atan2(x.y, x.x);
-    return Vec2{std::cos(angle), std::sin(angle)};
-  });
-  bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
-  const Vector wu = bem::multiplySymmetric(operators.hypersingular, u);
-  const Vector ku = doubleLayerTimes(operators, u);
-  const Vector psi = bem::CholeskyFactor(std::move(operators.singleLayer), "V").solve(ku);
-  double energy = 0;
-  for (std::size_t i = 0; i < u.size(); ++i)
-    energy += wu[i] * u[i];
-  for (std::size_t i = 0; i < psi.size(); ++i)
-    energy += psi[i] * ku[i];
-  return energy / std::acos(-1.0);  // |u| = 1 on a circle of length pi
-}
-
-// R = 1/2, E = 1:  2 mu k / (kappa R) for k >= 2,  2 mu m / R for e^{-im theta},
-// 2 mu / ((1-2nu) R) for the dilation.
-TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsEigenvalues) {
-  const double nu = 0.3;
-  const double mu = 1 / (2 * (1 + nu));
-  const double kappa = 3 - 4 * nu;
-  const auto exact = [=](int k) {
-    if (k == 1)
-      return 4 * mu / (1 - 2 * nu);
-    return k > 1 ? 4 * mu * k / kappa : -4 * mu * k;
-  };
-  for (int k : {1, 2, 3, -1, -2, -3}) {
-    const double coarse = std::abs(discEigenvalue(24, k, nu) / exact(k) - 1);
-    const double fine = std::abs(discEigenvalue(96, k, nu) / exact(k) - 1);
-    out << "k = " << k << ", errors " << coarse << ", " << fine << ": ";
-    TEST_COMPARE(fine, <, 1e-4);
-    TEST_COMPARE(fine, <, 0.1 * coarse);
-  }
-  TEST_COMPARE(std::abs(discEigenvalue(40, 0, nu)), <, 1e-13);
-}
-
-// V 1 = c1 2 pi R (-log R + 1/(2 kappa)) 1 on a circle.
-TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
-  const bem::Lame lame = lameOf(0.3);
-  const double pi = std::acos(-1.0);
-  const double exact = lame.a * pi * (std::log(2.0) + 1 / (2 * (3 - 4 * 0.3)));
-  const auto error = [&](int sides) {
-    const auto shape = outlineOf(regularPolygon(sides, 0.5));
-    const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 1));
-    Vector ones(space.densities());
-    double length = 0;
-    for (int e = 0; e < sides; ++e) {
-      ones[space.density(e, 0, 0)] = 1;
-      length += 2 * space.mesh()[e].half;
-    }
-    const Vector v =
-        bem::multiplySymmetric(bem::assembleOperators(space, lame).singleLayer, ones);
-    double energy = 0;
-    for (std::size_t i = 0; i < v.size(); ++i)
-      energy += v[i] * ones[i];
-    return std::abs(energy / length / exact - 1);
-  };
-  TEST_COMPARE(error(80), <, 2e-3);
-  TEST_COMPARE(error(80), <, 0.3 * error(40));
-}
-
 TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
   const auto assemble = [](double factor, Vec2 shift) {
     bem::Loop loop = polygon({{0, 0}, {1, 0}, {1.25, 0.5}, {0, 0.75}});
@@ -215,19 +148,13 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
     return bem::assembleOperators(
         bem::Space(bem::makeMesh(outlineOf(loop), {2, 1, 1, 2}, 3)), lameOf(0.3));
   };
-  const auto difference = [](const bem::Matrix& a, const bem::Matrix& b) {
-    double error = 0;
-    for (bem::Index j = 0; j < a.columns(); ++j)
-      for (bem::Index i = 0; i < a.rows(); ++i)
-        error = std::max(error, std::abs(a(i, j) - b(i, j)));
-    return error / largest(a);
-  };
   const bem::Operators one = assemble(1, {0, 0});
   for (const bem::Operators& other : {assemble(1000, {0, 0}), assemble(1e-3, {0, 0}),
                                       assemble(1, {8, -4}), assemble(1e6, {0.5, 0.5})}) {
-    TEST_COMPARE(difference(one.singleLayer, other.singleLayer), <, 1e-14);
-    TEST_COMPARE(difference(one.doubleLayer, other.doubleLayer), <, 1e-14);
-    TEST_COMPARE(difference(one.hypersingular, other.hypersingular), <, 1e-14);
+    TEST_COMPARE(test::relativeDifference(other.singleLayer, one.singleLayer), <, 1e-14);
+    TEST_COMPARE(test::relativeDifference(other.doubleLayer, one.doubleLayer), <, 1e-14);
+    TEST_COMPARE(test::relativeDifference(other.hypersingular, one.hypersingular), <,
+                 1e-14);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "bem/geometry/Outline.hpp"
 
-#include "bem/base/Error.hpp"
+#include "Message.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -13,6 +13,7 @@ using epafi::bem::InputError;
 using epafi::bem::Loop;
 using epafi::bem::Outline;
 using epafi::bem::Vec2;
+using epafi::test::contains;
 
 Loop named(const std::vector<Vec2>& vertices) {
   Loop loop{vertices, {}};
@@ -34,16 +35,7 @@ double area(const Outline& outline) {
 }
 
 std::string complaint(const Loop& outer, const std::vector<Loop>& holes = {}) {
-  try {
-    const Outline outline(outer, holes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return epafi::test::messageOf([&] { Outline(outer, holes); });
 }
 
 }  // namespace

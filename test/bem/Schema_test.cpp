@@ -1,6 +1,6 @@
 #include "bem/base/Schema.hpp"
 
-#include "bem/base/Error.hpp"
+#include "Message.hpp"
 #include "bem/base/Keys.hpp"
 #include "bem/base/Suggestion.hpp"
 
@@ -13,6 +13,7 @@ namespace epafi {
 
 namespace {
 
+using test::contains;
 using Teuchos::ParameterList;
 
 const bem::SchemaRows& rows() {
@@ -31,16 +32,7 @@ const bem::SchemaRows& rows() {
 }
 
 std::string complaint(const ParameterList& list) {
-  try {
-    bem::complete(rows(), list, "list");
-  } catch (const bem::InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::messageOf([&] { bem::complete(rows(), list, "list"); });
 }
 
 template <class T>

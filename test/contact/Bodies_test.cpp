@@ -1,5 +1,6 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
+#include "Largest.hpp"
 #include "Rectangle.hpp"
 #include "contact/system/ContactSystem.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 
 using bem::Index;
 using bem::Vec2;
-using contact::Matrix;
 using contact::Vector;
 using ContactElement = contact::MultiplierSpace::ContactElement;
 
@@ -112,20 +112,12 @@ Two problems(const Block& above, const Block& below, bool held) {
           contact::ContactSystem({upon, carrier}).numbers().copy()};
 }
 
-double largestEntry(const Matrix& a) {
-  double largest = 0;
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      largest = std::max(largest, std::abs(a(i, j)));
-  return largest;
-}
-
 /// The mirror image answers pressure alike, and shear with the opposite slip: together
 /// twice as much, and nothing is left of what couples the two.
 TEUCHOS_UNIT_TEST(Bodies, aBlockOnItsMirrorImageIsTwiceAsFlexible) {
   const auto [alone, both] = problems({0, 6, 2}, {-1, 6, 2}, true);
   const Index m = alone.flexibility.size();
-  const double size = largestEntry(both.flexibility.entries());
+  const double size = test::largest(both.flexibility.entries());
   for (Index j = 0; j < m; ++j)
     for (Index i = 0; i < m; ++i) {
       const bool alike = (i < both.normals) == (j < both.normals);
@@ -143,7 +135,7 @@ TEUCHOS_UNIT_TEST(Bodies, commonMotionsOfTheirColumnsDoNotMoveTheContact) {
   const auto [alone, both] = problems({0, 6, 2}, {-1, 7, 3}, false);
   TEST_EQUALITY(alone.rigidMotions(), 3);
   TEST_EQUALITY(both.rigidMotions(), 6);
-  const double size = largestEntry(both.rigid);
+  const double size = test::largest(both.rigid);
   // columns: (1,0), (0,1), the rotation about its centre in scaled lengths, of each block
   for (Index i = 0; i < both.flexibility.size(); ++i) {
     for (Index k = 0; k < 3; ++k)

@@ -3,7 +3,7 @@
 #include "contact/multiplier/BoundCoefficients.hpp"
 
 #include "contact/law/Laws.hpp"
-#include "contact/multiplier/Collocation.hpp"
+#include "contact/multiplier/Interpolation.hpp"
 #include "contact/problem/Tangential.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -122,13 +122,12 @@ double productErrorOn(double x, int degree, double h,
                       const std::function<double(double)>& f) {
   const auto pressure = [&](double t) { return 2 + std::cos(2 * (x + h * t)); };
   const auto factor = [&](double t) { return f(x + h * t); };
-  const contact::Collocation nodes(
-      bernstein(), contact::multiplierBasis("Gauss-Lobatto-Lagrange").places(degree));
-  Vector values;
-  for (const double t : nodes.places())
-    values.push_back(pressure(t));
-  const Vector coefficients =
-      limited(coulomb(bernstein(), degree, factor), nodes.coefficients(values));
+  const Vector nodes = contact::multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
+  Vector pressures;
+  for (const double t : nodes)
+    pressures.push_back(pressure(t));
+  contact::interpolation(bernstein(), nodes).solve(pressures);
+  const Vector coefficients = limited(coulomb(bernstein(), degree, factor), pressures);
   double largest = 0;
   for (int k = -64; k <= 64; ++k) {
     const double t = k / 64.0;

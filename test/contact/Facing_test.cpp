@@ -1,6 +1,6 @@
 // What lies opposite to a contact side, along its normals: single curves, and whole bodies.
 #include "bem/mesh/Mesh.hpp"
-#include "contact/opposite/FacingBodies.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -146,7 +146,7 @@ struct Fit {
   contact::Conditions conditions = makeConditions();
   contact::MultiplierSpace multiplier{
       ring, contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions};
-  contact::FacingBodies facing{ring, multiplier, tenth.length, {{"fit", oppositeSide()}}};
+  contact::Opposite facing{ring, multiplier, tenth.length, {{"fit", oppositeSide()}}};
 
   static contact::Conditions makeConditions() {
     contact::Conditions conditions;
@@ -172,7 +172,7 @@ struct Fit {
   }
 };
 
-TEUCHOS_UNIT_TEST(FacingBodies, theGapIsTheDistanceAndWhatTheConditionAdds) {
+TEUCHOS_UNIT_TEST(Opposite, theGapIsTheDistanceAndWhatTheConditionAdds) {
   const Fit fit;
   TEST_EQUALITY(fit.multiplier.elements().size(), 9u);
   for (const auto& element : fit.multiplier.elements()) {
@@ -191,7 +191,7 @@ TEUCHOS_UNIT_TEST(FacingBodies, theGapIsTheDistanceAndWhatTheConditionAdds) {
 }
 
 /// The element opposite changes at breaks and nowhere else.
-TEUCHOS_UNIT_TEST(FacingBodies, breaksAreTheFeetOfNodes) {
+TEUCHOS_UNIT_TEST(Opposite, breaksAreTheFeetOfNodes) {
   const Fit fit;
   std::size_t count = 0;
   for (const auto& element : fit.multiplier.elements()) {
@@ -208,7 +208,7 @@ TEUCHOS_UNIT_TEST(FacingBodies, breaksAreTheFeetOfNodes) {
 }
 
 /// Back and forth, and ∫ f ds over the ring is ∫ f stretching ds over the disc.
-TEUCHOS_UNIT_TEST(FacingBodies, sourcesLeadBack) {
+TEUCHOS_UNIT_TEST(Opposite, sourcesLeadBack) {
   const Fit fit;
   for (int e = 0; e < fit.disc.size(); ++e)
     for (const double t : {-0.9, 0.1, 0.8}) {
@@ -223,7 +223,7 @@ TEUCHOS_UNIT_TEST(FacingBodies, sourcesLeadBack) {
 }
 
 /// Another element of the ring on either side of them.
-TEUCHOS_UNIT_TEST(FacingBodies, sourcesBreakWhereTheSidesElementsEnd) {
+TEUCHOS_UNIT_TEST(Opposite, sourcesBreakWhereTheSidesElementsEnd) {
   const Fit fit;
   std::size_t count = 0;
   for (int e = 0; e < fit.disc.size(); ++e)

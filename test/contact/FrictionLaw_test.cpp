@@ -143,14 +143,15 @@ TEUCHOS_UNIT_TEST(FrictionLaw, keysThatDifferCannotShareAName) {
   TEST_EQUALITY(table.front().only.size(), 2u);
 }
 
-/// Capped Coulomb on an element of every basis.
-std::vector<contact::Tangential> capped(const contact::MultiplierBasis& basis, int degree,
-                                        const bem::Function& coefficient,
-                                        const bem::Function& cap) {
+/// A law on an element; Coulomb's has no use for the cap.
+std::vector<contact::Tangential> onElement(std::shared_ptr<const FrictionLaw> law,
+                                           const contact::MultiplierBasis& basis,
+                                           int degree, const bem::Function& coefficient,
+                                           const bem::Function& cap) {
   std::vector<bem::Index> normals(degree + 1);
   std::iota(normals.begin(), normals.end(), 0);
   return contact::elementTangentials(
-      basis, normals, std::make_shared<const contact::CappedCoulombLaw>(),
+      basis, normals, std::move(law),
       [=](double t) {
         return Vector{coefficient({t, 0}), cap({t, 0})};
       },
@@ -162,7 +163,8 @@ TEUCHOS_UNIT_TEST(CappedCoulomb, isCoulombBelowTheCapAndTheCapAboveInEveryBasis)
   const auto cap = [](bem::Vec2) { return 0.2; };
   for (const contact::MultiplierBasis& basis : contact::multiplierBases())
     for (const int q : {1, 2, 5}) {
-      const auto bounds = capped(basis, q, coefficient, cap);
+      const auto bounds = onElement(std::make_shared<const contact::CappedCoulombLaw>(),
+                                    basis, q, coefficient, cap);
       for (const contact::Tangential& bound : bounds) {
         const Vector high(bounds.size(), 2.0);
         TEST_FLOATING_EQUALITY(bound.bound(high), 0.2, 1e-12);
@@ -175,29 +177,38 @@ TEUCHOS_UNIT_TEST(CappedCoulomb, isCoulombBelowTheCapAndTheCapAboveInEveryBasis)
     }
 }
 
-TEUCHOS_UNIT_TEST(CappedCoulomb, slopesAreTheDerivativeAlsoAcrossTheCap) {
+// Of pressures of which some are negative.
+TEUCHOS_UNIT_TEST(Tangential, slopesAreTheDerivativeAlsoAcrossTheCapAndBoundsScale) {
   std::mt19937 random(52);
   const double h = 1e-7;
   int sloping = 0;
+  const std::shared_ptr<const FrictionLaw> laws[] = {
+      std::make_shared<const contact::CoulombLaw>(),
+      std::make_shared<const contact::CappedCoulombLaw>()};
   for (int k = 0; k < 300; ++k) {
     const double wave = draw(1, random).front();
-    const auto bounds = capped(
-        contact::multiplierBasis("Bernstein"), 4,
+    const auto bounds = onElement(
+        laws[k % 2], contact::multiplierBasis("Bernstein"), 4,
         [wave](bem::Vec2 x) { return 0.5 + 0.2 * std::sin(wave * x.x); },
         [wave](bem::Vec2 x) { return 0.4 + 0.1 * std::cos(wave * x.x); });
-    const Vector pressures = draw(bounds.size(), random);
+    Vector pressures = draw(bounds.size(), random);
     const Vector direction = draw(bounds.size(), random);
-    Vector more = pressures;
-    Vector less = pressures;
+    Vector more;
+    Vector less;
     for (std::size_t i = 0; i < pressures.size(); ++i) {
-      more[i] += h * direction[i];
-      less[i] -= h * direction[i];
+      pressures[i] -= 0.3;
+      more.push_back(pressures[i] + h * direction[i]);
+      less.push_back(pressures[i] - h * direction[i]);
     }
     for (const contact::Tangential& bound : bounds) {
-      const double slope = bound.slope(pressures) * direction[bound.normal()];
+      const double slope = bound.slope(pressures);
       const double quotient = (bound.bound(more) - bound.bound(less)) / (2 * h);
-      TEST_COMPARE(std::abs(quotient - slope), <, 1e-6);
+      TEST_COMPARE(std::abs(quotient - slope * direction[bound.normal()]), <, 1e-6);
+      TEST_COMPARE(slope, <=, bound.steepest());
       sloping += slope != 0 ? 1 : 0;
+      const double one = bound.bound(pressures);
+      TEST_COMPARE(std::abs(bound.scaled(3).bound(pressures) - 3 * one), <, 1e-14);
+      TEST_EQUALITY(bound.scaled(0).bound(pressures), 0.0);
     }
   }
   TEST_COMPARE(sloping, >, 100);

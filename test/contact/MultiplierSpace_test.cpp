@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace epafi {
 
@@ -56,37 +57,24 @@ Counts countsOf(const Conditions& conditions, int degree) {
   return whole ? Counts{space.normals(), all - space.normals()} : Counts{-1, -1};
 }
 
-TEUCHOS_UNIT_TEST(MultiplierSpace, sharedNodesHaveOneCoefficientInEachDirection) {
-  for (int p : {1, 2, 5}) {
-    Conditions conditions;
-    conditions.contact["bottom"] = frictional();
-    const Counts counts = countsOf(conditions, p);
-    TEST_EQUALITY(counts.normal, 3 * p + 1);
-    TEST_EQUALITY(counts.tangential, 3 * p + 1);
-  }
-}
-
-TEUCHOS_UNIT_TEST(MultiplierSpace, clampsTakeTheComponentsThatTheyPrescribe) {
-  for (int p : {1, 2, 5}) {
-    Conditions conditions;
-    conditions.contact["bottom"] = frictional();
-    conditions.dirichlet["left"] = {zero, zero};
-    conditions.dirichlet["right"] = {zero, {}};  // stops sliding, not lifting
-    const Counts counts = countsOf(conditions, p);
-    TEST_EQUALITY(counts.normal, 3 * p);
-    TEST_EQUALITY(counts.tangential, 3 * p - 1);
-  }
-}
-
-TEUCHOS_UNIT_TEST(MultiplierSpace, atACornerNormalsComeFirst) {
-  for (int p : {1, 4}) {
-    Conditions conditions;
-    conditions.contact["bottom"] = frictional();
-    conditions.contact["right"] = frictional();
-    const Counts counts = countsOf(conditions, p);
-    TEST_EQUALITY(counts.normal, 2 * (3 * p + 1));
-    TEST_EQUALITY(counts.tangential, 2 * 3 * p);
-  }
+// At a corner of two sides in contact normals come first.
+TEUCHOS_UNIT_TEST(MultiplierSpace,
+                  sharedNodesHaveOneCoefficientWhereNothingIsPrescribed) {
+  Conditions one;
+  one.contact["bottom"] = frictional();
+  Conditions clamped = one;
+  clamped.dirichlet["left"] = {zero, zero};
+  clamped.dirichlet["right"] = {zero, {}};  // stops sliding, not lifting
+  Conditions corner = one;
+  corner.contact["right"] = frictional();
+  for (const int p : {1, 2, 4, 5})
+    for (const auto& [conditions, normal, tangential] :
+         {std::tuple(one, 3 * p + 1, 3 * p + 1), std::tuple(clamped, 3 * p, 3 * p - 1),
+          std::tuple(corner, 2 * (3 * p + 1), 2 * 3 * p)}) {
+      const Counts counts = countsOf(conditions, p);
+      TEST_EQUALITY(counts.normal, normal);
+      TEST_EQUALITY(counts.tangential, tangential);
+    }
 }
 
 TEUCHOS_UNIT_TEST(MultiplierSpace, withSharedNodesStillHoldsConstants) {
@@ -129,15 +117,15 @@ double legendre(int degree, double t) {
 }
 
 struct MissingEnds {
-  contact::EndCoefficients ends;
+  contact::Ends ends;
   bool last = false;
   int lost = 0;  ///< degrees
 };
 
-constexpr MissingEnds missingEnds[] = {{{false, true}, false, 1},
-                                       {{true, false}, true, 1},
-                                       {{false, false}, false, 2},
-                                       {{false, false}, true, 2}};
+const MissingEnds missingEnds[] = {{{{{false}, {true}}}, false, 1},
+                                   {{{{true}, {false}}}, true, 1},
+                                   {{{{false}, {false}}}, false, 2},
+                                   {{{{false}, {false}}}, true, 2}};
 
 TEUCHOS_UNIT_TEST(SharedNodes, endWeightsReproduceOneDegreeLessForEachMissingEnd) {
   for (int p = 1; p <= 12; ++p)
@@ -232,8 +220,8 @@ TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpac
                           {"bottom", "right", "top", "left"}};
   const bem::Mesh mesh = bem::makeMesh(test::outlineOf(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
-  TEST_ASSERT(!space.elements().back().normalEnds.last);
-  TEST_ASSERT(space.elements().back().normalCompletions[1].clamped);
+  TEST_ASSERT(!space.elements().back().normalEnds[1].isUnknown);
+  TEST_ASSERT(space.elements().back().normalEnds[1].clamped);
   TEST_COMPARE(worstOfCubic(mesh, space), <, 1e-12);
 }
 

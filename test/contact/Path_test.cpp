@@ -136,19 +136,14 @@ TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
       isTheSame(form, bulge);
 }
 
-TEUCHOS_UNIT_TEST(Path, frictionsWorkNeverFalls) {
-  for (const Form form : {Form::Exact, Form::Projected, Form::Density}) {
-    const Result result = follow(form, 20);
-    TEST_ASSERT(result.converged);
-    TEST_ASSERT(result.neverFalls);
-    TEST_COMPARE(result.friction, >, 1e-7);
-  }
-}
-
-TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
+TEUCHOS_UNIT_TEST(Path, frictionsWorkNeverFallsAndTheBalanceOfEnergyIsOfSecondOrder) {
   for (const Form form : {Form::Exact, Form::Projected, Form::Density}) {
     const Result coarse = follow(form, 20);
     const Result fine = follow(form, 80);
+    for (const Result& result : {coarse, fine}) {
+      TEST_ASSERT(result.converged && result.neverFalls);
+      TEST_COMPARE(result.friction, >, 1e-7);
+    }
     out << static_cast<int>(form) << ": " << coarse.imbalance << " " << fine.imbalance
         << " of " << coarse.outside << ", friction " << coarse.friction << " "
         << fine.friction << ", trapezoidal " << coarse.trapezoidal << " "

@@ -1,15 +1,14 @@
 // Free rigid motions on springs.
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "contact/equation/Equation.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace epafi {
 
@@ -49,10 +48,6 @@ Problem asCompliance(const Problem& problem) {
   return result;
 }
 
-double product(const Vector& a, const Vector& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
 TEUCHOS_UNIT_TEST(Springs, areTheSameAsCompliance) {
   std::mt19937 random(3);
   for (const char* law : {"None", "Tresca", "Coulomb"})
@@ -61,11 +56,9 @@ TEUCHOS_UNIT_TEST(Springs, areTheSameAsCompliance) {
       const auto solution = test::solve(problem);
       const auto expected = test::solve(asCompliance(problem));
       TEST_ASSERT(solution.report.status == Status::Converged);
-      double worst = 0;
-      for (std::size_t i = 0; i < solution.state.multiplier.size(); ++i)
-        worst = std::max(
-            worst, std::abs(solution.state.multiplier[i] - expected.state.multiplier[i]));
-      TEST_COMPARE(worst, <, 1e-9);
+      TEST_COMPARE(
+          test::largestDifference(solution.state.multiplier, expected.state.multiplier),
+          <, 1e-9);
     }
 }
 
@@ -78,31 +71,6 @@ TEUCHOS_UNIT_TEST(Springs, ofEveryStiffnessAreSolved) {
       TEST_ASSERT(solution.report.status == Status::Converged);
       TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-10);
     }
-}
-
-TEUCHOS_UNIT_TEST(Springs, areInTheJacobianAndItsTranspose) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> number(-1, 1);
-  for (int k = 0; k < 20; ++k) {
-    const Problem problem = sprung("Coulomb", 2, random);
-    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                     1e-12);
-    Vector x;
-    Vector v;
-    for (Index i = 0; i < equation.size(); ++i) {
-      x.push_back(number(random));
-      v.push_back(number(random));
-    }
-    const contact::Evaluation e = equation.at(x);
-    const Vector jx = equation.jacobianTimes(e, x);
-    TEST_COMPARE(std::abs(product(v, jx) - product(equation.transposeTimes(e, v), x)), <,
-                 1e-12 * (1 + std::abs(product(v, jx))));
-    // the balance is linear
-    const Vector none = equation.at(Vector(x.size(), 0.0)).residual;
-    for (Index j = problem.size(); j < equation.size(); ++j)
-      TEST_COMPARE(std::abs(none[bem::at(j)] + jx[bem::at(j)] - e.residual[bem::at(j)]),
-                   <, 1e-12 * (1 + std::abs(jx[bem::at(j)])));
-  }
 }
 
 /// A pad on two points, pressed by q and pulled along, both by springs as well:

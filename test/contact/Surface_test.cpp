@@ -67,50 +67,6 @@ contact::Problem drawn(const char* normal, const char* law, std::mt19937& random
   return test::randomProblem(recipe, random);
 }
 
-TEUCHOS_UNIT_TEST(Surface, jacobianIsTheDifferenceQuotientAndIsInverted) {
-  std::mt19937 random(7);
-  for (const char* normal : laws)
-    for (const char* law : {"None", "Tresca", "Coulomb"}) {
-      const contact::Problem problem = drawn(normal, law, random);
-      const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                       0);
-      const contact::Solution solution = test::solve(problem);
-      TEST_ASSERT(solution.report.converged());
-      Vector x = pack(problem, solution.state);
-      for (double& value : x)
-        value += 1e-3 * std::uniform_real_distribution<double>(-1, 1)(random);
-      Vector d(x.size());
-      for (double& value : d)
-        value = std::uniform_real_distribution<double>(-1, 1)(random);
-      const auto residual = [&](double t) {
-        Vector y = x;
-        for (std::size_t i = 0; i < y.size(); ++i)
-          y[i] += t * d[i];
-        return equation.at(y).residual;
-      };
-      const double h = 1e-7;
-      const Vector after = residual(h);
-      const Vector before = residual(-h);
-      const contact::Evaluation e = equation.at(x);
-      const Vector image = equation.jacobianTimes(e, d);
-      double off = 0;
-      for (std::size_t i = 0; i < d.size(); ++i)
-        off = std::max(off, std::abs((after[i] - before[i]) / (2 * h) - image[i]));
-      TEST_COMPARE(off, <, 1e-5);
-      const Vector back = contact::NewtonSystem(equation, e).solve(image);
-      Vector dual(x.size());
-      for (double& value : dual)
-        value = std::uniform_real_distribution<double>(-1, 1)(random);
-      const Vector transposed = equation.transposeTimes(e, dual);
-      double sum = 0;
-      for (std::size_t i = 0; i < d.size(); ++i) {
-        TEST_FLOATING_EQUALITY(back[i], d[i], 1e-7);
-        sum += transposed[i] * d[i] - dual[i] * image[i];
-      }
-      TEST_COMPARE(std::abs(sum), <, 1e-11);
-    }
-}
-
 TEUCHOS_UNIT_TEST(Surface, aKeptFactorKnowsWhatIsAddedToD) {
   std::mt19937 random(8);
   contact::FactorMemory memory;

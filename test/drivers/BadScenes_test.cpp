@@ -22,12 +22,7 @@ SceneText withGap(const std::string& gap) {
 /// What evaluating every expression of a scene ends with.
 std::string complaintOfCheck(const SceneText& text) {
   const test::TemporaryFile file("scene.xml", text.xml());
-  try {
-    drivers::checkScene(drivers::readScene(file.path()));
-  } catch (const bem::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return messageOf([&] { drivers::checkScene(drivers::readScene(file.path())); });
 }
 
 }  // namespace

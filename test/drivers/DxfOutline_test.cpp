@@ -1,6 +1,6 @@
 #include "drivers/scene/DxfOutline.hpp"
 
-#include "bem/base/Error.hpp"
+#include "Message.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -35,15 +35,6 @@ Entity line(const std::string& layer, const std::string& x0, const std::string& 
 Entity arc(const std::string& x, const std::string& y, const std::string& radius,
            const std::string& from, const std::string& to) {
   return {"0", "ARC", "8", "arc", "10", x, "20", y, "40", radius, "50", from, "51", to};
-}
-
-std::string complaintOf(const std::string& text) {
-  try {
-    drivers::readDxf(text);
-  } catch (const bem::InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// A square with a half circle of radius 1 to the right, its corners off by 1e-8.
@@ -108,9 +99,9 @@ TEUCHOS_UNIT_TEST(DxfOutline, readsOldAndNewFormats) {
 
 TEUCHOS_UNIT_TEST(DxfOutline, saysWhatIsNoOutline) {
   const auto complains = [&](const std::string& text, const std::string& part) {
-    const std::string complaint = complaintOf(text);
+    const std::string complaint = test::messageOf([&] { drivers::readDxf(text); });
     out << complaint << "\n";
-    TEST_ASSERT(complaint.find(part) != std::string::npos);
+    TEST_ASSERT(test::contains(complaint, part));
   };
   complains("", "no section ENTITIES");
   complains("AutoCAD Binary DXF", "no drawing in ASCII DXF");

@@ -75,12 +75,8 @@ TEUCHOS_UNIT_TEST(Expressions, ofFieldsHaveFiniteSquares) {
   text.base = parameter("Type", "Contact") + parameter("Gap", "1e100*10^(100*x)");
   const bem::Function gap = read(text).bodies[0].conditions.contact.at("base").gap;
   TEST_FLOATING_EQUALITY(gap({0, 0}), 1e100, 1e-14);
-  try {
-    gap({1, 0});
-    TEST_ASSERT(false);
-  } catch (const bem::InputError& error) {
-    TEST_ASSERT(contains(error.what(), "base->Gap") && contains(error.what(), "square"));
-  }
+  const std::string told = messageOf([&] { gap({1, 0}); });
+  TEST_ASSERT(contains(told, "base->Gap") && contains(told, "square"));
 }
 
 std::string table(const std::string& name, const std::string& content) {
@@ -117,13 +113,7 @@ TEUCHOS_UNIT_TEST(Tables, areFunctionsOfExpressions) {
 TEUCHOS_UNIT_TEST(Expressions, haveNoSignWhereTheyAreNoNumber) {
   SceneText text;
   text.base = parameter("Type", "Contact") + parameter("Gap", "sin(1/x)");  // -nan at 0
-  const bem::Function gap = gapOf(text);
-  try {
-    gap({0, 0});
-    TEST_ASSERT(false);
-  } catch (const bem::InputError& error) {
-    TEST_ASSERT(contains(error.what(), "is nan at"));
-  }
+  TEST_ASSERT(contains(messageOf([&] { gapOf(text)({0, 0}); }), "is nan at"));
 }
 
 TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {

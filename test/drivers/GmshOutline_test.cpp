@@ -1,6 +1,6 @@
 #include "drivers/scene/GmshOutline.hpp"
 
-#include "bem/base/Error.hpp"
+#include "Message.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -48,20 +48,11 @@ Element line(int curve, const std::string& ends) { return {1, curve, 1, ends}; }
 const std::vector<Element> square = {line(2, "4 3"), line(1, "1 5"), line(2, "4 1"),
                                      line(1, "5 2"), line(2, "2 3"), {2, 9, 2, "1 2 3"}};
 
-std::string complaintOf(const std::string& text) {
-  try {
-    drivers::readGmsh(text);
-  } catch (const bem::InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-#define TEST_COMPLAINT(text, part)                          \
-  {                                                         \
-    const std::string complaint = complaintOf(text);        \
-    out << complaint << "\n";                               \
-    TEST_ASSERT(complaint.find(part) != std::string::npos); \
+#define TEST_COMPLAINT(text, part)                                                   \
+  {                                                                                  \
+    const std::string complaint = test::messageOf([&] { drivers::readGmsh(text); }); \
+    out << complaint << "\n";                                                        \
+    TEST_ASSERT(test::contains(complaint, part));                                    \
   }
 
 TEUCHOS_UNIT_TEST(GmshOutline, chainsLinesCounterClockwiseAndMergesStraightOnes) {

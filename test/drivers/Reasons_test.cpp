@@ -12,10 +12,7 @@ namespace {
 
 using contact::End;
 using contact::Stage;
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::contains;
 
 TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
   const drivers::Scene scene = test::read(test::SceneText());
@@ -23,11 +20,11 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
   contact::Report report;
   report.stages = {{Stage::FullSteps, 50, 1, End::Iterations}};
   const std::string alone = reasonOf(report, scene);
-  TEST_ASSERT(says(alone, "Solver->Maximum Iterations") && !says(alone, limit));
+  TEST_ASSERT(contains(alone, "Solver->Maximum Iterations") && !contains(alone, limit));
   report.stages.push_back({Stage::FollowOffset, 0, 1, End::TooLarge});
   const std::string both = reasonOf(report, scene);
-  TEST_ASSERT(says(both, "Solver->Maximum Iterations") && says(both, limit));
-  TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too large"));
+  TEST_ASSERT(contains(both, "Solver->Maximum Iterations") && contains(both, limit));
+  TEST_ASSERT(contains(contact::told(report.stages), "follow offset 0 too large"));
 }
 
 TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
@@ -37,11 +34,11 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
                    {Stage::FollowOffset, 20, 1, End::Cycling},
                    {Stage::FollowOffset, 0, 1, End::TooLong}};
   const std::string text = reasonOf(report, scene);
-  TEST_ASSERT(says(text, "Solver->Maximum Iterations") &&
-              says(text, "given up after 5e+12"));
-  TEST_ASSERT(says(text, "smaller friction coefficient") &&
-              !says(text, "There is no solution"));
-  TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too long"));
+  TEST_ASSERT(contains(text, "Solver->Maximum Iterations") &&
+              contains(text, "given up after 5e+12"));
+  TEST_ASSERT(contains(text, "smaller friction coefficient") &&
+              !contains(text, "There is no solution"));
+  TEST_ASSERT(contains(contact::told(report.stages), "follow offset 0 too long"));
 }
 
 TEUCHOS_UNIT_TEST(PrintedTable, namesTheContactsWithTheLargestForces) {
@@ -54,11 +51,11 @@ TEUCHOS_UNIT_TEST(PrintedTable, namesTheContactsWithTheLargestForces) {
   const std::string line = tableLine(row);
   out << line;
   TEST_ASSERT(line.find("; c5 ") < line.find("; c4 ") &&
-              says(line, "; c3 normal force 3"));
-  TEST_ASSERT(!says(line, "c2") && !says(line, "c1") &&
-              says(line, "; 2 more in steps.csv"));
+              contains(line, "; c3 normal force 3"));
+  TEST_ASSERT(!contains(line, "c2") && !contains(line, "c1") &&
+              contains(line, "; 2 more in steps.csv"));
   row.contacts.resize(3);
-  TEST_ASSERT(says(tableLine(row), "; c1 ") && !says(tableLine(row), "more"));
+  TEST_ASSERT(contains(tableLine(row), "; c1 ") && !contains(tableLine(row), "more"));
 }
 
 }  // namespace

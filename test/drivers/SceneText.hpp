@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Error.hpp"
+#include "Message.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <filesystem>
@@ -106,19 +106,11 @@ inline std::string complaintOf(const std::string& text,
                                const std::string& name = "scene.xml",
                                const std::vector<std::string>& overrides = {}) {
   const TemporaryFile file(name, text);
-  try {
-    drivers::readScene(file.path(), overrides);
-  } catch (const bem::InputError& error) {
-    // Every message names the file first.
-    const std::string what = error.what();
-    return what.rfind(file.path() + ": ", 0) == 0 ? what.substr(file.path().size() + 2)
-                                                  : "NO FILE NAMED IN: " + what;
-  }
-  return "";
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  const std::string what = messageOf([&] { drivers::readScene(file.path(), overrides); });
+  // Every message names the file first.
+  if (what.empty() || what.rfind(file.path() + ": ", 0) == 0)
+    return what.empty() ? "" : what.substr(file.path().size() + 2);
+  return "NO FILE NAMED IN: " + what;
 }
 
 }  // namespace epafi::test

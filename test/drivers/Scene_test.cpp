@@ -333,16 +333,6 @@ TEUCHOS_UNIT_TEST(Scene, expressionsMayBeEvaluatedByManyThreads) {
     TEST_EQUALITY(count, 0);
 }
 
-TEUCHOS_UNIT_TEST(Scene, shippedScenesPassTheCheck) {
-  for (const char* name : {"tresca", "coulomb", "patch", "hertz", "punch"}) {
-    std::ostringstream text;
-    TEST_EQUALITY(drivers::checkCommand(
-                      {std::string(EPAFI_SCENES) + "/" + name + ".xml", {}}, text),
-                  0);
-    TEST_ASSERT(test::contains(text.str(), "The scene is valid."));
-  }
-}
-
 TEUCHOS_UNIT_TEST(Schema, everyDefaultIsValidAndEveryListStandsBeforeItsKeys) {
   for (const drivers::Parameter& row : drivers::parameters()) {
     TEST_ASSERT(!row.meaning.empty());

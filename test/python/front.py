@@ -42,7 +42,8 @@ for name in sorted(os.listdir(SHIPPED)):
         lines = subprocess.run([EPAFI, "check", file], stdout=subprocess.PIPE, text=True,
                                check=True).stdout.splitlines()
         return [lines[0].split(" (")[0], *lines[1:]]
-    claim(told(copy) == told(os.path.join(SHIPPED, name)), name + ": the program reads the same")
+    claim(told(copy) == told(os.path.join(SHIPPED, name)) and "The scene is valid." in told(copy),
+          name + ": the program reads the same, a valid scene")
 
 try:
     import yaml
@@ -243,10 +244,11 @@ for words, slip in (
         ("steps 1 to 3", lambda: worn.step(4)),
         ("'von_mises'", lambda: worn.pictures("von_mise")),
         ("a list of values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": "2"})),
+        ("has no values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": []})),
         ("at least 1", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": [2]}, jobs=0))):
     with raises(epafi.InputError, "a slip is noticed", words):
         slip()
-with raises(epafi.InputError, "a file that is not there is named", "steps.csv"):
+with raises(epafi.InputError, "a run without a path has no steps", "steps.csv", "no History"):
     run.steps
 more = epafi.run(coulomb, restart=run, set={"Adaptivity->Maximum Levels": 3})
 claim(more.history.size == 3, "a run goes on")
@@ -268,7 +270,8 @@ done = subprocess.run([sys.executable, "-X", "dev", "-W", "error::ResourceWarnin
                        os.path.join(SHIPPED, "coulomb.xml")], stdout=subprocess.PIPE,
                       stderr=subprocess.STDOUT, text=True, cwd=WORK)
 claim(done.stdout == "refused\n", "a relative folder, no warning: " + done.stdout)
-with raises(epafi.InputError, "an earlier run is not overwritten", "--force"):
+with raises(epafi.InputError, "an earlier run is not overwritten", "force=True replaces",
+            "restart goes on", "output goes elsewhere", absent=["--"]):
     epafi.run(coulomb, folder)
 FIXED_POINT = {"Solver->Coulomb Iteration": "Fixed Point"}
 try:
@@ -291,6 +294,8 @@ claim(sweep._repr_html_().count("<tr>") == 7 and "data:image" in sweep._repr_htm
       "in a notebook with a picture")
 claim(abs(epafi.sweep(coulomb, {FRICTION + "->Coefficient": [0.2, 0.4]}, jobs=1)["energy_strain"]
           / sweep["energy_strain"][0, 1:] - 1).max() < 1e-9, "cases are alike one after the other")
+with raises(epafi.InputError, "one place at a time", "one of grid, points and along", absent=["--"]):
+    run.fields(points, grid=(2, 2))
 with raises(epafi.InputError, "an earlier sweep is not overwritten", "force"):
     epafi.sweep(coulomb, sweep.parameters, os.path.join(WORK, "sweep"))
 high = vertices * [1, 2]

@@ -6,24 +6,10 @@ namespace epafi::reference {
 
 namespace {
 
-QuadVec operator+(const QuadVec& a, const QuadVec& b) { return {a.x + b.x, a.y + b.y}; }
-QuadVec operator-(const QuadVec& a, const QuadVec& b) { return {a.x - b.x, a.y - b.y}; }
-QuadVec operator*(const Quad& s, const QuadVec& a) { return {s * a.x, s * a.y}; }
-Quad dot(const QuadVec& a, const QuadVec& b) { return a.x * b.x + a.y * b.y; }
-
 QuadVec turned(const QuadVec& a, const Quad& angle) {
   const Quad c = cos(angle);
   const Quad s = sin(angle);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
-}
-
-std::vector<Quad> legendre(int degree, const Quad& t) {
-  std::vector<Quad> p = {1, t};
-  for (int k = 1; k < degree; ++k) {
-    const std::size_t at = k;
-    p.push_back(((2 * k + 1) * t * p[at] - k * p[at - 1]) / (k + 1));
-  }
-  return p;
 }
 
 /// A bisected pair of this level is 2^-level as long.

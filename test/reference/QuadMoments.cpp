@@ -6,14 +6,10 @@
 
 namespace epafi::reference {
 
-namespace {
-
 QuadVec operator+(const QuadVec& a, const QuadVec& b) { return {a.x + b.x, a.y + b.y}; }
 QuadVec operator-(const QuadVec& a, const QuadVec& b) { return {a.x - b.x, a.y - b.y}; }
 QuadVec operator*(const Quad& s, const QuadVec& a) { return {s * a.x, s * a.y}; }
 Quad dot(const QuadVec& a, const QuadVec& b) { return a.x * b.x + a.y * b.y; }
-Quad cross(const QuadVec& a, const QuadVec& b) { return a.x * b.y - a.y * b.x; }
-Quad norm(const QuadVec& a) { return sqrt(dot(a, a)); }
 
 std::vector<Quad> legendre(int degree, const Quad& t) {
   std::vector<Quad> p = {1, t};
@@ -22,6 +18,11 @@ std::vector<Quad> legendre(int degree, const Quad& t) {
   p.resize(static_cast<std::size_t>(degree) + 1);
   return p;
 }
+
+namespace {
+
+Quad cross(const QuadVec& a, const QuadVec& b) { return a.x * b.y - a.y * b.x; }
+Quad norm(const QuadVec& a) { return sqrt(dot(a, a)); }
 
 /// All fields at d.
 std::array<Quad, fields> fieldsAt(const QuadVec& d) {

@@ -14,6 +14,13 @@ struct QuadVec {
   Quad y;
 };
 
+QuadVec operator+(const QuadVec& a, const QuadVec& b);
+QuadVec operator-(const QuadVec& a, const QuadVec& b);
+QuadVec operator*(const Quad& s, const QuadVec& a);
+Quad dot(const QuadVec& a, const QuadVec& b);
+/// P_0 to P_degree.
+std::vector<Quad> legendre(int degree, const Quad& t);
+
 /// A straight element, from t = -1 to t = 1.
 struct Segment {
   QuadVec from;

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Collocation.hpp"
+#include "contact/multiplier/Interpolation.hpp"
 
 namespace epafi::adaptivity {
 
@@ -19,8 +19,7 @@ class Collection {
   explicit Collection(Index size) : sums_(size), counts_(size) {}
 
   template <class Number>
-  void add(const Vector& coefficients, contact::EndCoefficients ends,
-           const Number& number) {
+  void add(const Vector& coefficients, const contact::Ends& ends, const Number& number) {
     const int degree = static_cast<int>(coefficients.size()) - 1;
     for (int i = 0; i <= degree; ++i) {
       if (!ContactElement::isOwn(ends, degree, i))
@@ -92,19 +91,20 @@ Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
   Walk walk(fromMesh, from, multiplier);
   for (const ContactElement& element : to.elements()) {
     const bem::Piece& piece = toMesh[element.element].piece;
-    const contact::Collocation collocation(to.basis(),
-                                           bem::gaussLegendre(element.degree + 1).points);
+    const Vector& places = bem::gaussLegendre(element.degree + 1).points;
+    const bem::LuFactor interpolation = contact::interpolation(to.basis(), places);
     Vector normal;
     Vector tangential;
-    for (const double t : collocation.places()) {
+    for (const double t : places) {
       const auto value = walk.at(piece.edge, positionAt(piece, t));
       normal.push_back(value.normal);
       tangential.push_back(value.tangential);
     }
-    result.add(collocation.coefficients(normal), element.normalEnds,
-               [&](int i) { return element.normalOf(i); });
+    interpolation.solve(normal);
+    interpolation.solve(tangential);
+    result.add(normal, element.normalEnds, [&](int i) { return element.normalOf(i); });
     if (element.tangential >= 0)
-      result.add(collocation.coefficients(tangential), element.tangentialEnds,
+      result.add(tangential, element.tangentialEnds,
                  [&](int i) { return element.tangentialOf(i); });
   }
   return result.means();

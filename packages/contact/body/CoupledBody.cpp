@@ -161,15 +161,15 @@ class CoupledBody final : public StabilisedBody {
   // grows as ν -> 1/2 while γ is there.
   // What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
   double strainEnergy(const Vector& u, const Vector& multiplier,
-                      const ResidualTerms& terms) const override {
+                      const Loads::OfInside& inside) const override {
     double twice = balanced_.stiffnessWork(u);
     if (!coupling_.hasCompliance())
       return 0.5 * twice;
-    const Vector& ofInside = terms.density;
+    const Vector& ofInside = inside.density;
     Vector psi = density(u, multiplier);
     if (!ofInside.empty()) {
       bem::axpy(1, ofInside, psi);
-      twice -= 2 * dot(u, terms.force) + dot(terms.compliance, ofInside);
+      twice -= 2 * dot(u, inside.force) + dot(inside.compliance, ofInside);
     }
     twice -= coupling_.complianceWork(psi);
     if (!coupling_.byDensity())

@@ -17,29 +17,6 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-/// A coefficient of an element: χ_i d, d the normal or the tangent, which may turn.
-struct Coefficient {
-  Index number;
-  int function;
-  bool tangential;
-  const EndCompletion* completion;  ///< null inside the element
-};
-
-std::vector<Coefficient> coefficientsOf(const ContactElement& contact) {
-  std::vector<Coefficient> result;
-  for (const bool tangential : {false, true}) {
-    const auto& ends =
-        tangential ? contact.tangentialCompletions : contact.normalCompletions;
-    for (int i = 0; i <= contact.degree && (!tangential || contact.tangential >= 0); ++i)
-      result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i), i,
-                        tangential,
-                        i == 0                ? &ends[0]
-                        : i == contact.degree ? &ends[1]
-                                              : nullptr});
-  }
-  return result;
-}
-
 /// values of functions times a force, by components: two rows a function.
 void addForce(Vec2 force, const double* values, double* rows, Index size) {
   for (Index k = 0; k < size; k += 2) {
@@ -48,7 +25,8 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
   }
 }
 
-/// What one contact element has of C, G and M.  G's rows: with Form Density Legendre polynomials,
+/// What one contact element has of C, G and M, coefficients χ_i d: first those with the normal d,
+/// then those with the tangent, which may turn.  G's rows: with Form Density Legendre polynomials,
 /// the densities', where S u is evaluated orthonormal ones, else none.
 class ElementCoupling {
  public:
@@ -60,26 +38,25 @@ class ElementCoupling {
         byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
         element_(space.mesh()[contact.element]),
-        coefficients_(coefficientsOf(contact)),
         traces_(2 * (element_.degree + 1), size()),
         parts_(rows(), size()),
         mass_(size(), size()),
-        rests_(coefficients_.size()) {
+        rests_(at(size())) {
     integrate();
   }
 
   void addTo(double gamma, Index firstRow, Coupling& coupling) const {
     for (Index i = 0; i < size(); ++i) {
-      const auto& [number, function, tangential, completion] = coefficients_[at(i)];
-      const bool clamped = completion != nullptr && completion->clamped;
+      const Index number = numberOf(i);
+      const EndCoefficient* end = endOf(i);
+      const bool clamped = end != nullptr && end->clamped;
       addTrace(i, number, 1, clamped ? coupling.completion : coupling.trace);
-      if (completion != nullptr)
-        for (const auto& [other, factor] : completion->added)
+      if (end != nullptr)
+        for (const auto& [other, factor] : end->added)
           addTrace(i, other, factor, coupling.completion);
       for (Index k = 0; k < size() && gamma != 0; ++k)
         if (mass_(i, k) != 0)
-          coupling.mass.push_back(
-              {number, coefficients_[at(k)].number, gamma * mass_(i, k)});
+          coupling.mass.push_back({number, numberOf(k), gamma * mass_(i, k)});
       for (Index row = 0; row < rows() && gamma != 0; ++row)
         coupling.weights.push_back(
             {firstRow + row, number, gamma * normOf(row) * parts_(row, i)});
@@ -88,29 +65,45 @@ class ElementCoupling {
 
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
-                  TractionMoments& moments) const {
+                  Loads::OfInside& moments) const {
     Vector parts(at(rows()));
-    forEachPointOf(contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
-                   [&](const SidePoint& point) {
-                     const Vec2 force =
-                         point.weight *
-                         inside.traction(space_.mesh(), contact_.element, point.t);
-                     addForce(force, orthonormal(point.t).data(), parts.data(), rows());
-                     for (const Coefficient& c : coefficients_)
-                       if (isWhole())
-                         moments.multipliers[at(c.number)] +=
-                             gamma * point.chi[at(c.function)] *
-                             dot(force, c.tangential ? point.tangent : point.normal);
-                   });
+    forEachPointOf(
+        contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
+        [&](const SidePoint& point) {
+          const Vec2 force =
+              point.weight * inside.traction(space_.mesh(), contact_.element, point.t);
+          addForce(force, orthonormal(point.t).data(), parts.data(), rows());
+          for (Index i = 0; i < size() && isWhole(); ++i)
+            moments.terms[at(numberOf(i))] -=
+                gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point));
+        });
     for (Index i = 0; i < size() && !isWhole(); ++i)
-      moments.multipliers[at(coefficients_[at(i)].number)] +=
+      moments.terms[at(numberOf(i))] -=
           gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
     for (Index row = 0; row < rows(); ++row)
       moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
   }
 
  private:
-  Index size() const { return static_cast<Index>(coefficients_.size()); }
+  Index functions() const { return contact_.degree + 1; }
+  Index size() const { return contact_.tangential >= 0 ? 2 * functions() : functions(); }
+  bool isTangential(Index i) const { return i >= functions(); }
+  std::size_t functionOf(Index i) const { return at(i % functions()); }
+  Index numberOf(Index i) const {
+    const auto function = static_cast<int>(functionOf(i));
+    return isTangential(i) ? contact_.tangentialOf(function)
+                           : contact_.normalOf(function);
+  }
+  Vec2 directionOf(Index i, const SidePoint& point) const {
+    return isTangential(i) ? point.tangent : point.normal;
+  }
+  /// Null inside the element.
+  const EndCoefficient* endOf(Index i) const {
+    const Ends& ends = isTangential(i) ? contact_.tangentialEnds : contact_.normalEnds;
+    return functionOf(i) == 0                     ? &ends[0]
+           : functionOf(i) == at(contact_.degree) ? &ends[1]
+                                                  : nullptr;
+  }
   /// The rows of the element's tractions, or its densities.
   Index rows() const {
     return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
@@ -150,15 +143,14 @@ class ElementCoupling {
     const auto legendre = orthonormal(point.t);
     const Vec2 rest = space_.rotationRest(contact_.element, point.t);
     for (Index i = 0; i < size(); ++i) {
-      const Coefficient& c = coefficients_[at(i)];
-      const double value = point.weight * point.chi[at(c.function)];
-      const Vec2 force = value * (c.tangential ? point.tangent : point.normal);
+      const double value = point.weight * point.chi[functionOf(i)];
+      const Vec2 force = value * directionOf(i, point);
       addForce(force, phi.data(), traces_.column(i), traces_.rows());
       addForce(force, legendre.data(), parts_.column(i), rows());
       rests_[at(i)] += dot(force, rest);
       for (Index k = 0; k < size(); ++k)
-        if (coefficients_[at(k)].tangential == c.tangential)
-          mass_(i, k) += value * point.chi[at(coefficients_[at(k)].function)];
+        if (isTangential(k) == isTangential(i))
+          mass_(i, k) += value * point.chi[functionOf(k)];
     }
   }
 
@@ -177,7 +169,6 @@ class ElementCoupling {
   bool byTractions_;
   const ContactElement& contact_;
   const bem::Element& element_;
-  std::vector<Coefficient> coefficients_;
   Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
   Matrix parts_;  ///< ∫ χ_i d·P_l, P_l orthonormal, likewise
   Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
@@ -212,18 +203,16 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   return coupling;
 }
 
-TractionMoments tractionMoments(const bem::Space& space,
-                                const MultiplierSpace& multiplier,
-                                const Coupling& coupling,
-                                const ParticularSolution& inside) {
-  TractionMoments moments{Vector(at(coupling.start.back())),
-                          Vector(at(multiplier.size()))};
+void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
+                        const Coupling& coupling, const ParticularSolution& inside,
+                        Loads::OfInside& moments) {
+  moments.weights.assign(at(coupling.start.back()), 0.0);
+  moments.terms.assign(at(multiplier.size()), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
       ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
           .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
-  return moments;
 }
 
 void Coupling::weaken(double newGamma0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/body/Loads.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
@@ -45,12 +46,12 @@ struct Coupling {
   Vector ofDensities(const Vector& density) const;
   /// ψᵀ G ψ, all that V + G has beyond V.
   double complianceWork(const Vector& density) const;
-  /// <γ t_p, P_i> of all densities: on contact elements by the weights of TractionMoments, on
+  /// <γ t_p, P_i> of all densities: on contact elements by the weights of Loads::OfInside, on
   /// pinned ones by their means.
   Vector complianceOf(const bem::Space& space, const Vector& onContacts,
                       const ParticularSolution& inside) const;
   /// See ContactBody; zero without densities.  `ofInside`: the compliance of
-  /// ResidualTerms.
+  /// Loads::OfInside.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
                                     const Vector& ofInside) const;
 };
@@ -60,14 +61,9 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
                       const Stabilization& stabilization, const bem::Lame& lame,
                       bem::Units units, std::vector<Index> start = {});
 
-/// What the traction t_p of a particular solution does through the residual λ + t_p + S u.
-struct TractionMoments {
-  Vector weights;      ///< by G's rows: <γ t_p, P> as G λ has <γ λ, P>
-  Vector multipliers;  ///< <γ t_p, χ_i> as M λ has <γ λ, χ_i>
-};
-TractionMoments tractionMoments(const bem::Space& space,
-                                const MultiplierSpace& multiplier,
-                                const Coupling& coupling,
-                                const ParticularSolution& inside);
+/// Sets the `weights` and `terms` of the traction t_p of a particular solution.
+void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
+                        const Coupling& coupling, const ParticularSolution& inside,
+                        Loads::OfInside& moments);
 
 }  // namespace epafi::contact

@@ -4,6 +4,7 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,6 +190,21 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
   if (outline.diameter() < outline.scaling().length)
     scaleMotions(holding);
   return holding;
+}
+
+std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
+                                      const std::function<Vector(const Vector&)>& apply) {
+  std::vector<Vector> columns;
+  if (first == holding.allowed.columns())
+    return columns;
+  const Vector alongX = apply(columnOf(holding.modes.motions, 0));
+  const Vector alongY = apply(columnOf(holding.modes.motions, 1));
+  for (Index k = first; k < holding.allowed.columns(); ++k) {
+    const Vector motion = columnOf(holding.allowed, k);
+    columns.push_back(apply(motion));
+    dropRounding(alongX, alongY, motion, columns.back());
+  }
+  return columns;
 }
 
 }  // namespace epafi::contact

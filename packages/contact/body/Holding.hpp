@@ -2,6 +2,9 @@
 
 #include "contact/body/Loads.hpp"
 
+#include <functional>
+#include <vector>
+
 namespace epafi::contact {
 
 /// How a body is held: by clamps, by Fix, or not at all.  The same at all times of a path.
@@ -29,5 +32,10 @@ struct Holding {
 
 /// \throws bem::InputError if clamps already prevent a mode of Fix
 Holding makeHolding(const bem::Space& space, const Conditions& conditions);
+
+/// C r of the allowed motions r from number `first` on, zero where that is rounding.
+/// \param apply  C u on all multipliers
+std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
+                                      const std::function<Vector(const Vector&)>& apply);
 
 }  // namespace epafi::contact

@@ -29,24 +29,21 @@ Vector StabilisedBody::massTimes(const Vector& multiplier) const {
   return result;
 }
 
-ResidualTerms StabilisedBody::residualTerms(const MultiplierSpace& multiplier) const {
-  const BodyLoadSolution& inside = multiplier.conditions().inside;
-  if (!inside)
-    return {};
-  const TractionMoments moments = tractionMoments(space_, multiplier, coupling_, *inside);
-  ResidualTerms terms;
-  terms.terms.assign(moments.multipliers.size(), 0.0);
-  bem::axpy(-1, moments.multipliers, terms.terms);
+void StabilisedBody::setResidual(const MultiplierSpace& multiplier,
+                                 Loads::OfInside& inside) const {
+  const BodyLoadSolution& solution = multiplier.conditions().inside;
+  if (!solution)
+    return;
+  setTractionMoments(space_, multiplier, coupling_, *solution, inside);
   if (coupling_.hasCompliance()) {
-    terms.compliance = coupling_.complianceOf(space_, moments.weights, *inside);
-    std::tie(terms.density, terms.force) = answerTo(terms.compliance);
-    for (double& x : terms.density)
+    inside.compliance = coupling_.complianceOf(space_, inside.weights, *solution);
+    std::tie(inside.density, inside.force) = answerTo(inside.compliance);
+    for (double& x : inside.density)
       x = -x;
-    coupling_.subtractWeighted(coupling_.ofDensities(terms.density), terms.terms);
+    coupling_.subtractWeighted(coupling_.ofDensities(inside.density), inside.terms);
   } else if (!coupling_.weights.empty()) {
-    terms.force = forcesOf(moments.weights);
+    inside.force = forcesOf(inside.weights);
   }
-  return terms;
 }
 
 }  // namespace epafi::contact

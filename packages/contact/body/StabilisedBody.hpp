@@ -9,15 +9,6 @@ namespace epafi::contact {
 
 struct Holding;
 
-/// Terms of the traction t_p of a particular solution in the residual λ + t_p + S u of the
-/// stabilisation, independent of u and λ; empty: zero.               [doc/theory/body-loads.md]
-struct ResidualTerms {
-  Vector force;       ///< to f
-  Vector terms;       ///< to C u - M λ
-  Vector density;     ///< to ψ
-  Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
-};
-
 /// Discrete equations of an elastic body and its multiplier for a form of the stabilisation, with A
 /// factored under the Dirichlet conditions of the body:
 ///
@@ -45,9 +36,9 @@ class StabilisedBody {
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
-  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ including terms.density.
+  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ including inside.density.
   virtual double strainEnergy(const Vector& u, const Vector& multiplier,
-                              const ResidualTerms& terms) const = 0;
+                              const Loads::OfInside& inside) const = 0;
 
   /// Bᵀ λ, including forces on clamps and corners.
   Vector applyTranspose(const Vector& multiplier) const;
@@ -55,8 +46,8 @@ class StabilisedBody {
   Vector apply(const Vector& u) const;
   /// M λ
   Vector massTimes(const Vector& multiplier) const;
-  /// Terms of the body loads in the conditions of the multiplier.
-  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const;
+  /// Sets what body loads do through the stabilisation.
+  void setResidual(const MultiplierSpace& multiplier, Loads::OfInside& inside) const;
   const Coupling& local() const { return coupling_; }
 
  protected:

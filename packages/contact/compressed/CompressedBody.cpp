@@ -125,10 +125,10 @@ Vector CompressedBody::density(const Vector& u, const Vector& multiplier) const 
 
 // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
 double CompressedBody::strainEnergy(const Vector& u, const Vector& multiplier,
-                                    const ResidualTerms& terms) const {
+                                    const Loads::OfInside& inside) const {
   Vector psi = density(u, multiplier);
-  if (!terms.density.empty())
-    bem::axpy(1, terms.density, psi);
+  if (!inside.density.empty())
+    bem::axpy(1, inside.density, psi);
   const Matrix& images = fieldOf(u).images;
   const auto work = [](const Vector& x, const Matrix& image, Index column, Index first) {
     return std::inner_product(x.begin(), x.end(), image.column(column) + first, 0.0);
@@ -137,8 +137,8 @@ double CompressedBody::strainEnergy(const Vector& u, const Vector& multiplier,
       work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
   if (coupling_.byDensity() && !multiplier.empty())
     twice += work(psi, under(coupling_.weighted(multiplier)).image, 0, range_.densities);
-  if (!terms.density.empty())
-    twice -= dot(psi, terms.compliance);
+  if (!inside.density.empty())
+    twice -= dot(psi, inside.compliance);
   return 0.5 * (twice - coupling_.complianceWork(psi));
 }
 

@@ -27,7 +27,7 @@ class CompressedBody final : public StabilisedBody {
   Vector residual(const Vector& force, const Vector& u) const override;
   Vector density(const Vector& u, const Vector& multiplier) const override;
   double strainEnergy(const Vector& u, const Vector& multiplier,
-                      const ResidualTerms& terms) const override;
+                      const Loads::OfInside& inside) const override;
 
   const bem::Space& space() const { return space_; }
   const bem::CompressedOperators& operators() const { return *operators_; }

@@ -1,7 +1,7 @@
 #include "contact/multiplier/BoundCoefficients.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Collocation.hpp"
+#include "contact/multiplier/Interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,8 @@ Vector boundCoefficients(const MultiplierBasis& basis, int degree, const Bound& 
     return values;
   const Vector nodes = multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
   const Vector atNodes = valuesAt(nodes, bound);
-  Vector closer = Collocation(basis, nodes).coefficients(atNodes);
+  Vector closer = atNodes;
+  interpolation(basis, nodes).solve(closer);
   for (double& coefficient : closer)
     coefficient = std::max(coefficient, 0.0);
 

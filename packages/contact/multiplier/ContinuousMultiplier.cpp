@@ -2,7 +2,7 @@
 
 #include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Collocation.hpp"
+#include "contact/multiplier/Interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,12 +61,11 @@ class Jumps {
       if (before_[k] == none && behind_[k] == none)
         continue;
       const Element& here = element(k);
-      const Collocation collocation(space_.basis(),
-                                    bem::gaussLegendre(here.degree + 1).points);
-      Vector values;
-      for (const double t : collocation.places())
-        values.push_back(correction(k, t));
-      const Vector more = collocation.coefficients(std::move(values));
+      const Vector& places = bem::gaussLegendre(here.degree + 1).points;
+      Vector more;
+      for (const double t : places)
+        more.push_back(correction(k, t));
+      interpolation(space_.basis(), places).solve(more);
       for (int i = 0; i <= here.degree; ++i)
         result[(here.*component_.number)(i)] += more[at(i)];
     }

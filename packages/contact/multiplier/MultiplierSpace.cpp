@@ -70,13 +70,13 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     const auto direction = [&](double t) {
       return tangential ? element.curve.tangent(t) : element.curve.normal(t);
     };
-    EndCoefficients ends;
+    Ends ends;
     if (!joined_[k])
-      ends.first = nodes.take(element.startNode, direction(-1));
+      ends[0].isUnknown = nodes.take(element.startNode, direction(-1));
     const auto behind = follower(k);
     if (!behind || !joined_[*behind])
-      ends.last = nodes.take(element.endNode, direction(1));
-    if (elements_[k].degree == 1 && !ends.first && !ends.last)
+      ends[1].isUnknown = nodes.take(element.endNode, direction(1));
+    if (elements_[k].degree == 1 && !ends[0].isUnknown && !ends[1].isUnknown)
       throw bem::InputError(
           "boundary '", *elements_[k].boundary,
           "': an element of degree 1 without a free node cannot carry the multiplier '",
@@ -97,7 +97,7 @@ std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
 
 void MultiplierSpace::number() {
   const auto assign = [&](Index ContactElement::*first, Index ContactElement::*last,
-                          EndCoefficients ContactElement::*ends, const auto& belongs) {
+                          Ends ContactElement::*ends, const auto& belongs) {
     bool isOpen =
         false;  // the next element shares its first coefficient with the last one
     for (std::size_t k = 0; k < elements_.size(); ++k) {
@@ -138,9 +138,9 @@ double MultiplierSpace::throughPoints(const Vector& values, const ContactElement
   return std::inner_product(chi.begin(), chi.end(), values.begin() + element.point, 0.0);
 }
 
-Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const {
-  const int skipped = ends.first ? 0 : 1;
-  const int last = degree - skipped - (ends.last ? 0 : 1);
+Index MultiplierSpace::ContactElement::offset(const Ends& ends, int i) const {
+  const int skipped = ends[0].isUnknown ? 0 : 1;
+  const int last = degree - skipped - (ends[1].isUnknown ? 0 : 1);
   return std::clamp(i - skipped, 0, last);
 }
 
@@ -176,9 +176,9 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
   }
   for (const std::size_t end : {0, 1}) {
     const double weight = end == 0 ? chi.front() : chi.back();
-    for (const auto& [k, factor] : element.normalCompletions[end].added)
+    for (const auto& [k, factor] : element.normalEnds[end].added)
       value.normal += weight * factor * coefficient(k);
-    for (const auto& [k, factor] : element.tangentialCompletions[end].added)
+    for (const auto& [k, factor] : element.tangentialEnds[end].added)
       value.tangential += weight * factor * coefficient(k);
   }
   return value;

@@ -16,23 +16,21 @@ using bem::at;
 using bem::Index;
 using bem::Vector;
 
-/// Are the first and the last coefficient of an element unknowns?
-struct EndCoefficients {
-  bool first = true;
-  bool last = true;
-};
-
 /// The contact that an element is in, if any.
 const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                                      const Conditions& conditions);
 
-/// Additional terms of the polynomial of an element at an end, see completeEnds.
-struct EndCompletion {
+/// The coefficient of an element at one of its ends.
+struct EndCoefficient {
+  /// Is it an unknown, not replaced by another one?
+  bool isUnknown = true;
   /// The displacement is prescribed there, and its contact condition is dropped.
   bool clamped = false;
-  /// Numbers of coefficients and their weights.
-  std::vector<std::pair<Index, double>> added;
+  /// Additional terms of the polynomial of the element, see completeEnds: numbers of
+  /// coefficients and their weights.
+  std::vector<std::pair<Index, double>> added{};
 };
+using Ends = std::array<EndCoefficient, 2>;  ///< the first, the last
 
 /// Numbering of the multiplier: on each contact element of degree p, p + 1 normal
 /// coefficients and, with friction, p + 1 tangential ones.  First the normal coefficients
@@ -61,10 +59,8 @@ class MultiplierSpace {
     /// else -1.
     Index normalLast = -1;
     Index tangentialLast = -1;
-    EndCoefficients normalEnds;
-    EndCoefficients tangentialEnds;
-    std::array<EndCompletion, 2> normalCompletions;  ///< at the first end, at the last
-    std::array<EndCompletion, 2> tangentialCompletions;
+    Ends normalEnds;
+    Ends tangentialEnds;
 
     /// Are the sides bonded?
     bool ties() const { return condition->friction.ties(); }
@@ -79,19 +75,19 @@ class MultiplierSpace {
     }
 
     /// Is coefficient i at a clamped end, so that it has no contact condition?
-    bool holdsNothing(const std::array<EndCompletion, 2>& ends, int i) const {
+    bool holdsNothing(const Ends& ends, int i) const {
       return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
     }
 
     /// Is coefficient i an unknown, not replaced by another one?
-    static bool isOwn(EndCoefficients ends, int degree, int i) {
-      return (ends.first || i > 0) && (ends.last || i < degree);
+    static bool isOwn(const Ends& ends, int degree, int i) {
+      return (ends[0].isUnknown || i > 0) && (ends[1].isUnknown || i < degree);
     }
 
    private:
     friend class MultiplierSpace;
     bool closes(Index last, int i) const { return last >= 0 && i == degree; }
-    Index offset(EndCoefficients ends, int i) const;
+    Index offset(const Ends& ends, int i) const;
   };
 
   /// Contact elements in the order of the mesh.

@@ -26,17 +26,12 @@ struct EndOf {
   Vec2 direction;
   double weight;  ///< force on the node for a unit coefficient: ∫ χ ds
 
-  bool isOwn() const {
-    const EndCoefficients ends =
-        tangential ? element->tangentialEnds : element->normalEnds;
-    return last ? ends.last : ends.first;
+  EndCoefficient& coefficient() const {
+    return (tangential ? element->tangentialEnds : element->normalEnds)[last ? 1 : 0];
   }
+  bool isOwn() const { return coefficient().isUnknown; }
   Index number(int i) const {
     return tangential ? element->tangentialOf(i) : element->normalOf(i);
-  }
-  EndCompletion& completion() const {
-    return (tangential ? element->tangentialCompletions
-                       : element->normalCompletions)[last ? 1 : 0];
   }
 };
 
@@ -112,9 +107,9 @@ void completeNode(const std::vector<EndOf>& ends) {
     if (factors.empty())
       continue;  // the coefficient of the neighbour stays
     const Combination change = beyondNeighbour(end);
-    add(change, 1, end.completion().added);
+    add(change, 1, end.coefficient().added);
     for (std::size_t k = 0; k < owners.size(); ++k)
-      add(change, factors[k], owners[k].completion().added);
+      add(change, factors[k], owners[k].coefficient().added);
   }
 }
 
@@ -149,9 +144,9 @@ NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& condit
   return nodes;
 }
 
-Vector endWeights(int degree, EndCoefficients ends, bool last) {
+Vector endWeights(int degree, const Ends& ends, bool last) {
   const Vector places = multiplierBasis("Biorthogonal").places(degree);
-  const bool alone = !ends.first && !ends.last;
+  const bool alone = !ends[0].isUnknown && !ends[1].isUnknown;
   const double sign = last ? 1 : -1;
   Vector products;  // w_i Q(x_i) up to a common factor
   for (const double x : places) {
@@ -177,8 +172,8 @@ void completeEnds(const bem::Mesh& mesh, const Conditions& conditions,
       if (!clamped.anyAt(end.node)) {
         nodes[end.node].push_back(end);
       } else if (!end.isOwn() && norm(clamped.rest(end.node, end.direction)) < spent) {
-        end.completion().clamped = true;
-        add(beyondNeighbour(end), 1, end.completion().added);
+        end.coefficient().clamped = true;
+        add(beyondNeighbour(end), 1, end.coefficient().added);
       }
     }
   for (const auto& [node, ends] : nodes)

@@ -35,7 +35,7 @@ NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& condit
 /// exists, Q = P_p - P_{p-1} for the first and P_p + P_{p-1} for the last, which vanish
 /// at the other end: degree p - 2.  a_i = 0 for coefficients that do not exist.
 /// \pre p >= 2, or one end exists
-Vector endWeights(int degree, EndCoefficients ends, bool last);
+Vector endWeights(int degree, const Ends& ends, bool last);
 
 /// Sets the completions of numbered elements: an end without a coefficient gets that of
 /// endWeights().

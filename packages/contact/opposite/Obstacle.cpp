@@ -136,7 +136,7 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
             std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
         Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
         for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.holdsNothing(contact.normalCompletions, i))
+          if (!contact.holdsNothing(contact.normalEnds, i))
             numbers[contact.normalOf(i)] += point.weight * gap * point.chi[i];
         const bem::Function& sliding = contact.condition->sliding;
         if (!sliding || contact.tangential < 0)
@@ -145,7 +145,7 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
             sliding(mesh.physicalPoint(contact.element, point.t)) / units.length;
         obstacle.largestSliding = std::max(obstacle.largestSliding, std::abs(m));
         for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.holdsNothing(contact.tangentialCompletions, i))
+          if (!contact.holdsNothing(contact.tangentialEnds, i))
             obstacle.jump[contact.tangentialOf(i)] += point.weight * m * point.chi[i];
       });
   for (const ContactElement& contact : multiplier.elements()) {

@@ -1,9 +1,141 @@
 #include "contact/opposite/Opposite.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::contact {
 
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+const bem::Facing* stretchAt(const std::vector<bem::Facing>& stretches, double t) {
+  const bem::Facing* nearest = nullptr;
+  double distance = 0;
+  for (const bem::Facing& stretch : stretches) {
+    const double off = std::max({0.0, stretch.begin - t, t - stretch.end});
+    if (nearest == nullptr || off < distance) {
+      nearest = &stretch;
+      distance = off;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Opposite::Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                   double length, const std::map<std::string, OppositeSide>& sides)
+    : Opposite(mesh, length) {
+  sides_ = sides;
+  for (const ContactElement& element : multiplier.elements()) {
+    if (element.condition->name.empty())
+      continue;
+    const OppositeSide& side = sides_.at(element.condition->name);
+    Sight& sight = sights_[element.element];
+    sight.side = &side;
+    sight.element = &element;
+    sight.stretches =
+        facing(mesh[element.element].curve.moved(side.shift), side.curves, side.reach);
+  }
+  for (std::size_t e = 0; e < sights_.size(); ++e)
+    for (std::size_t k = 0; k < sights_[e].stretches.size(); ++k)
+      if (const OppositeSide& side = *sights_[e].side; side.body >= 0)
+        facing_[{side.body, side.elements[sights_[e].stretches[k].curve]}].push_back(
+            {e, k});
+}
+
+template <class Visit>
+void Opposite::forEachFacing(int body, int element, const Visit& visit) const {
+  const auto found = facing_.find({body, element});
+  if (found != facing_.end())
+    for (const auto& [e, k] : found->second)
+      visit(sights_[e], sights_[e].stretches[k]);
+}
+
+Opposite::Point Opposite::at(const ContactElement& element, double t) const {
+  const Sight& here = sight(element);
+  if (here.side == nullptr)
+    return {givenGap(element, t)};
+  Point point;
+  const bem::Facing* stretch = stretchAt(here.stretches, t);
+  if (stretch == nullptr)
+    return point;
+  const OppositeSide& side = *here.side;
+  const std::size_t k = stretch->curve;
+  const bem::Curve& own = mesh_[element.element].curve;
+  const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
+  if (!found)
+    return point;
+  point.gap = (element.ties() ? 0 : found->distance) + givenGap(element, t);
+  point.t = std::clamp(found->t, -1.0, 1.0);
+  if (side.body >= 0) {
+    point.body = side.body;
+    point.element = side.elements[k];
+  } else {
+    point.rigid = side.rigid;
+    point.arm = side.curves[k].point(point.t) - side.pole;
+  }
+  return point;
+}
+
+Vector Opposite::breaks(const ContactElement& element) const {
+  Vector result;
+  for (const bem::Facing& stretch : sight(element).stretches)
+    if (stretch.end < 1)
+      result.push_back(stretch.end);
+  return result;
+}
+
+int Opposite::degree(const ContactElement& element) const {
+  const Sight& here = sight(element);
+  int degree = 0;
+  for (const bem::Facing& stretch : here.stretches)
+    if (here.side->body >= 0)
+      degree = std::max(degree, here.side->degrees[stretch.curve]);
+  return degree;
+}
+
+std::vector<int> Opposite::bodies() const {
+  std::vector<int> result;
+  for (const auto& [name, side] : sides_)
+    if (side.body >= 0 &&
+        std::find(result.begin(), result.end(), side.body) == result.end())
+      result.push_back(side.body);
+  return result;
+}
+
+std::vector<Opposite::Source> Opposite::sources(int body, int element, double t) const {
+  std::vector<Source> result;
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
+    const bem::Curve& other = here.side->curves[stretch.curve];
+    const bem::Curve& own = mesh_[here.element->element].curve;
+    const double foot = footOn(own, other.point(t) - here.side->shift);
+    if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
+      return;
+    // the foot runs along the side with the part of the way that is along it, which an arc
+    // draws in or out by the distance from its centre
+    const double distance =
+        dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
+    const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
+                         std::abs(1 + own.curvature() * distance);
+    result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+  });
+  return result;
+}
+
+Vector Opposite::sourceBreaks(int body, int element) const {
+  Vector result;
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
+    const bem::Curve& own = mesh_[here.element->element].curve;
+    for (const double t : {stretch.begin, stretch.end})
+      if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
+                                    here.side->curves[stretch.curve]))
+        result.push_back(std::clamp(hit->t, -1.0, 1.0));
+  });
+  return result;
+}
 
 std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& element) {
   Vector ends = opposite.breaks(element);

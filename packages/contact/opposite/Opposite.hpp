@@ -2,8 +2,14 @@
 
 #include "bem/base/Matrix.hpp"
 #include "bem/base/Vec2.hpp"
+#include "bem/geometry/NormalRay.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace epafi::contact {
 
@@ -18,12 +24,34 @@ struct RigidMotion {
 
 using bem::Matrix;
 
-/// The opposite side as a function of points of the side that carries the multiplier; this class: a
-/// fixed obstacle at the gap of the conditions, which may have kinks anywhere.
+/// Boundary of the opposite body of a contact side.
+struct OppositeSide {
+  int body = -1;                   ///< index of a deformable body; -1: rigid
+  int rigid = -1;                  ///< index of a rigid body
+  std::vector<bem::Curve> curves;  ///< elements or edges, in the scaling of that body
+  std::vector<int> elements;  ///< their numbers in its mesh; empty: it does not deform
+  std::vector<int> degrees;   ///< likewise
+  bem::Vec2 shift;            ///< a place there less the same place on the side
+  double reach = 0;           ///< how far along a normal it is looked for
+  bem::Vec2 pole{};           ///< reference point of what does not deform
+};
+
+/// The opposite side as a function of points of the side that carries the multiplier: outlines of
+/// other bodies for contacts with a name, found along the normals of the contact side; fixed
+/// obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
+///
+/// The gap is the distance along the normal plus the gap of the condition; on bonded sides
+/// only the latter.  Breaks are the projections of the opposite nodes.
+///                                                    [doc/theory/contact.md, Several bodies]
 class Opposite {
  public:
+  /// Fixed obstacles only.
   /// \param length of 1, in the user's units.  Refers to the mesh.
-  Opposite(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
+  Opposite(const bem::Mesh& mesh, double length)
+      : mesh_(mesh), length_(length), sights_(bem::at(mesh.size())) {}
+  /// \param sides by the contacts' names.  Refers to the multiplier's elements, too.
+  Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
+           const std::map<std::string, OppositeSide>& sides);
   virtual ~Opposite() = default;
 
   struct Point {
@@ -35,19 +63,13 @@ class Opposite {
     bem::Vec2 arm{};   ///< from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
-  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const {
-    return {givenGap(element, t)};
-  }
+  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const;
 
   /// Kinks and jumps of at() in an element, ascending in (-1, 1).
-  virtual Vector breaks(const MultiplierSpace::ContactElement& /*element*/) const {
-    return {};
-  }
+  virtual Vector breaks(const MultiplierSpace::ContactElement& element) const;
 
   /// The largest degree of the elements opposite to an element; 0 if none is deformable.
-  virtual int degree(const MultiplierSpace::ContactElement& /*element*/) const {
-    return 0;
-  }
+  int degree(const MultiplierSpace::ContactElement& element) const;
 
   /// A point of the side opposite to a point of a deformable body; stretching: ds of the side over
   /// ds of the body.
@@ -56,24 +78,40 @@ class Opposite {
     double t;
     double stretching;
   };
-  virtual std::vector<Source> sources(int /*body*/, int /*element*/, double /*t*/) const {
-    return {};
-  }
+  std::vector<Source> sources(int body, int element, double t) const;
   /// Where these bend or jump inside that element, within [-1, 1], in any order.
-  virtual Vector sourceBreaks(int /*body*/, int /*element*/) const { return {}; }
+  Vector sourceBreaks(int body, int element) const;
 
   /// Does nothing opposite move at all?
-  virtual bool isStill() const { return true; }
+  bool isStill() const { return sides_.empty(); }
 
   /// Indices of the opposite deformable bodies, each once.
-  virtual std::vector<int> bodies() const { return {}; }
+  virtual std::vector<int> bodies() const;
 
  protected:
+  const bem::Mesh& mesh_;  ///< of the side
+
+ private:
+  struct Sight {
+    const OppositeSide* side = nullptr;
+    std::vector<bem::Facing> stretches;
+    const MultiplierSpace::ContactElement* element = nullptr;
+  };
+  const Sight& sight(const MultiplierSpace::ContactElement& element) const {
+    return sights_[element.element];
+  }
   /// The gap of the condition, dimensionless.
   double givenGap(const MultiplierSpace::ContactElement& element, double t) const;
+  /// visit(sight, stretch) of all that face an element of a body, in the order of the side.
+  template <class Visit>
+  void forEachFacing(int body, int element, const Visit& visit) const;
 
-  const bem::Mesh& mesh_;  ///< of the side
   double length_;
+  std::map<std::string, OppositeSide> sides_{};
+  std::vector<Sight> sights_;  ///< by element of the mesh
+  /// By body and element: indices into sights_ and their stretches that face it.
+  std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, std::size_t>>>
+      facing_{};
 };
 
 /// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.

@@ -96,12 +96,16 @@ double RigidDrives::loadSize() const {
   return load;
 }
 
-void RigidDrives::addFreeMotions(std::vector<Vector>& columns) const {
+void RigidDrives::setMotions(std::vector<Vector> columns, Problem& problem) const {
   forEachFree([&](std::size_t k, std::size_t c) {
     Vector& column = columns.emplace_back(at((*traces_)[k].values.rows()));
     std::transform(trace(k, c), trace(k, c) + column.size(), column.begin(),
                    std::negate<>());
   });
+  problem.rigid = Matrix(problem.size(), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    std::copy(columns[k].begin(), columns[k].end(),
+              problem.rigid.column(static_cast<Index>(k)));
 }
 
 void RigidDrives::addGiven(Vector& penetration) const {

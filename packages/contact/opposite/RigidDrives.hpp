@@ -35,8 +35,8 @@ class RigidDrives {
   /// Σ over bodies: of given motions and, as pressures on opposite sides, of forces.
   double loadSize() const;
 
-  /// Behind elastic bodies' columns of G one -T m for each free motion m.
-  void addFreeMotions(std::vector<Vector>& columns) const;
+  /// Sets G: behind elastic bodies' columns one -T m for each free motion m.
+  void setMotions(std::vector<Vector> columns, Problem& problem) const;
   /// What given motions add to r, and the forces of free ones, appended to q, and springs to K.
   void addGiven(Vector& penetration) const;
   void addForces(Problem& problem) const;

@@ -24,10 +24,9 @@ struct SidePoint {
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
     for (int i = 0; i <= contact.degree; ++i) {
-      if (!contact.holdsNothing(contact.normalCompletions, i))
+      if (!contact.holdsNothing(contact.normalEnds, i))
         visit(contact.normalOf(i), chi[at(i)], normal);
-      if (contact.tangential >= 0 &&
-          !contact.holdsNothing(contact.tangentialCompletions, i))
+      if (contact.tangential >= 0 && !contact.holdsNothing(contact.tangentialEnds, i))
         visit(contact.tangentialOf(i), chi[at(i)], tangent);
     }
   }

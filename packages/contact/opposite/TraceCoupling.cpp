@@ -31,17 +31,17 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
 }
 
 bool completesEnds(const MultiplierSpace& multiplier) {
-  const auto completed = [](const std::array<EndCompletion, 2>& ends) {
-    return std::any_of(ends.begin(), ends.end(), [](const EndCompletion& end) {
+  const auto completed = [](const Ends& ends) {
+    return std::any_of(ends.begin(), ends.end(), [](const EndCoefficient& end) {
       return end.clamped || !end.added.empty();
     });
   };
-  return std::any_of(multiplier.elements().begin(), multiplier.elements().end(),
-                     [&](const auto& element) {
-                       return !element.condition->name.empty() &&
-                              (completed(element.normalCompletions) ||
-                               completed(element.tangentialCompletions));
-                     });
+  return std::any_of(
+      multiplier.elements().begin(), multiplier.elements().end(),
+      [&](const auto& element) {
+        return !element.condition->name.empty() &&
+               (completed(element.normalEnds) || completed(element.tangentialEnds));
+      });
 }
 
 void checkEnds(const MultiplierSpace& multiplier) {
@@ -103,6 +103,16 @@ std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bod
       addMortar(bodies, a, b, numbering, coupling);
     }
   return result;
+}
+
+Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector& own,
+                        const TraceCoupling& opposite, const Vector& u) {
+  Vector all(at(numbering.size()));
+  for (Index i = 0; i < numbering.sizeOf(b); ++i)
+    all[at(numbering(b, i))] = own[at(i)];
+  if (!opposite.rests.empty())
+    bem::axpy(1, opposite.apply(u), all);
+  return all;
 }
 
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,

@@ -25,6 +25,11 @@ struct TraceCoupling {
   void addTo(Matrix& transposed) const;
 };
 
+/// On all multipliers, the displacement u of body b: `own`, what it does to those of the body, and
+/// by `opposite`, see oppositeCouplings, what it does to those of others.
+Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector& own,
+                        const TraceCoupling& opposite, const Vector& u);
+
 /// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its
 /// hole does not press on it.
 /// \param alongX, alongY  what the translations (1, 0) and (0, 1) do

@@ -16,7 +16,7 @@ Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& nu
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
     const ContactBody& own = bodies[b];
-    const Vector& stabilised = own.terms().terms;
+    const Vector& stabilised = own.ofInside().terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();

@@ -79,9 +79,9 @@ ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
 }
 
 void ContactBody::setLoads() {
-  terms_ = form_->residualTerms(multiplier_);
-  if (!terms_.force.empty())
-    axpy(1, terms_.force, loads_.load);
+  form_->setResidual(multiplier_, loads_.inside);
+  if (!loads_.inside.force.empty())
+    axpy(1, loads_.inside.force, loads_.load);
   load_ = loads_.largestDisplacement > 0 ? form_->residual(loads_.load, loads_.prescribed)
                                          : loads_.load;
   constant_ = withoutFixedMotions(
@@ -163,8 +163,8 @@ double ContactBody::storedEnergy(const State& state, const Vector& displacement)
 
 Vector ContactBody::density(const State& state, const Vector& displacement) const {
   Vector psi = form_->density(displacement, state.multiplier);
-  if (!terms_.density.empty())
-    axpy(1, terms_.density, psi);
+  if (!loads_.inside.density.empty())
+    axpy(1, loads_.inside.density, psi);
   return psi;
 }
 

@@ -35,7 +35,6 @@ class ContactBody {
   const Obstacle& obstacle() const { return obstacle_; }
   const Holding& holding() const { return *holding_; }
   const std::shared_ptr<const StabilisedBody>& form() const { return form_; }
-  const ResidualTerms& terms() const { return terms_; }
 
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
@@ -54,7 +53,7 @@ class ContactBody {
 
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
   double strainEnergy(const State& state, const Vector& displacement) const {
-    return form_->strainEnergy(displacement, state.multiplier, terms_);
+    return form_->strainEnergy(displacement, state.multiplier, loads_.inside);
   }
 
   /// ½ uᵀ A u + ½ λᵀ M λ, dimensionless: the strain energy and what the stabilisation adds
@@ -86,7 +85,7 @@ class ContactBody {
   /// γ (λ + ψ) of each contact element (as multiplier().elements() has them), averaged along it,
   /// under Form Density; else zero.  Dimensionless.
   std::vector<bem::Vec2> meanSlacks(const State& state, const Vector& density) const {
-    return form_->local().meanSlacks(state.multiplier, density, terms_.compliance);
+    return form_->local().meanSlacks(state.multiplier, density, loads_.inside.compliance);
   }
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
@@ -123,13 +122,12 @@ class ContactBody {
 
   const bem::Space* space_;
   bem::Units units_;
-  Loads loads_;  ///< with the force of terms_
+  Loads loads_;  ///< with what body loads do through the stabilisation
   std::shared_ptr<const Holding> holding_;
   MultiplierSpace multiplier_;
   std::shared_ptr<const Opposite> opposite_;
   std::shared_ptr<const StabilisedBody> form_;
   Obstacle obstacle_;
-  ResidualTerms terms_{};
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
   double stress_ = 1;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 namespace epafi::contact {
 
@@ -74,15 +75,6 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   return bodies;
 }
 
-Vector ContactSystem::gathered(std::size_t b, const Vector& own, const Vector& u) const {
-  Vector all(at(numbering_.size()));
-  for (Index i = 0; i < numbering_.sizeOf(b); ++i)
-    all[at(numbering_(b, i))] = own[at(i)];
-  if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
-    axpy(1, opposite.apply(u), all);
-  return all;
-}
-
 Matrix ContactSystem::transposed(std::size_t b) const {
   Matrix own = body(b).form()->coupling();
   if (size() == 1)
@@ -105,41 +97,29 @@ Matrix ContactSystem::multiplierMass() const {
   return all;
 }
 
-Vector ContactSystem::movedBy(std::size_t b, const Vector& motion) const {
-  const Matrix& modes = body(b).holding().modes.motions;
-  Vector moved = apply(b, motion);
-  dropRounding(apply(b, columnOf(modes, 0)), apply(b, columnOf(modes, 1)), motion, moved);
-  return moved;
-}
-
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
 void ContactSystem::condense(Index formedUpTo) {
   Matrix d = isFormed() ? multiplierMass() : Matrix();
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
-    const Holding& rigidOf = body(b).holding();
-    for (Index k = 0; k < rigidOf.allowed.columns(); ++k) {
-      Vector moved = movedBy(b, columnOf(rigidOf.allowed, k));
+    std::vector<Vector> motions = motionsOnContacts(
+        body(b).holding(), 0, [&](const Vector& u) { return apply(b, u); });
+    for (const Vector& moved : motions)
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
           d(i, j) -= moved[at(i)] * moved[at(j)];
-      if (k >= rigidOf.fixed())
-        columns.push_back(std::move(moved));
-    }
+    std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
+              std::back_inserter(columns));
     if (isFormed())
       d = addGram(std::move(d), body(b).form()->forward(transposed(b)));
   }
   for (Index j = 0; j < d.columns(); ++j)
     for (Index i = j + 1; i < d.rows(); ++i)
       d(j, i) = d(i, j);
-  rigid_.addFreeMotions(columns);
-  numbers_.rigid = Matrix(numbering_.size(), static_cast<Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    std::copy(columns[k].begin(), columns[k].end(),
-              numbers_.rigid.column(static_cast<Index>(k)));
   numbers_.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo);
   numbers_.normals = numbering_.normals();
   respond();
+  rigid_.setMotions(std::move(columns), numbers_);
 }
 
 Flexibility ContactSystem::compressed(Index formedUpTo) const {
@@ -233,7 +213,8 @@ Vector ContactSystem::penetration(const Configuration& at) const {
   for (std::size_t b = 0; b < size(); ++b) {
     Vector own = body(b).form()->apply(at.displacements[b]);
     axpy(-1, body(b).form()->massTimes(at.bodies[b].multiplier), own);
-    axpy(1, gathered(b, own, at.displacements[b]), r);
+    axpy(1, onAllMultipliers(numbering_, b, own, (*opposite_)[b], at.displacements[b]),
+         r);
   }
   addGiven(r);
   const Index ofRigid = rigid_.freeMotions();

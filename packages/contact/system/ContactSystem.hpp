@@ -128,14 +128,9 @@ class ContactSystem {
   std::vector<ContactSide> sides() const;
 
   bool isFormed() const { return body(0).form()->isFormed(); }
-  /// On all multipliers what a displacement of a body does to its own, given, and to all that it
-  /// is opposite to.
-  Vector gathered(std::size_t b, const Vector& own, const Vector& u) const;
   /// C_b u
-  /// C_b u of a rigid motion, zero where that is rounding.
-  Vector movedBy(std::size_t b, const Vector& motion) const;
   Vector apply(std::size_t b, const Vector& u) const {
-    return gathered(b, body(b).form()->apply(u), u);
+    return onAllMultipliers(numbering_, b, body(b).form()->apply(u), (*opposite_)[b], u);
   }
   /// C_bᵀ and M, on all multipliers.
   Matrix transposed(std::size_t b) const;

@@ -56,7 +56,6 @@ class Looks:
         return "%s [%s]" % (text, " ".join(
             unit + ("$^%d$" % power if power > 1 else "") for unit, power in parts if power))
 
-
     def field_label(self, text: str, field: str) -> str:
         kind = {"u": "length", "t": ""}.get(field[0], "stress")
         return self.label(text, kind).strip() if kind else text

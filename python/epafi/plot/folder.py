@@ -10,12 +10,11 @@ from typing import Optional
 
 import numpy as np
 
-from epafi.plot import (contact, contributions, convergence, deformed, effectivity, exponential,
-                        inside, mesh, path, study_curves, sweep, work_precision)
+from epafi.plot import (contact, contributions, convergence, deformed, inside, mesh, path,
+                        study_curves, sweep)
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import Pictures, plt
-from epafi.plot.variants import curves_of
 from epafi.tables import Table, read, title_of
 
 # Of a run; fields have the names in inside.NAMES.
@@ -60,13 +59,9 @@ def draw_study(pictures: Pictures) -> None:
     if study is None:
         return
     title = title_of(pictures.folder)
-    scenes = {scene: variants for scene, variants in curves_of(study).items() if variants}
+    scenes = study_curves.curves_of(study)
     if scenes and not np.isfinite(study.numbers("sweep_value")).all():
-        for name in study_curves.PICTURES:
-            study_curves.draw(study, scenes, name, title, pictures)
-        work_precision.draw(study, scenes, title, pictures)
-        exponential.draw(study, scenes, title, pictures)
-        effectivity.draw(study, scenes, title, pictures)
+        study_curves.draw(study, scenes, title, pictures)
     sweep.draw(study, title, pictures)
 
 
