@@ -9,7 +9,6 @@ import os
 import sys
 import xml.etree.ElementTree as xml
 from typing import Any, Iterable, Mapping, Optional
-from xml.sax.saxutils import quoteattr
 
 Key = Mapping[str, Any]
 OFFERED = {
@@ -29,10 +28,6 @@ TYPES = {"double": ("double int string", ["number", "string"]),
          "Array(double)": ("Array(double) Array(int) double int Array(string) string",
                            ["number", "string"]),
          "TwoDArray(double)": ("TwoDArray(double) TwoDArray(int) TwoDArray(string)", None)}
-# Values of keys without a default.
-SAMPLES = {"double": "0.25", "int": "0", "bool": "false", "string": "0", "string: expression": "0",
-           "Array(string)": "{bottom, right, left}", "Array(int)": "{1, 1, 1}",
-           "Array(double)": "{0, 0, 0.5}", "TwoDArray(double)": "3x2:{0, 0, 1, 0, 0, 1}"}
 
 
 def roff(text: str) -> str:
@@ -136,47 +131,6 @@ def markdown(grammar: str, keys: list[Key]) -> str:
 
 def documented(key: Key) -> str:
     return key["meaning"] + (" [%s]" % key["unit"] if key["unit"] else "")
-
-
-def remarks(key: Key) -> str:
-    return documented(key) + ("; " + key["only"] if key["only"] else "")
-
-
-def plain_text(keys: list[Key]) -> str:
-    lines = []
-    for key in keys:
-        lines += [key["path"],
-                  "    %s, %s%s%s" % (key["type"], "" if is_list(key) else "default: ",
-                                      key["default"], key["range"] and ", range: " + key["range"]),
-                  "    " + remarks(key)]
-    return "\n".join(lines) + "\n"
-
-
-def sample(key: Key) -> str:
-    """A value that the type accepts."""
-    if key["default"] not in ("none", "required"):
-        return key["default"]
-    if key["allowed"]:
-        return ("{%s}" if key["type"] == "Array(string)" else "%s") % key["allowed"][0]
-    return SAMPLES[key["type"]]
-
-
-def sample_xml(keys: list[Key], parent: str = "", indent: str = "  ") -> str:
-    """Each key with its default or a sample value; what Teuchos can read."""
-    text = "" if parent else '<ParameterList name="Parameters">\n'
-    for key in children(keys, parent):
-        name = quoteattr(name_of(key))
-        # two hyphens in a row would end the comment
-        text += "%s<!-- %s%s%s -->\n" % (
-            indent, remarks(key), key["range"] and "; " + key["range"],
-            "" if is_list(key) else "; default: " + key["default"])
-        if is_list(key):
-            text += "%s<ParameterList name=%s>\n%s%s</ParameterList>\n" % (
-                indent, name, sample_xml(keys, key["path"], indent + "  "), indent)
-        else:
-            text += "%s<Parameter name=%s type=\"%s\" value=%s/>\n" % (
-                indent, name, key["type"].partition(":")[0], quoteattr(sample(key)))
-    return text if parent else text + "</ParameterList>\n"
 
 
 def json_object(keys: list[Key], parent: str = "") -> dict[str, Any]:
@@ -328,13 +282,8 @@ def files(epafi: Mapping[str, Any]) -> dict[str, str]:
                            **{name: {name: keys} for name, keys in epafi["keys"].items()}}.items():
         result["epafi/schema/%s.rng" % name] = relax_ng(grammars)
         result["epafi/schema/%s.json" % name] = json_schema(grammars)
-        result["epafi/parameters/" + name + ".md"] = "\n".join(
-            markdown(one, keys) for one, keys in grammars.items())
-        result["epafi/parameters/%s.txt" % name] = "\n".join(
-            ("A %s\n\n" % one if len(grammars) > 1 else "") + plain_text(keys)
-            for one, keys in grammars.items())
     for name, keys in epafi["keys"].items():
-        result["epafi/parameters/%s.xml" % name] = sample_xml(keys)
+        result["epafi/parameters/" + name + ".md"] = markdown(name, keys)
     return result
 
 

@@ -31,17 +31,18 @@ std::string Interval::text() const {
 const KindText& textOf(Kind kind) {
   static constexpr KindText table[] = {
       // in the order of Kind
-      {"double", "a number (double)"},
-      {"int", "a whole number (int)"},
-      {"bool", "true or false (bool)"},
-      {"string", "string"},
-      {"string", "an expression (string)"},
-      {"Array(string)", "Array(string)"},
-      {"Array(int)", "Array(int)"},
-      {"Array(double)", "a list of numbers (Array(double))"},
-      {"TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))"},
-      {"ParameterList", "ParameterList"},
-      {"ParameterList", "ParameterList"}};
+      {"double", "a number (double)", "0.25"},
+      {"int", "a whole number (int)", "0"},
+      {"bool", "true or false (bool)", "0"},
+      {"string", "string", "0"},
+      {"string", "an expression (string)", "0"},
+      {"Array(string)", "Array(string)", "{bottom, right, left}"},
+      {"Array(int)", "Array(int)", "{1, 1, 1}"},
+      {"Array(double)", "a list of numbers (Array(double))", "{0, 0, 0.5}"},
+      {"TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))",
+       "3x2:{0, 0, 1, 0, 0, 1}"},
+      {"ParameterList", "ParameterList", ""},
+      {"ParameterList", "ParameterList", ""}};
   return table[static_cast<std::size_t>(kind)];
 }
 

@@ -48,6 +48,7 @@ enum class Kind {
 struct KindText {
   const char* type;    ///< type in a Teuchos list: "double", "Array(int)", ...
   const char* wanted;  ///< in error messages
+  const char* sample;  ///< an example value, for keys without default
 };
 const KindText& textOf(Kind kind);
 
