@@ -19,7 +19,7 @@ struct ElementRange {
 /// consecutive elements first ... last - 1 of one loop, relative to the origin of coordinates, or,
 /// where choose() selected them, to the midpoint of an element E.
 struct alignas(64) ElementLanes {
-  double wx[lanes];  ///< of a run the midpoint of F; else that of E minus that of F
+  double wx[lanes];  ///< midpoint of F, scaled; where chosen that of E minus it
   double wy[lanes];
   double tx[lanes];  ///< tangent of F at its midpoint
   double ty[lanes];
@@ -37,7 +37,7 @@ struct alignas(64) ElementLanes {
   double radius = 0;
 
   // where choose() selected them
-  bool far[lanes] = {};
+  bool far[lanes] = {};   ///< of a run: is there an element in the lane?
   bool arePlain = false;  ///< all are far enough for differences of rounded coordinates
   Nearness smooth;        ///< for all far pairs
   Nearness own[lanes]{};  ///< for each of them

@@ -27,7 +27,7 @@ enum class TractionForm {
 ///
 /// for far elements by further P̂_i, for near ones in an orthonormal basis of the complement.
 struct TractionRows {
-  Matrix rows;
+  Matrix rows;  ///< displacements; of kernelRows displacements, then densities
   std::vector<Index> start;
 };
 
