@@ -1,7 +1,7 @@
 // Slender bodies are cut across before they are cut along.
 #include "bem/compressed/Slices.hpp"
 
-#include "bem/compressed/FacingOrder.hpp"
+#include "bem/compressed/ClusterOrder.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -47,7 +47,7 @@ TEUCHOS_UNIT_TEST(Slices, slendernessIsPerimeterSquaredOverArea) {
 
 TEUCHOS_UNIT_TEST(Slices, stockyBodiesKeepTheirOrder) {
   const bem::Space space = beam(16, 0, 64);
-  const std::vector<ClusterPlace> order = bem::facingOrder({&space}, {});
+  const std::vector<ClusterPlace> order = bem::clusterOrder({&space}, {});
   for (int e = 0; e < space.mesh().size(); ++e)
     TEST_EQUALITY(order[bem::at(e)].element, e);
 }
@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(Slices, stockyBodiesKeepTheirOrder) {
 TEUCHOS_UNIT_TEST(Slices, slenderBodiesAreCutAcross) {
   constexpr double length = 400;
   const bem::Space space = beam(length, 0, 800);
-  const std::vector<ClusterPlace> order = bem::facingOrder({&space}, {});
+  const std::vector<ClusterPlace> order = bem::clusterOrder({&space}, {});
   const auto all = sorted(order);
   TEST_EQUALITY(static_cast<int>(all.size()), space.mesh().size());
   TEST_ASSERT(std::adjacent_find(all.begin(), all.end()) == all.end());
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(Slices, cutNothingThatIsLinked) {
   std::vector<bem::Link> links;
   for (int e = 0; e < 800; ++e)  // the lower one's top runs back
     links.push_back({{0, e}, {1, 804 + 799 - e}, 1.0});
-  const std::vector<ClusterPlace> order = bem::facingOrder({&upper, &lower}, links);
+  const std::vector<ClusterPlace> order = bem::clusterOrder({&upper, &lower}, links);
   TEST_EQUALITY(order.size(), 2 * 1608u);
   const bem::ClusterTree first({&upper, &lower}, order, 0, 60);
   const bem::ClusterTree second({&upper, &lower}, order, 1, 60);

@@ -2,7 +2,7 @@
 // they are smooth, within their hull where they jump.
 #include "contact/multiplier/BoundCoefficients.hpp"
 
-#include "contact/law/Laws.hpp"
+#include "contact/law/FrictionLaws.hpp"
 #include "contact/multiplier/Interpolation.hpp"
 #include "contact/problem/Tangential.hpp"
 

@@ -1,7 +1,7 @@
 // Every friction law of the table, and one that a program adds.
 #include "contact/law/FrictionLaw.hpp"
 
-#include "contact/law/Laws.hpp"
+#include "contact/law/FrictionLaws.hpp"
 #include "contact/problem/Tangential.hpp"
 
 #include <Teuchos_ParameterList.hpp>

@@ -3,7 +3,7 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/base/BlasThreads.hpp"
 #include "bem/compressed/BodyShare.hpp"
-#include "bem/compressed/FacingOrder.hpp"
+#include "bem/compressed/ClusterOrder.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
@@ -114,7 +114,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   for (std::size_t k = 0; k < local.elements.size(); ++k)
     all.add(local.bodies.empty() ? 0 : local.bodies[k], {local.elements[k], -1, true});
   const auto between = all.shareOut(local.entries);
-  const std::vector<ClusterPlace> order = facingOrder(spaces, all.linksOf(between));
+  const std::vector<ClusterPlace> order = clusterOrder(spaces, all.linksOf(between));
   for (std::size_t b = 0; b < bodies.size(); ++b)
     trees_.emplace_back(spaces, order, static_cast<int>(b), options.leafUnknowns);
   std::vector<Index> unknowns(tree().size());

@@ -22,7 +22,7 @@ struct Link {
 /// Order of the elements of all bodies in which elements that face each other are neighbours:
 /// consecutive carriers form a stretch, with their opposite elements sorted in by position;
 /// all others keep the order of their meshes.  A cut of this order separates few links.
-std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
+std::vector<ClusterPlace> clusterOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links);
 
 }  // namespace epafi::bem

@@ -1,4 +1,4 @@
-#include "bem/compressed/FacingOrder.hpp"
+#include "bem/compressed/ClusterOrder.hpp"
 
 #include "bem/compressed/Slices.hpp"
 
@@ -133,7 +133,7 @@ class Zones {
 
 }  // namespace
 
-std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
+std::vector<ClusterPlace> clusterOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links) {
   Zones zones(spaces, links);
   const std::vector<ClusterPlace> order = zones.order();
