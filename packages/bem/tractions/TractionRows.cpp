@@ -12,6 +12,7 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace epafi::bem {
@@ -81,13 +82,19 @@ class ElementRows {
     findFar(runs, isExact ? smoothOrderOfMoments : largestSmoothOrder);
     listComponents();
     const GradedRule rule = ruleOf(form);
-    Matrix samples = sample(rule);
+    std::array<Matrix, 2> samples = sample(rule);
     const Matrix tests = weightedTests(rule);
-    near_ = transposedProduct(tests, samples);
-    if (isExact) {
-      addProduct(-1, tests, near_, samples);
-      beyond_ = triangularFactor(std::move(samples));
+    near_ = Matrix(2 * moments_, static_cast<Index>(components_.size()));
+    for (Index a = 0; a < 2; ++a) {
+      const Matrix found = transposedProduct(tests, samples[at(a)]);
+      for (Index s = 0; s < near_.columns(); ++s)
+        for (Index i = 0; i < moments_; ++i)
+          near_(2 * i + a, s) = found(i, s);
+      if (isExact)
+        addProduct(-1, tests, found, samples[at(a)]);
     }
+    if (isExact)
+      beyond_ = triangularFactor(stacked(samples[0], samples[1]));
     addHalf();
   }
 
@@ -164,8 +171,8 @@ class ElementRows {
                                        : touchingRule(features, degree, 7);
   }
 
-  /// The components' values at the points of a rule, times roots of its weights: x, then y.
-  Matrix sample(const GradedRule& rule) const {
+  /// x and y of the components' values at the points of a rule, times roots of its weights.
+  std::array<Matrix, 2> sample(const GradedRule& rule) const {
     const Index points = rule.size();
     const Element& element = mesh_[element_];
     std::vector<TestPoints> tests(at((points + lanes - 1) / lanes));
@@ -175,7 +182,9 @@ class ElementRows {
                     asComplex(element.curve.normal(rule.points[at(q)].t)));
       to.root.lane[q % lanes] = std::sqrt(rule.weights[at(q)] * element.half);
     }
-    Matrix samples(2 * points, static_cast<Index>(components_.size()));
+    const auto count = static_cast<Index>(components_.size());
+    std::array<Matrix, 2> samples = {Matrix::unset(points, count),
+                                     Matrix::unset(points, count)};
     const Component* const end = components_.data() + components_.size();
     std::vector<ComplexLanes> values;
     for (const Component* from = components_.data(); from != end;) {
@@ -191,11 +200,11 @@ class ElementRows {
                  Sampling{lame_, source, from, to, tests[k], values.data()});
         const Index first = asInt(k) * lanes;
         for (const Component* of = from; of != to; ++of) {
-          double* column = samples.column(of - components_.data()) + first;
+          const Index column = of - components_.data();
           const ComplexLanes& value = values[static_cast<std::size_t>(of - from)];
-          const Index count = std::min<Index>(lanes, points - first);
-          std::copy_n(value.re.lane, count, column);
-          std::copy_n(value.im.lane, count, column + points);
+          const Index used = std::min<Index>(lanes, points - first);
+          std::copy_n(value.re.lane, used, samples[0].column(column) + first);
+          std::copy_n(value.im.lane, used, samples[1].column(column) + first);
         }
       }
       from = to;
@@ -203,16 +212,15 @@ class ElementRows {
     return samples;
   }
 
-  /// P̂_i e_a at the points of a rule, times roots of its weights by arc length.
+  /// P̂_i at the points of a rule, times roots of its weights by arc length.
   Matrix weightedTests(const GradedRule& rule) const {
     const Index points = rule.size();
-    Matrix tests(2 * points, 2 * moments_);
+    Matrix tests(points, moments_);
     std::vector<double> legendre(static_cast<std::size_t>(moments_) + 1);
     for (Index q = 0; q < points; ++q) {
       legendreValues(moments_ - 1, rule.points[at(q)].t, legendre.data());
       for (int i = 0; i < moments_; ++i)
-        tests(q, 2 * i) = tests(points + q, 2 * i + 1) =
-            std::sqrt(rule.weights[at(q)] * (i + 0.5)) * legendre[at(i)];
+        tests(q, i) = std::sqrt(rule.weights[at(q)] * (i + 0.5)) * legendre[at(i)];
     }
     return tests;
   }
