@@ -20,41 +20,41 @@ struct PathPoint {
   contact::State state;
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
-  /// Estimated time error of friction's work since the last point with one, dimensionless,
-  /// and of the worn volume, which files do not have.
+  /// Estimated time errors of friction's work and of the worn volume, since the last point that
+  /// has estimates; dimensionless.  The second is not written to files.
   double workError = 0;
   double volumeError = 0;
 };
 
-/// The solution at one time, dimensionless, by body: of a load, or of a step of a path (one of
-/// History->Times and Steps).
+/// The solution at one time, dimensionless, by body: under a load, or at a step that the History
+/// of the scene defines.
 struct StepFields {
   double t = 0;                       ///< 0 without a History
-  std::vector<contact::State> own{};  ///< λ and rigid motions; a file has the last's
+  std::vector<contact::State> own{};  ///< λ and rigid motions; files have the last step's
   std::vector<contact::ContactState> states{};  ///< of each coefficient of λ
   std::vector<bem::Vector> displacement{};      ///< all unknowns
   std::vector<bem::Vector> density{};           ///< traction on the whole boundary
-  std::vector<contact::RigidMotion> rigid{};    ///< of rigid bodies
+  std::vector<contact::RigidMotion> rigid{};    ///< by rigid body
 };
 
-/// A level as numbers: the data for the next level, and of solution.hdf.  One that is to be
-/// solved has its meshes, what it starts from as `steps` (empty: zero), and as `path` what an
-/// earlier run has solved of it.
+/// The data of a level that the next level and solution.hdf need.  Before the solve it has its
+/// meshes, in `steps` the start values (empty: zero), and in `path` the points that an earlier
+/// run has solved.
 struct Level {
   int number = 0;
   contact::Status status = contact::Status::NotConverged;
   std::string reason{};                              ///< empty when converged
   std::vector<std::vector<bem::Piece>> meshes{};     ///< of each body, as in the scene
   std::vector<adaptivity::Indicators> indicators{};  ///< likewise
-  std::vector<PathPoint> path{};                     ///< all solved steps, also parts
-  /// The solution; at the end of a path in each step, before in the last one only, so that
-  /// files written after steps do not grow.
+  std::vector<PathPoint> path{};                     ///< all solved steps and parts
+  /// The solution.  A finished path has all steps, an unfinished one only the last, so that
+  /// files written after each step do not grow.
   std::vector<StepFields> steps{};
   bool complete = true;  ///< has the path reached its end?  True without a History
 
   const StepFields& last() const { return steps.back(); }
   bool onPath() const { return last().t > 0; }
-  /// The time of a step, `end` without a History; not behind the last that is solved.
+  /// The time of a step, at most that of the last solved point; `end` without a History.
   double timeOf(const StepFields& step, double end) const;
 
   /// Sums over all bodies.
@@ -62,10 +62,10 @@ struct Level {
   double estimate() const;
   std::size_t elements() const;
 
-  /// Estimated error over the energy norm of the solution, (2 energyStrain)^½.  On a path
-  /// the largest of all steps, with norms of at least a tenth of the largest norm (steps
-  /// without loads have norm zero).  Infinite if the norm is zero and the error is not;
-  /// zero if both are the rounding of a motion without strain.
+  /// Estimated error over the energy norm of the solution, (2 energyStrain)^½.  On a path the
+  /// maximum over all steps; each norm counts as at least a tenth of the largest one, since
+  /// steps without loads have norm zero.  Infinite if the norm is zero and the error is not;
+  /// zero if both are rounding errors of a motion without strain.
   double relativeEstimate = 0;
 };
 
@@ -77,33 +77,33 @@ struct PartRow {
   double dissipated = 0;  ///< friction's work so far
 };
 
-/// A row of steps.csv, in the user's units; energies are sums over the path, see
-/// contact::PathMemory.  Without a History the load's energies and rigid bodies.
+/// A row of steps.csv, in the user's units.  Works are sums over the path, see
+/// contact::PathMemory.  Without a History it has the energies and rigid bodies of the load.
 struct StepRow {
   int level = 0;
   int step = 0;  ///< 1, 2, ... by History->Times and Steps
   double t = 0;
-  int newtonIterations = 0;  ///< of all parts of the step
-  int parts = 1;             ///< number of steps into which it was divided
+  int newtonIterations = 0;  ///< over all parts of the step
+  int parts = 1;             ///< number of parts into which it was divided
   bool converged = false;
   double energyStrain = 0;
   double energyDissipated = 0;
   double energyDissipatedError = 0;  ///< its time error; zero without History->Tolerance
   double energyTrapezoidal = 0;
-  double energyOutside = 0;        ///< work of loads, clamps, obstacles, ends of springs
+  double energyOutside = 0;        ///< work of loads, clamps, obstacles, spring ends
   double energyStabilisation = 0;  ///< stored by the stabilisation
-  double energyStored = 0;         ///< strain energy, stabilisation, surfaces, springs
+  double energyStored = 0;         ///< sum for strain, stabilisation, surfaces, springs
   double energyInterface = 0;      ///< stored by contact surfaces
   double energySprings = 0;        ///< stored by springs of rigid bodies
   double energyWorn = 0;           ///< work of contact stresses on worn material
-  double wornVolumeError = 0;      ///< time error of the worn volume, relative; likewise
-  double energyError = 0;          ///< outside - trapezoidal - worn - stored
-  double cycles = 0;  ///< ∫ n dt, n: how often steps are repeated, for wear
+  double wornVolumeError = 0;  ///< relative time error of the worn volume; zero as above
+  double energyError = 0;      ///< residual: outside - trapezoidal - worn - stored
+  double cycles = 0;           ///< ∫ n dt, n: the largest Cycle Jump of wear
   std::vector<PartRow> contacts{};
   std::vector<PartRow> rigid{};
 };
 
-/// LevelRow::operators if compressed operators failed.
+/// LevelRow::operators if dense operators replace compressed ones that failed.
 constexpr const char* denseInstead = "dense instead";
 
 /// A row of history.csv, in the user's units.
@@ -117,10 +117,10 @@ struct LevelRow {
   int degreeMax = 0;
   double sizeMin = 0;  ///< [length]
   double sizeMax = 0;
-  double memoryForecast = 0;  ///< all processes [MiB]
-  double memoryAllowed = 0;   ///< Maximum Memory, else what is free [MiB]
-  /// Forecast for dense operators if they may replace compressed ones that fail: Method
-  /// "Automatic", and they fit.
+  double memoryForecast = 0;  ///< of all processes [MiB]
+  double memoryAllowed = 0;   ///< Maximum Memory, else the free memory [MiB]
+  /// Forecast for dense operators, if they may replace compressed ones that fail: under Method
+  /// "Automatic", if they fit into memory.
   std::optional<double> memoryOfDense{};
   contact::Summary summary{};  ///< over all bodies
   double energyFriction = 0;   ///< friction's work so far [stress length²]
@@ -134,24 +134,25 @@ struct LevelRow {
   /// Step with the largest estimate, from 1; 0 without a History.
   int worstStep = 0;
   double worstEstimate = 0;                  ///< estimate of that step, else of the level
-  std::array<double, phaseCount> seconds{};  ///< of this level, CPU, all threads
+  std::array<double, phaseCount> seconds{};  ///< CPU of this level, all threads
   double secondsTotal = 0;                   ///< CPU since the program's start
-  double secondsWall = 0;                    ///< elapsed time since the timer's start
-  double memory = 0;                         ///< peak so far [MiB]
+  double secondsWall = 0;                    ///< elapsed since the start of the timer
+  double memory = 0;                         ///< peak of the largest process so far [MiB]
   std::string operators = "dense";           ///< or "compressed", or denseInstead
-  /// Advice on another Method or Form, or another remark on the operators; may be empty.
+  /// A remark on the operators, such as advice on another Method or Form; may be empty.
   std::string note{};
 
   bem::Index dof() const { return displacements + multipliers; }
   bool isCompressed() const { return operators == "compressed"; }
 };
 
-/// Results of the whole scene from those of the half (Geometry->Symmetry): twice the
-/// components along the line, zero across it and for moments.  Without symmetry
-/// unchanged.
+/// Results of the whole scene from those of the half (Geometry->Symmetry): energies, lengths and
+/// force components along the line are doubled, components across it are zero, and moments are
+/// those of a force on the line.  Without symmetry unchanged.
 contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half);
 
-/// The same for one body, if the line cuts it; else unchanged.  \param pole  of the moments
+/// The same for one body, if the line cuts it; else unchanged.
+/// \param pole  about which moments are taken
 contact::Summary wholeOf(const Symmetry& symmetry, const bem::Outline& outline,
                          const contact::Summary& drawn, bem::Vec2 pole = {});
 

@@ -16,7 +16,7 @@ constexpr double leastFriction = 1e-4;
 /// A step starts from contact::Prediction, the first one from `from`.  If it fails it is
 /// halved, down to History->Minimum Step; there the path ends.  With History->Tolerance
 /// steps are halved until the time error of friction's work is small enough.
-///                                                  [doc/theory/paths.md, Steps that fit]
+///                                            [doc/theory/paths.md, Choice of the steps]
 /// Collective.
 /// \param from its points were solved by an earlier run, and are not solved again; its state
 ///   is a start at the first of History->Times

@@ -8,26 +8,33 @@
 
 namespace epafi::bem {
 
-/// Kernel integrals over an element at eight targets, in closed form.  Carriers g represent the
-/// densities: on a segment the Legendre polynomials P_0, P_1, ..., on an arc its Gauss points
-/// (ArcRule).                                               [doc/theory/operators.md]
+/// Kernel integrals over an element at eight targets, in closed form.  The densities are
+/// combinations of carriers g: on a segment the Legendre polynomials P_0, P_1, ..., on an arc its
+/// Gauss points (ArcRule).                                  [doc/theory/operators.md]
 class ElementPotential {
  public:
-  /// Which integrals: overConj and cubic; overConj, phase and log; log alone; all.  Moments: log and
-  /// phase of the last polynomial are left out, and phases of polynomials are divided by τ², τ the
-  /// tangent at the middle.
-  enum class Need { Sums, Moments, Log, All };
+  /// Which integrals to compute.
+  enum class Need {
+    Sums,  ///< overConj and cubic
+    /// overConj; log and phase, but not of the last polynomial.  The phase of a polynomial is
+    /// divided by τ², τ: tangent at the midpoint.
+    Moments,
+    Log,  ///< log only
+    All
+  };
 
-  /// \param terms number of Legendre polynomials of the densities, at most 26
   /// Refers to the curve.
+  /// \param terms number of Legendre polynomials of the densities, at most 26
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
-  /// \param targets relative to the curve, see seenFrom
+  /// \param targets relative to the curve, as from seenFrom
   void evaluate(const TargetLanes& targets, InstructionSet set = largestInstructionSet());
-  /// At points with these coordinates, not on the element.
+  /// At targets with these coordinates, not on the element.
   void evaluate(const AlignedLane& x, const AlignedLane& y);
 
+  /// Number of carriers.
   int size() const { return rule_ ? rule_->size() : terms_; }
+  /// Integrals of carrier k.
   const KernelLanes& operator[](int k) const {
     return lanes_[static_cast<std::size_t>(k)];
   }
@@ -38,18 +45,18 @@ class ElementPotential {
   Complex normal(int k) const {
     return rule_ ? rule_->normal(k) : asComplex(curve_.frame().normal);
   }
-  /// ∫ g ds
+  /// ∫ g ds of carrier k
   double whole(int k) const {
     return curve_.half() * (rule_ ? rule_->weight(k) : k == 0 ? 2 : 0);
   }
 
-  /// Kernel integrals of P_j, those that are needed.
+  /// Kernel integrals of P_j, as far as Need includes them.
   struct alignas(64) Values {
     ComplexPack overConj;
     ComplexPack cubic;
     ComplexPack phase;
     Pack log{};
-    Pack flow{};  ///< ∫ P_j (w·n_y)/|w|² ds, with log
+    Pack flow{};  ///< ∫ P_j (w·n_y)/|w|² ds, for Moments and All
   };
   EPAFI_INLINE Values of(int j) const {
     if (!rule_)

@@ -9,24 +9,26 @@
 
 namespace epafi::bem {
 
-/// Entries of V, K + 1/2 and W of an element f with the elements of a run, by columns over the
-/// run:
+/// Entries of V, K + 1/2 and W between the trial element f of a tile and the elements of its run.
+/// Each function returns a column with one entry per function (·) of the run:
 ///
 ///   singleLayer(i, c)   V(·, P_i e_c on f)               densities of the run
 ///   doubleLayer(k, c)   (K + 1/2)(·, φ_k e_c on f)       densities of the run
 ///   slopeLayer(i, c)    <V*(P_i e_c on f), (·)'>         displacements of the run
 ///   transposed(i, c)    (K + 1/2)(P_i e_c on f, ·)       displacements of the run
 ///
-/// W(·, φ_k e_c) is the slope of φ_k times slopeLayer(k-1, c), or (0, c) for k < 2.
-/// Order of the displacements: start node and bubbles of one element after the other, then
-/// the end node of the last.  Elements that the tile does not want have zeros, and so has f in
-/// `transposed`, since doubleLayer contains that block.
+/// V*: the kernel of W.  W(·, φ_k e_c) is the slope of φ_k times slopeLayer(max(k-1, 0), c).
+/// Displacements are ordered by elements, each with its start node and bubbles; the end node of
+/// the last element follows.  Entries of elements that the tile does not contain (isWanted) are
+/// zero.  So are those of f in `transposed`, since doubleLayer contains that block.
 class TileBlocks {
  public:
   TileBlocks(const Space& space, const Lame& lame);
 
+  /// Computes all columns.
   void evaluate(const Tile& tile, InstructionSet set = largestInstructionSet());
 
+  /// Length of a column over the densities, over the displacements.
   int densities() const { return densityStarts_[lanes]; }
   int displacements() const { return displacementStarts_[lanes] + 2; }
 
@@ -35,7 +37,7 @@ class TileBlocks {
   const double* slopeLayer(int i, int c) const { return column(slopes_, 2 * i + c); }
   const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
 
-  /// <V* 1, 1> of f and the element of a lane, both mapped to [-1, 1], times φ₁' = 1/2.
+  /// <V* 1, 1> of f and the element of a lane, times φ₁' = 1/2; both elements mapped to [-1, 1].
   Block halfSlopes(int lane) const {
     const double xy = halfSlopes_[1].lane[lane];
     return {halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
@@ -66,7 +68,7 @@ class TileBlocks {
   std::array<int, lanes> degrees_{};
   std::array<int, lanes> lines_{};  ///< Mesh::lineOf
   AlignedLane endsEdge_[2] =
-      {};          ///< 1 where the first, the last node ends an edge, else 0
+      {};          ///< of the first, of the last node: 1 if it ends an edge, else 0
   Index longest_;  ///< stride between columns
   Vector single_;
   Vector double_;

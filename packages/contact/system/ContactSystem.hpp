@@ -8,64 +8,63 @@
 
 namespace epafi::contact {
 
-/// What a state of a system means for its bodies, dimensionless.
+/// A state of a system with the displacements that follow from it, dimensionless.
 struct Configuration {
-  State state;                ///< of all
-  std::vector<State> bodies;  ///< own multipliers and motions of those that deform
-  std::vector<Vector> oppositeForces;  ///< what presses on each, see ContactBody
-  std::vector<Vector> displacements;   ///< likewise all unknowns
-  std::vector<RigidMotion> rigid;      ///< of those that do not
-  /// r of numbers() by the displacements in place of D, which has not the digits of what bends
-  /// slender bodies: C u - M λ - g.
+  State state;                ///< of all bodies
+  std::vector<State> bodies;  ///< own multipliers and motions of each elastic body
+  std::vector<Vector> oppositeForces;  ///< by multipliers of others, see ContactBody
+  std::vector<Vector> displacements;   ///< of each elastic body, all unknowns
+  std::vector<RigidMotion> rigid;      ///< of each rigid body
+  /// r of numbers() from the displacements, C u - M λ - g, since rounding errors of D dominate r
+  /// on slender bodies.
   Vector penetration;
-  /// Where it was corrected: what is left in it of conditions that hold, over the displacement.
+  /// Set by corrected(): largest violation of the conditions r = 0, over the displacement.
   double defect = 0;
 };
 
 /// The contact problem of all bodies of a scene, condensed onto all multipliers together:
 ///
 ///   λ = (λₙ of body 0, of body 1, ..., λₜ of body 0, of body 1, ...),
-///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C_b = (own coupling of b, - mortar traces of what meets b)
+///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C_b = (own coupling of b, mortar coupling of other sides with b)
 ///
-/// Bodies that do not deform are a part of the offset where their motion is given; where a
-/// force is, their motion is one more column of G, and the force its balance.
+/// A given motion of a rigid body adds to the offset d₀; a motion that is free under a force adds
+/// a column to G, and the force is an entry of q.
 ///
-/// Bodies count in one length and one stress.                  [doc/theory/contact.md]
+/// All bodies use the same units of length and stress.         [doc/theory/contact.md]
 class ContactSystem {
  public:
-  /// \pre All inputs have the same units; their opposites' points
-  ///   number the bodies as they come here.
+  /// \pre all inputs have the same units, and their opposite points number the bodies in this
+  ///   order
   /// \throws see ContactBody, and bem::InputError for a multiplier that shares nodes where
   ///   contact with another body meets a clamp or another contact side.
   explicit ContactSystem(const std::vector<BodyInput>& bodies,
                          const std::vector<Drive>& rigid = {});
 
-  /// What a step of a path changes.
+  /// The data of a step of a path.
   struct Step {
-    const std::vector<Conditions>& conditions;  ///< of now; must outlive the system
-    std::vector<Drive> rigid{};                 ///< of now
-    Vector slipBefore{};     ///< rₜ at the end of the step before, see slipSoFar
-    Vector defectBefore{};   ///< of the step before, see defect
-    double largestLoad = 0;  ///< loadSize() of the steps before, the largest
+    const std::vector<Conditions>& conditions;  ///< at its time; must outlive the system
+    std::vector<Drive> rigid{};                 ///< at its time
+    Vector slipBefore{};     ///< rₜ of the previous step, see slipSoFar
+    Vector defectBefore{};   ///< of the previous step, see defect
+    double largestLoad = 0;  ///< largest loadSize() of all previous steps
     std::vector<LoadResponses>
-        responses{};                 ///< of the step before; none: nothing is known
-    std::vector<Wear> wearBefore{};  ///< of each body likewise; none: nothing wore
+        responses{};                 ///< of the previous step, by body; empty: none known
+    std::vector<Wear> wearBefore{};  ///< likewise; empty: no wear so far
   };
-  /// The same bodies on the same meshes at another time: conditions of the same kinds on the
-  /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
-  /// couplings, so that a step costs one solution with the factors.         [doc/theory/paths.md]
+  /// The same bodies on the same meshes at another time.  Kinds of conditions on boundaries and
+  /// free motions stay the same; friction uses slipBefore.  Shares factors, D and couplings, so
+  /// that a step costs one solution with the factors.                       [doc/theory/paths.md]
   ContactSystem under(const Step& step) const { return {*this, step}; }
 
-  /// By coefficient: about the integral of its function.
+  /// For each coefficient about the integral of its function.
   Vector lengths() const;
-  /// rₜ from the path's beginning on, and what r by displacements is more than r by D, which
-  /// the offset of the next step has in it, so that what stands still costs no step: both are what
-  /// the next step is told.
+  /// Data for the next step: rₜ since the start of the path; and r from the displacements minus r
+  /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;
   Vector defect(const Configuration& at) const;
-  /// What this step was told; empty: nothing.
+  /// Step::slipBefore of this step; empty: zero.
   const Vector& slipBefore() const { return slipBefore_; }
-  /// What is known of each body's loads, this step's included: what the next step is told.
+  /// Responses to loads of each body, with those of this step, for the next step.
   const std::vector<LoadResponses>& responses() const { return responses_; }
 
   /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
@@ -75,48 +74,47 @@ class ContactSystem {
   std::size_t size() const { return bodies_->size(); }
   const ContactBody& body(std::size_t b) const { return (*bodies_)[b]; }
 
-  /// What the nonlinear solver sees, and g per normal coefficient, dimensionless: the part -g of
-  /// the offset that does not come from loads.
+  /// The problem for the nonlinear solver; and g per normal coefficient, which the offset
+  /// contains as -g.  Dimensionless.
   const Problem& numbers() const { return numbers_; }
   const Vector& gap() const { return gap_; }
-  /// The jump that bonded sides are given, and what slides by, one number per coefficient.
+  /// The prescribed jump of bonded sides and the prescribed sliding, one number per coefficient.
   const Vector& jump() const { return jump_; }
 
-  /// What is given of r where something acts inside, by coefficients: the displacement u_p of the
-  /// sides and what t_p adds through the stabilisation; empty: nothing does.
+  /// Part of r by body loads, one number per coefficient: by the displacement u_p of the sides and,
+  /// through the stabilisation, by its traction t_p; empty: no body loads.
   const Vector& ofInside() const { return ofInside_; }
 
-  /// Does this step wear by a slip that is part of the solution?  First it wears as if the sides
-  /// slid by as much as what slides by.
+  /// Does the wear of this step depend on slips of its solution?  Until wearBy is called it is
+  /// computed with the prescribed sliding only.
   bool wearsBySlip() const;
-  /// Lets the step wear by the slips of a configuration.  Returns how much that changes what it
-  /// wears there, relative to that.
+  /// Computes the wear with the slips of a configuration.  Returns the relative change of the
+  /// worn depth under its pressure.
   double wearBy(const Configuration& at);
   const StepWear& wear() const { return wear_; }
 
-  /// The state of all from each body's own, where an empty vector stays empty, and back with
-  /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:
-  /// they begin where they are.
+  /// The state of all bodies from the states of each; what is empty in all of them stays empty.
+  /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
   State joined(const std::vector<State>& states,
                const std::vector<RigidMotion>& rigid = {}) const;
+  /// The configuration of a state; empty vectors in it mean zero.
   Configuration configuration(State state) const;
   const Numbering& numbering() const { return numbering_; }
 
-  /// How many bodies do not deform, how they are moved now, which of their motions are free
-  /// (behind those of bodies that deform), and what contact does to each: forces in x and
-  /// y, and the moment about the reference point.
+  /// Motions or forces of the rigid bodies at this time.
   const std::vector<Drive>& drives() const { return rigid_.drives(); }
+  /// Contact forces on each rigid body in x and y, and the moment about its reference point.
   std::vector<std::array<double, 3>> rigidForces(const State& state) const {
     return rigid_.forces(state.multiplier);
   }
-  /// What the springs of such bodies store.
+  /// Energy stored by the springs of rigid bodies.
   double energyOfSprings(const State& state) const {
     return rigid_.energyOfSprings(state.multiplier);
   }
 
-  /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies, and with what the stabilisation adds, see
-  /// ContactBody.
+  /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies.
   double strainEnergy(const Configuration& at) const;
+  /// The same with the part of the stabilisation, see ContactBody.
   double storedEnergy(const Configuration& at) const;
 
  private:
@@ -132,17 +130,17 @@ class ContactSystem {
   Vector apply(std::size_t b, const Vector& u) const {
     return onAllMultipliers(numbering_, b, body(b).form()->apply(u), (*opposite_)[b], u);
   }
-  /// C_bᵀ and M, on all multipliers.
+  /// C_bᵀ and M, over all multipliers.
   Matrix transposed(std::size_t b) const;
   Matrix multiplierMass() const;
-  /// D and G.
+  /// Computes D and G.
   void condense(Index formedUpTo);
   Flexibility compressed(Index formedUpTo) const;
-  /// What loads make of d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b, and all else that is given.
+  /// Sets d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b by the loads, then calls finish().
   void respond();
-  /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
+  /// Adds gaps, jumps, given motions and forces of rigid bodies, bounds and scales.
   void finish();
-  /// What is given of r: all that does not come from elastic bodies or free motions.
+  /// Adds the prescribed part of r: all but that of elastic bodies and free motions.
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
