@@ -17,11 +17,12 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   Matrix solve(Matrix b) const override;
 
  private:
-  /// x for a right-hand side b, with β = 0.
-  Vector coefficients(const double* b) const;
+  /// x for right-hand sides b (columns), with β = 0.
+  Matrix coefficients(Matrix b) const;
   /// The same with D_M, see CompressedFlexibility::motions.
-  Vector solveSprung(Vector b) const;
-  void makeCorrection();
+  Matrix solveSprung(Matrix b) const;
+  /// From D_M⁻¹ U in the rows.
+  void makeCorrection(Matrix answers);
   void makeBorder();
   const CompressedFlexibility::Along& factor() const {
     return whole_.eliminated(number_, restriction_);

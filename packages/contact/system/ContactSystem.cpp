@@ -87,6 +87,8 @@ Matrix ContactSystem::transposed(std::size_t b) const {
 }
 
 Matrix ContactSystem::multiplierMass() const {
+  if (size() == 1)
+    return body(0).form()->multiplierMass();
   Matrix all(numbering_.size(), numbering_.size());
   for (std::size_t b = 0; b < size(); ++b) {
     const Matrix own = body(b).form()->multiplierMass();
@@ -99,9 +101,12 @@ Matrix ContactSystem::multiplierMass() const {
 
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
 void ContactSystem::condense(Index formedUpTo) {
-  Matrix d = isFormed() ? multiplierMass() : Matrix();
+  Matrix d;
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
+    const Matrix forward = isFormed() ? body(b).form()->forward(transposed(b)) : Matrix();
+    if (isFormed() && b == 0)  // not before, beside what forward() needs
+      d = multiplierMass();
     std::vector<Vector> motions = motionsOnContacts(
         body(b).holding(), 0, [&](const Vector& u) { return apply(b, u); });
     for (const Vector& moved : motions)
@@ -111,7 +116,7 @@ void ContactSystem::condense(Index formedUpTo) {
     std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
               std::back_inserter(columns));
     if (isFormed())
-      d = addGram(std::move(d), body(b).form()->forward(transposed(b)));
+      d = addGram(std::move(d), forward);
   }
   for (Index j = 0; j < d.columns(); ++j)
     for (Index i = j + 1; i < d.rows(); ++i)
