@@ -214,10 +214,8 @@ Balance balanceOf(const BodySpaces& spaces,
       continue;
     const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
                                                         scene.lame(b), scene.units());
-    for (Vector& column :
-         motionsOnContacts(holding, holding.fixed(), [&](const Vector& u) {
-           return onAllMultipliers(numbering, b, own.trace.apply(u), opposite[b], u);
-         }))
+    for (Vector& column : motionsOnContacts(holding, holding.fixed(), numbering, b,
+                                            own.trace, opposite[b]))
       columns.push_back(std::move(column));
   }
   drives.setMotions(std::move(columns), numbers);

@@ -4,7 +4,6 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -193,10 +192,15 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
 }
 
 std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
-                                      const std::function<Vector(const Vector&)>& apply) {
+                                      const Numbering& numbering, std::size_t b,
+                                      const TraceCoupling& own,
+                                      const TraceCoupling& opposite) {
   std::vector<Vector> columns;
   if (first == holding.allowed.columns())
     return columns;
+  const auto apply = [&](const Vector& u) {
+    return onAllMultipliers(numbering, b, own.apply(u), opposite, u);
+  };
   const Vector alongX = apply(columnOf(holding.modes.motions, 0));
   const Vector alongY = apply(columnOf(holding.modes.motions, 1));
   for (Index k = first; k < holding.allowed.columns(); ++k) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/body/Loads.hpp"
+#include "contact/opposite/TraceCoupling.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace epafi::contact {
@@ -33,9 +33,13 @@ struct Holding {
 /// \throws bem::InputError if clamps already prevent a mode of Fix
 Holding makeHolding(const bem::Space& space, const Conditions& conditions);
 
-/// C r of the allowed motions r from number `first` on, zero where that is rounding.
-/// \param apply  C u on all multipliers
+/// C r on all multipliers, of the allowed motions r of body b from number `first` on; zero where that
+/// is rounding.  It is B r, too, as the traction of a rigid motion is zero.
+/// \param own  what displacements of the body do to its multiplier  \param opposite  to others, see
+///   oppositeCouplings
 std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
-                                      const std::function<Vector(const Vector&)>& apply);
+                                      const Numbering& numbering, std::size_t b,
+                                      const TraceCoupling& own,
+                                      const TraceCoupling& opposite);
 
 }  // namespace epafi::contact

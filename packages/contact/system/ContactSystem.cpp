@@ -107,8 +107,9 @@ void ContactSystem::condense(Index formedUpTo) {
     const Matrix forward = isFormed() ? body(b).form()->forward(transposed(b)) : Matrix();
     if (isFormed() && b == 0)  // not before, beside what forward() needs
       d = multiplierMass();
-    std::vector<Vector> motions = motionsOnContacts(
-        body(b).holding(), 0, [&](const Vector& u) { return apply(b, u); });
+    std::vector<Vector> motions =
+        motionsOnContacts(body(b).holding(), 0, numbering_, b,
+                          body(b).form()->local().trace, (*opposite_)[b]);
     for (const Vector& moved : motions)
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
