@@ -8,8 +8,8 @@ BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
 
 class Surfaces(TwoBodies):
     """Every normal law that goes with basis and friction, from a hundredth to a hundred times as
-    soft as the bodies; elastic shear in every second scene, sliding in every second; wear in every third that is not
-    bonded, on a path of four steps, up to n k f p = 0.3 at the pressure of the load."""
+    soft as the bodies; elastic shear in every second scene, sliding in every second; wear in every third of those with
+    friction or sliding, on a path of four steps, up to n k f p = 0.3 at the pressure of the load."""
 
     def __init__(self, seed):
         super().__init__(seed)
@@ -24,7 +24,8 @@ class Surfaces(TwoBodies):
         self.shears = self.law != "None" and draw.random() < 0.5
         self.slides = draw.random() < 0.5
         self.wear = random.Random("%d wear" % seed)
-        self.wears = self.law != "Tied" and self.wear.random() < 1 / 3
+        self.wears = (self.law != "Tied" and (self.law != "None" or self.slides) and
+                      self.wear.random() < 1 / 3)
         self.features = ["wears"] * self.wears + [self.normal] + ["shears"] * self.shears + ["slides"] * self.slides
 
     def contact(self, first, second, interference, friction):
