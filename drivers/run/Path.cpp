@@ -32,6 +32,15 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
   return most;
 }
 
+/// Does a side shear and not yield?  On short elements wear then lets it slip and wear on and on.
+bool shearsBesideRigid(const std::vector<contact::Conditions>& conditions) {
+  for (const contact::Conditions& ofBody : conditions)
+    for (const auto& [boundary, contact] : ofBody.contact)
+      if (contact.wear && contact.friction.compliance && !contact.normal)
+        return true;
+  return false;
+}
+
 class Follower {
  public:
   Follower(const BodySpaces& spaces, const contact::ContactSystem& atZero,
@@ -194,7 +203,10 @@ class Follower {
         solved.solution.report.status = contact::Status::NotConverged;
         solved.reason = bem::message(
             "what wears and the slip that it wears by do not settle, the last change is ",
-            change, "; shorten Wear->Cycle Jump");
+            change, "; shorten Wear->Cycle Jump",
+            shearsBesideRigid(*conditions_) ? ", or give Normal->Compliance beside "
+                                              "Friction->Compliance"
+                                            : "");
         break;
       }
       last = change;

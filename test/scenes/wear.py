@@ -1,9 +1,17 @@
 """Wear along paths: closed forms, its balance, fretting, jumps over cycles; dense and compressed,
 in all bases, either side first."""
 
-from runs import claim, differ, fails, finish, fresh, refused, rows, scene, solved
+import json
+import os
+import sys
+
+from runs import (WORK, claim, differ, fails, finish, fresh, refused, rows, scene, solved,
+                  write)
 from written import (CLAMPED, NONE, TIED, WALLS, block, body, condition, confined, contact,
                      friction, geometry, history, keys, listed, rigid, wear, written)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "random"))
+from surfaces import Surfaces  # noqa: E402
 
 E, NU = 1.0, 0.3
 TOP = "-0.01*min(t, 1)"
@@ -159,4 +167,9 @@ refused("dual", indented("dual", form="None"), "Biorthogonal")
 fails("a long jump", ["Cycle Jump", "0.3"], "run", indented(
     "long", law=friction(0.5), sliding="", motion=SHAKEN, coefficient=0.2, jump=400,
     path=([1, 1.1], [1, 1])), "--output", fresh("long"), code=0)
+# where sides shear and do not yield, slip and wear may drive each other on short elements
+torn = write(os.path.join(WORK, "torn.yaml"), json.dumps({"torn": Surfaces(100709).scene()}))
+fails("wear without end", ["Normal->Compliance"], "run", torn, "--output", fresh("torn"), code=3)
+solved("wear that ends", torn, "Contacts->joint->Normal->Law=Linear",
+       "Contacts->joint->Normal->Compliance=1e-10")
 finish()
