@@ -128,6 +128,8 @@ refused("another material", ["Poisson's Ratio", SOLUTION], *RESTART, "--set",
 refused("another first mesh", ["Discretization", SOLUTION], *RESTART, "--set",
         "Discretization->Degree=2")
 refused("another constant", ["Constants", SOLUTION], *RESTART, "--set", "Constants->c=1")
+refused("other loads inside", ["Body Loads->Force Y", SOLUTION], *RESTART, "--set",
+        "Body Loads->Force Y=-1")
 refused("another table", ["Tables", SOLUTION], *RESTART, "--set",
         "Tables->profile={Points=2x2:{0, 0, 1, 1}}")
 refused("other weights", ["Adaptivity->Weights", SOLUTION], *RESTART, "--set",
