@@ -20,8 +20,8 @@ struct PathPoint {
   contact::State state;
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
-  /// Estimated time error of friction's work since the last point with one, dimensionless,
-  /// and of the worn volume, which files do not have.
+  /// Estimated time errors of friction's work and of the worn volume since the last point with
+  /// some, dimensionless.
   double workError = 0;
   double volumeError = 0;
 };

@@ -178,7 +178,7 @@ refused("somebody else's HDF5 file", ["/Epafi"], "run", scene("tresca.xml"), "--
 other_format = copy(base, "format")
 with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
-refused("another format", ["format 4", "reads format 6", SOLUTION], "run", scene("tresca.xml"),
+refused("another format", ["format 4", "reads format 7", SOLUTION], "run", scene("tresca.xml"),
         "--restart", other_format)
 
 # a folder or disk that takes nothing
