@@ -63,7 +63,7 @@ class SavedRun {
     if (text.empty())
       return level.last();
     const int number = positiveNumber("--step", text);
-    if (level.path.empty())
+    if (!scene_.history)
       throw InputError("--step: the run in '", folder_,
                        "' has no History, and no steps; leave --step out");
     if (!level.complete)

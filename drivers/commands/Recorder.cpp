@@ -155,6 +155,8 @@ void Recorder::write() {
                                             : readText(restored_ + "solution.hdf"));
   folder_->dropMade();
   folder_->commit();
+  if (isTaken_ && tables_.level.onPath() && tables_.level.complete)
+    folder_->dropStepsBehind(tables_.level.steps.size());
   if (isTaken_)
     written_(tables_.level);
   files_.clear();

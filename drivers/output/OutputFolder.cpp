@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -130,15 +131,16 @@ bool holdsSolvedLevel(const fs::path& path) {
       "elsewhere");
 }
 
-/// Deletes the files of a run in steps/<k>, and those folders that are empty then.
-void deleteSteps(const fs::path& path) {
+/// Deletes the files of a run in steps/<k>, k > last, and those folders that are empty then.
+void deleteSteps(const fs::path& path, std::size_t last) {
   std::error_code ignored;
   std::vector<fs::path> folders;
   for (const auto& entry : fs::directory_iterator(path / "steps", ignored))
     folders.push_back(entry.path());
   for (const fs::path& folder : folders) {
     const std::string name = folder.filename().string();
-    if (name.find_first_not_of("0123456789") != std::string::npos)
+    if (name.find_first_not_of("0123456789") != std::string::npos ||
+        std::strtoul(name.c_str(), nullptr, 10) <= last)
       continue;
     for (const char* file : {"contact.csv", "boundary.vtu", "fields.vtu"}) {
       fs::remove(folder / file, ignored);
@@ -157,7 +159,7 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   if (earlier == EarlierRun::Continue)
     return;
   if (earlier == EarlierRun::Delete)
-    deleteSteps(path);
+    deleteSteps(path, 0);
   const bool refuse = earlier == EarlierRun::Refuse && holdsSolvedLevel(path);
   for (const std::string& name : filesIn(path)) {
     const fs::path file = path / name;
@@ -249,6 +251,8 @@ void OutputFolder::drop(const std::string& name) const {
   std::error_code ignored;
   fs::remove(fs::path(path_) / name, ignored);
 }
+
+void OutputFolder::dropStepsBehind(std::size_t last) const { deleteSteps(path_, last); }
 
 void OutputFolder::dropMade() const {
   for (const std::string& name : madeIn(path_))

@@ -39,6 +39,8 @@ class OutputFolder {
 
   /// Deletes a file of an earlier run that this run does not write.
   void drop(const std::string& name) const;
+  /// Deletes the files of later steps, of a level before on which the path went on.
+  void dropStepsBehind(std::size_t last) const;
   /// Deletes the fields and pictures that other commands derived from the earlier
   /// solution.
   void dropMade() const;

@@ -50,8 +50,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const ParameterList then = sceneOf(checkpoint);
   const ParameterList& now = *scene.used;
   std::string different;
-  for (const char* section : {"Bodies", "Geometry", "Contacts", "Constants", "Tables",
-                              "History", "Discretization"})
+  for (const char* section : {"Bodies", "Geometry", "Body Loads", "Contacts", "Constants",
+                              "Tables", "History", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -61,7 +61,7 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
-        " differs; Bodies, Geometry, Contacts, Constants, Tables, History, "
+        " differs; Bodies, Geometry, Body Loads, Contacts, Constants, Tables, History, "
         "Discretization, "
         "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
 }

@@ -14,7 +14,7 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 6;  // formats 1 to 5 were never released
+constexpr int format = 7;  // formats 1 to 6 were never released
 const std::string group = "/Epafi";
 
 /// An array of the group, stored row by row.
@@ -152,7 +152,8 @@ void visit(Archive& archive, PathPoint& point, std::size_t points) {
   archive("path_iterations", point.coulombIterations);
   archive("path_multiplier", point.state.multiplier);
   archive("path_rigid", point.state.rigid);
-  archive("path_work_error", point.workError);
+  archive("path_errors", point.workError);
+  archive("path_errors", point.volumeError);
 }
 
 /// \param like a step on the same meshes
@@ -222,7 +223,7 @@ Arrays emptyArrays() {
           {"path_iterations", 2, whole},
           {"path_multiplier", 1, real},
           {"path_rigid", 1, real},
-          {"path_work_error", 1, real},
+          {"path_errors", 2, real},
           {"step_t", 1, real},
           {"step_displacement", 1, real},
           {"step_density", 1, real},

@@ -21,7 +21,7 @@ struct PathPoint {
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
   /// Estimated time errors of friction's work and of the worn volume, since the last point that
-  /// has estimates; dimensionless.  The second is not written to files.
+  /// has estimates; dimensionless.
   double workError = 0;
   double volumeError = 0;
 };

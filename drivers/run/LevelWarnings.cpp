@@ -109,12 +109,16 @@ void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings
                                  ": its forces are out of balance by ", imbalance,
                                  " of the largest; ", why));
   }
-  double defect = 0;
-  for (const auto& step : level.steps)
-    defect = std::max(defect, step->at.defect);
-  if (defect > smallDefect)
-    warnings.push_back(
-        message("contact is met up to ", defect, " of the displacements; ", why));
+  double missed = 0;
+  double largest = 0;  // of a step without load displacements are rounding, too
+  for (const auto& step : level.steps) {
+    const double motion = step->largestDisplacement();
+    missed = std::max(missed, step->at.defect * motion);
+    largest = std::max(largest, motion);
+  }
+  if (missed > smallDefect * largest)
+    warnings.push_back(message("contact is met up to ", missed / largest,
+                               " of the displacements; ", why));
 }
 
 /// What steps as short as they may be do not tell to the tolerance.

@@ -265,9 +265,10 @@ class Follower {
     if (converged) {
       here_.cycles += (next - here_.t) * cyclesOf(*conditions_);
       ++row_.parts;
+      const PathPoint* same = known ? &from_.path[points().size()] : nullptr;
       points().push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
                           std::exchange(coulombIterations_, 0),
-                          known ? from_.path[points().size()].workError : 0});
+                          known ? same->workError : 0, known ? same->volumeError : 0});
       here_.t = next;
     }
     return converged;

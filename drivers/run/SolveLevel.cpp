@@ -54,10 +54,7 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
 
 /// Squared energy norms below which rounding has all digits: those of a motion without strain.
 double roundingOf(const SolvedStep& solved) {
-  double motion = 0;
-  for (const bem::Vector& displacement : solved.at.displacements)
-    for (const double u : displacement)
-      motion = std::max(motion, std::abs(u));
+  const double motion = solved.largestDisplacement();
   return 1e-24 * solved.spaces.scene().energy() * motion * motion;
 }
 

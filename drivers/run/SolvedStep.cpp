@@ -1,7 +1,9 @@
 #include "drivers/run/SolvedStep.hpp"
 
+#include "contact/body/IterativeRefinement.hpp"
 #include "contact/equation/ContactState.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -95,6 +97,13 @@ const std::vector<contact::Summary>& SolvedStep::summaries() const {
   if (summaries_.empty())
     summaries_ = contact::summarizeAll(bodies);
   return summaries_;
+}
+
+double SolvedStep::largestDisplacement() const {
+  double largest = 0;
+  for (const bem::Vector& displacement : at.displacements)
+    largest = std::max(largest, contact::largestEntry(displacement));
+  return largest;
 }
 
 double SolvedStep::frictionWorkOfStep() const {

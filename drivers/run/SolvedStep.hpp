@@ -31,6 +31,8 @@ struct SolvedStep {
   StepFields fields() const;
   /// Of each body, without the image of a half; computed on first use.
   const std::vector<contact::Summary>& summaries() const;
+  /// Of all bodies' unknowns.
+  double largestDisplacement() const;
   /// Friction's work in this step, in the user's units.
   double frictionWorkOfStep() const;
   /// Energy stored by contact surfaces, in the user's units.

@@ -3,6 +3,7 @@
 #include "Message.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
+#include "contact/equation/Equation.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "reference/ProjectedSor.hpp"
 
@@ -56,6 +57,15 @@ TEUCHOS_UNIT_TEST(Limits, aGapBeyondAllMeasureIsNoMotionThatNothingHolds) {
   const std::string told =
       test::messageOf<contact::NoBalance>([] { solve(floatingPoint(1e14, 3)); });
   TEST_ASSERT(!told.empty() && told != contact::NoBalance().what());
+}
+
+/// λ balances the load, but it is open there, however r is rounded.
+TEUCHOS_UNIT_TEST(Limits, pressureFarFromContactIsNoSolution) {
+  const Problem problem = floatingPoint(0, 3);
+  const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                   1e-10);
+  TEST_ASSERT(equation.at({3, 6}).converged);
+  TEST_ASSERT(!equation.at({3, -1e17}).converged);
 }
 
 /// A floating block of two points, pressed down alike, the first three times as stiff: pushed

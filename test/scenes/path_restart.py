@@ -95,7 +95,7 @@ same("killed four times", whole, folder)
 # steps.csv of another version: the checksum is right, the columns are not
 ARRAYS = ("edge degree position indicators multiplier rigid contact_state friction_state "
           "displacement density bodies rigid_bodies path_t path_iterations path_multiplier "
-          "path_rigid path_work_error step_t step_displacement step_density step_contact_state "
+          "path_rigid path_errors step_t step_displacement step_density step_contact_state "
           "step_friction_state step_rigid_bodies").split()
 
 

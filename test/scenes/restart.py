@@ -121,6 +121,18 @@ claim(code == 0 and same(rows(stuck, CONTACT),
                          rows(os.path.join(WORK, "tresca, Uniform h whole"), CONTACT)),
       "and is solved again with more iterations")
 
+# a path that ends early on a level leaves no steps of the one before
+path = UNIFORM + ["History->Times={1, 2}"]
+early = fresh("early")
+claim(solve("coulomb.xml", early, 1, path)[0] == 0, "a path of two steps")
+code, text = solve("coulomb.xml", None, 2, path + [
+    "Solver->Coulomb Iteration=Fixed Point", "Solver->Coulomb Maximum Iterations=1"],
+                   "--restart", early)
+claim(code == 3 and os.listdir(os.path.join(early, "steps")) == ["1"],
+      "a path that ends in its first step has files of that one: %s" % os.listdir(early + "/steps"))
+code, text = epafi("fields", early, "--step", "2")
+claim(code == 1 and "has 1 step" in text, "and says so: " + text.strip())
+
 # what must agree
 RESTART = ["run", scene("tresca.xml"), "--restart", base]
 refused("another material", ["Poisson's Ratio", SOLUTION], *RESTART, "--set",
@@ -128,6 +140,8 @@ refused("another material", ["Poisson's Ratio", SOLUTION], *RESTART, "--set",
 refused("another first mesh", ["Discretization", SOLUTION], *RESTART, "--set",
         "Discretization->Degree=2")
 refused("another constant", ["Constants", SOLUTION], *RESTART, "--set", "Constants->c=1")
+refused("other loads inside", ["Body Loads->Force Y", SOLUTION], *RESTART, "--set",
+        "Body Loads->Force Y=-1")
 refused("another table", ["Tables", SOLUTION], *RESTART, "--set",
         "Tables->profile={Points=2x2:{0, 0, 1, 1}}")
 refused("other weights", ["Adaptivity->Weights", SOLUTION], *RESTART, "--set",
@@ -176,7 +190,7 @@ refused("somebody else's HDF5 file", ["/Epafi"], "run", scene("tresca.xml"), "--
 other_format = copy(base, "format")
 with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
-refused("another format", ["format 4", "reads format 6", SOLUTION], "run", scene("tresca.xml"),
+refused("another format", ["format 4", "reads format 7", SOLUTION], "run", scene("tresca.xml"),
         "--restart", other_format)
 
 # a folder or disk that takes nothing

@@ -206,7 +206,11 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
     e.natural.push_back(natural);
     const double finite = std::isfinite(bound) ? bound : 0;  // infinite: bonded
-    count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + finite));
+    double size = std::abs(multiplier) + finite;
+    // what is clearly open or slips does so however r is rounded, as far away as it may be
+    if (std::abs(trial - projection) <= rounding * problem_.stress * entry(magnitude, i))
+      size += entry(magnitude, i);
+    count(natural, rounding * size);
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);

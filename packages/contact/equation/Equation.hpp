@@ -43,7 +43,9 @@ struct Evaluation {
 /// tolerance over Problem::amplification, which makes a tolerance mean the same for all
 /// bases, or at most its rounding error, for rows of λ
 ///
-///   8 eps (c_i (|D||λ| + |d₀| + |G||α| + |Φ(λ)|)_i + |λ_i| + s_i) / stress.
+///   8 eps (c_i (|D||λ| + |d₀| + |G||α| + |Φ(λ)|)_i + |λ_i| + s_i) / stress,
+///
+/// without the c_i term where P(λ_i + c_i r_i) is the same for all r within that error.
 ///
 /// Refers to the problem, which must outlive it.
 class Equation {
