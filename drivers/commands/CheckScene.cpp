@@ -132,6 +132,8 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
     return {"Contact", "", "",
             contact->second.name.empty() ? value(contact->second.gap) : ""};
   const auto load = conditions.neumann.find(boundary);
+  if (!conditions.isBoundary(boundary))
+    return {"symmetry", "", "", ""};
   const bool held = conditions.dirichlet.count(boundary) != 0;
   if (load != conditions.neumann.end())
     return {held ? "Dirichlet" : "Neumann", value(load->second.x), value(load->second.y),

@@ -36,10 +36,11 @@ void readWear(const Part& part, contact::Conditions::Contact& condition) {
 
 /// The parameters that all contacts have.
 contact::Conditions::Contact readSurface(const Part& part) {
-  const auto fieldsOf = [](const Part& law) {
-    return [law](const std::string& key) { return law.nonNegative(key); };
+  const auto fieldsOf = [](const Part& law, bool orZero = true) {
+    return [law, orZero](const std::string& key) { return law.nonNegative(key, orZero); };
   };
   contact::Conditions::Contact condition;
+  condition.path = part.place.path;
   const Part friction = part.sub("Friction");
   condition.friction = contact::parseFriction(*friction.list, fieldsOf(friction));
   if (part.has("Sliding")) {
@@ -50,6 +51,8 @@ contact::Conditions::Contact readSurface(const Part& part) {
   readWear(part.sub("Wear"), condition);
   const Part normal = part.sub("Normal");
   condition.normal = contact::parseNormal(*normal.list, fieldsOf(normal));
+  if (condition.normal && !condition.normal.law->isLinear())
+    condition.normal = contact::parseNormal(*normal.list, fieldsOf(normal, false));
   return condition;
 }
 

@@ -20,14 +20,13 @@ bem::Function Part::function(const std::string& key) const {
                   : bem::Function();
 }
 
-bem::Function Part::nonNegative(const std::string& key) const {
-  return [function = function(key), place = at(key), t = names.t](bem::Vec2 point) {
-    const double value = function(point);
-    if (value < 0)
-      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (",
-                       point.x, ", ", point.y, ")",
-                       t == 1 ? "" : bem::message(", t = ", t),
-                       "; it must be >= 0 there");
+bem::Function Part::nonNegative(const std::string& key, bool orZero) const {
+  return [function = function(key), place = at(key), t = names.t, orZero](bem::Vec2 x) {
+    const double value = function(x);
+    if (value < 0 || (value == 0 && !orZero))
+      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (", x.x,
+                       ", ", x.y, ")", t == 1 ? "" : bem::message(", t = ", t),
+                       "; it must be ", orZero ? ">=" : ">", " 0 there");
     return value;
   };
 }

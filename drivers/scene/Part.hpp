@@ -30,8 +30,8 @@ struct Part {
   bool isGiven() const;
   /// The expression under a key; empty if the key is missing.
   bem::Function function(const std::string& key) const;
-  /// The same function; it throws bem::InputError where its value is negative.
-  bem::Function nonNegative(const std::string& key) const;
+  /// The same function; it throws bem::InputError where its value is negative, or zero.
+  bem::Function nonNegative(const std::string& key, bool orZero = true) const;
   /// The value of the expression under an existing key, at this time or at t.
   double number(const std::string& key) const { return number(key, names.t); }
   double number(const std::string& key, double t) const;

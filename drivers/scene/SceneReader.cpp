@@ -193,8 +193,7 @@ void readHistory(ParameterList& used, Scene& scene) {
   for (std::size_t b = 0; b < end.size(); ++b) {
     for (const auto& [boundary, contact] : end[b].contact)
       if (contact.wear && !scene.history)
-        throw InputError("contact '", contact.name.empty() ? boundary : contact.name,
-                         "' wears, which takes a path: give History->Times");
+        throw InputError(contact.path, "->Wear: wear takes a path: give History->Times");
     scene.bodies[b].conditions = end[b];
   }
 }

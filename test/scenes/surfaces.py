@@ -47,8 +47,12 @@ for basis in ("Gauss-Lobatto-Lagrange", "Bernstein"):
     refused("by %s: a law that is not linear; names the basis to use" % basis,
             pushed_down("refused", ROUGH, "Density", basis), "Gauss-Legendre-Lagrange")
 refused("by Biorthogonal: all laws", pushed_down("dual", LINEAR, "None", "Biorthogonal"),
-        "Gauss-Legendre-Lagrange")
-refused("by a bond: a law that is not linear", pushed_down("bond", ROUGH + TIED), "Linear")
+        "Boundary Conditions->bottom: ", "Gauss-Legendre-Lagrange")
+refused("by a bond: a law that is not linear", pushed_down("bond", ROUGH + TIED),
+        "Boundary Conditions->bottom: ", "Linear")
+refused("a roughness of none", pushed_down("smooth", normal("Exponential", Length="x < 0.5 ? 0 : 1",
+                                                            Pressure=1)),
+        "Boundary Conditions->bottom->Normal->Length is 0", "> 0", command="check")
 refused("a negative compliance", pushed_down("negative", normal("Linear", Compliance="-x")),
         "Normal->Compliance", ">= 0", command="check")
 

@@ -59,7 +59,8 @@ struct Conditions {
     bem::Function sliding{};
     /// Worn depth per pressure and slip [1/stress]; empty: no wear.
     bem::Function wear{};
-    double cycles = 1;  ///< number of repetitions of a step of a path, for wear
+    double cycles = 1;   ///< number of repetitions of a step of a path, for wear
+    std::string path{};  ///< of the list that says so, for messages
 
     bool holds(int edge, double place) const {
       return name.empty() ||

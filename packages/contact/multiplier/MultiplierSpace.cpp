@@ -78,8 +78,8 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
       ends[1].isUnknown = nodes.take(element.endNode, direction(1));
     if (elements_[k].degree == 1 && !ends[0].isUnknown && !ends[1].isUnknown)
       throw bem::InputError(
-          "boundary '", *elements_[k].boundary,
-          "': an element of degree 1 without a free node cannot carry the multiplier '",
+          placeOf(elements_[k]),
+          ": an element of degree 1 without a free node cannot carry the multiplier '",
           basis_->name, "'; use more elements, a higher degree or another multiplier");
     return ends;
   };

@@ -143,4 +143,10 @@ inline const std::string& nameOf(const MultiplierSpace::ContactElement& element)
   return element.condition->name.empty() ? *element.boundary : element.condition->name;
 }
 
+/// Where messages say that its condition is given: the path of the list, else its boundary.
+inline std::string placeOf(const MultiplierSpace::ContactElement& on) {
+  return on.condition->path.empty() ? "boundary '" + *on.boundary + "'"
+                                    : on.condition->path;
+}
+
 }  // namespace epafi::contact

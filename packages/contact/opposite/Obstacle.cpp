@@ -16,13 +16,13 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 template <class Law>
 Vector fieldsAt(const LawOnBoundary<Law>& law, const char* kind,
-                const ContactElement& contact, Vec2 x) {
+                const ContactElement& contact, Vec2 x, bool orZero = true) {
   Vector fields = law.fieldsAt(x);
   for (const double value : fields)
-    if (!(value >= 0 && std::isfinite(value)))
-      throw bem::InputError("boundary '", *contact.boundary, "': a field of the ", kind,
-                            " law is ", value, " at (", x.x, ", ", x.y,
-                            "); it must be finite and not negative");
+    if (!(value > 0 || (orZero && value == 0)) || !std::isfinite(value))
+      throw bem::InputError(placeOf(contact), ": a field of the ", kind, " law is ",
+                            value, " at (", x.x, ", ", x.y, "); it must be finite and ",
+                            orZero ? ">= 0" : "> 0");
   return fields;
 }
 
@@ -40,13 +40,13 @@ void checkSurface(const ContactElement& contact, const MultiplierBasis& basis) {
   const Conditions::Contact& condition = *contact.condition;
   const Normal& normal = condition.normal;
   if (basis.sharesNodes && (normal || condition.friction.compliance || condition.wear))
-    throw bem::InputError("boundary '", *contact.boundary,
-                          "': contacts under the multiplier 'Biorthogonal' do not yield "
+    throw bem::InputError(placeOf(contact),
+                          ": contacts under the multiplier 'Biorthogonal' do not yield "
                           "or wear; use Gauss-Legendre-Lagrange");
   if (contact.ties() && normal && !normal.law->isLinear())
     throw bem::InputError(
-        "boundary '", *contact.boundary,
-        "': a bond yields by the normal law 'Linear' alone; use that or none");
+        placeOf(contact),
+        ": a bond yields by the normal law 'Linear' alone; use that or none");
 }
 
 /// What a side yields and wears by at one of its Gauss points.  A law that is not linear acts on
@@ -67,7 +67,7 @@ void addSurface(const SidePoint& point, Vec2 x, bem::Units units, Obstacle& obst
   const Normal& normal = condition.normal;
   if (!normal)
     return;
-  const Vector fields = fieldsAt(normal, "normal", contact, x);
+  const Vector fields = fieldsAt(normal, "normal", contact, x, normal.law->isLinear());
   const PointClosing law(normal.law, fields, units);
   if (normal.law->isLinear()) {
     addLinear(
@@ -75,13 +75,10 @@ void addSurface(const SidePoint& point, Vec2 x, bem::Units units, Obstacle& obst
         [&](int i) { return contact.normalOf(i); }, surface.linear);
     return;
   }
-  if (*std::min_element(fields.begin(), fields.end()) <= 0)
-    throw bem::InputError("boundary '", *contact.boundary,
-                          "': a field of the normal law is zero; it must be positive");
   if (point.chi[at(point.number)] != 1 ||
       std::count(point.chi.begin(), point.chi.end(), 0) != contact.degree)
-    throw bem::InputError("boundary '", *contact.boundary,
-                          "': only coefficients that are values at Gauss points follow a "
+    throw bem::InputError(placeOf(contact),
+                          ": only coefficients that are values at Gauss points follow a "
                           "normal law that is not linear; use the multiplier "
                           "Gauss-Legendre-Lagrange");
   surface.places.push_back({contact.normalOf(point.number), point.weight, law});
