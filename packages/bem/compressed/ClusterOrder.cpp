@@ -134,7 +134,7 @@ class Zones {
 }  // namespace
 
 std::vector<ClusterPlace> clusterOrder(const std::vector<const Space*>& spaces,
-                                      const std::vector<Link>& links) {
+                                       const std::vector<Link>& links) {
   Zones zones(spaces, links);
   const std::vector<ClusterPlace> order = zones.order();
   return inSlices(spaces, order, zones.placesOf(order));

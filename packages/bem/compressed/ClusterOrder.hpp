@@ -23,6 +23,6 @@ struct Link {
 /// consecutive carriers form a stretch, with their opposite elements sorted in by position;
 /// all others keep the order of their meshes.  A cut of this order separates few links.
 std::vector<ClusterPlace> clusterOrder(const std::vector<const Space*>& spaces,
-                                      const std::vector<Link>& links);
+                                       const std::vector<Link>& links);
 
 }  // namespace epafi::bem
