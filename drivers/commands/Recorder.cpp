@@ -167,6 +167,8 @@ void Recorder::write() {
 void Recorder::finish(PhaseTimer& timer) {
   if (folder_) {
     write();  // before a phase begins, which an interrupted run does not do any more
+    if (grid_)
+      findOverlap(scene_, *grid_, warnings_);
     if (!tables_.level.steps.empty() && !scene_.output.interiorPoints.empty())
       timer.run(Phase::Results, [&] { writeInterior(scene_, tables_.level, *folder_); });
   }

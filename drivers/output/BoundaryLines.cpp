@@ -1,10 +1,12 @@
 #include "drivers/output/BoundaryLines.hpp"
 
+#include "bem/base/Error.hpp"
 #include "drivers/output/Csv.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace epafi::drivers {
 
@@ -166,6 +168,49 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
     for (const std::string& name : boundaryNames(*body.outline))
       all.push_back(body.name + ":" + name);
   return all;
+}
+
+void findOverlap(const Scene& scene, const VtkGrid& grid,
+                 std::vector<std::string>& warnings) {
+  using bem::Vec2;
+  constexpr double share = 0.1;
+  const std::size_t elastic = scene.bodies.size();
+  std::vector<std::vector<std::pair<Vec2, Vec2>>> bodies(elastic + scene.rigid.size());
+  double depth = 0;
+  const auto moved = [&](long long k) {
+    const VtkArray& motion = grid.pointData[Displacement];
+    const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
+    depth = std::max(depth, share * norm(u));
+    return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
+  };
+  for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
+    bodies[grid.cellData[OfBody].at<int>(k)].emplace_back(moved(grid.corners[2 * k]),
+                                                          moved(grid.corners[2 * k + 1]));
+  const auto nameOf = [&](std::size_t b) {
+    return b < elastic ? scene.bodies[b].name : scene.rigid[b - elastic].name;
+  };
+  std::set<std::pair<std::string, std::string>> met;
+  for (const ContactPair& pair : scene.contacts)
+    met.emplace(scene.nameOf(pair.side), scene.nameOf(pair.opposite));
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (a == b || std::min(a, b) >= elastic ||
+          met.count({nameOf(a), nameOf(b)}) + met.count({nameOf(b), nameOf(a)}) > 0)
+        continue;
+      for (const auto& [from, to] : bodies[a]) {
+        const Vec2 along = to - from;
+        const Vec2 x = from + 0.5 * along + depth / norm(along) * turnLeft(along);
+        bool isInside = false;
+        for (const auto& [p, q] : bodies[b])
+          if ((p.y > x.y) != (q.y > x.y) && (cross(q - p, x - p) > 0) == (q.y > p.y))
+            isInside = !isInside;
+        if (isInside && depth > 0)
+          return warnings.push_back(bem::message(
+              "Bodies: '", nameOf(a), "' and '", nameOf(b),
+              "', deformed, overlap by more than ", depth, " at (", x.x, ", ", x.y,
+              "), and no contact between them is drawn: add one to Contacts"));
+      }
+    }
 }
 
 std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {

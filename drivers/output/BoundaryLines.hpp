@@ -20,6 +20,11 @@ VtkGrid boundaryLines(const SolvedStep& solved);
 /// In the order in which these segments number boundaries.
 std::vector<std::string> namesOfBoundaries(const Scene& scene);
 
+/// Adds a sentence if two bodies without a contact between them overlap once they are deformed, by
+/// more than a tenth of the largest displacement.
+void findOverlap(const Scene& scene, const VtkGrid& grid,
+                 std::vector<std::string>& warnings);
+
 /// The number of a friction state in the files: 0 none, 1 stick, 2 slip.
 inline int numberOf(contact::FrictionKind friction) { return static_cast<int>(friction); }
 

@@ -72,6 +72,52 @@ std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
   }
 }
 
+/// A jump of a prescribed displacement on a side: from samples whose difference departs most from
+/// those beside it, and from these, always the half with the larger difference, of which a
+/// continuous function leaves nothing.
+void findJump(const Body& body, const std::string& boundary, const char* axis,
+              const bem::Function& given, Warnings& warn) {
+  constexpr int samples = 400;
+  constexpr int halvings = 40;
+  constexpr double share = 0.2;
+  for (const bem::Edge& edge : body.outline->edges()) {
+    if (!given || edge.boundary != boundary)
+      continue;
+    const auto at = [&](double t) {
+      return valueAt(given, body.outline->physical(edge.curve.point(t)))
+          .value_or(std::nan(""));
+    };
+    const auto place = [](int k) { return -1 + 2.0 * k / samples; };
+    const auto step = [&](int k) { return at(place(k + 1)) - at(place(k)); };
+    double excess = 0;
+    int largest = 1;
+    for (int k = 1; k + 1 < samples; ++k)
+      if (const double here = std::abs(2 * step(k) - step(k - 1) - step(k + 1));
+          here > excess) {
+        excess = here;
+        largest = k;
+      }
+    for (const int k : {largest - 1, largest, largest + 1}) {
+      double low = place(k);
+      double high = place(k + 1);
+      for (int halved = 0; halved < halvings; ++halved) {
+        const double middle = (low + high) / 2;
+        const double value = at(middle);
+        (std::abs(value - at(low)) > std::abs(at(high) - value) ? high : low) = middle;
+      }
+      const double before = at(low);
+      const double jump = at(high) - before;
+      const bem::Vec2 x = body.outline->physical(edge.curve.point(low));
+      if (std::abs(jump) > share * excess && !areAlike(jump, 0, std::abs(before), body))
+        warn(message("jump ", body.name, boundary, axis), "Bodies->", body.name,
+             "->Boundary Conditions->", boundary, "->Displacement ", axis, ": jumps by ",
+             jump, " at (", x.x, ", ", x.y,
+             "); a jump has no finite energy, between edges neither: stresses there grow "
+             "with every level; let it rise over some length");
+    }
+  }
+}
+
 /// Beside an end of a side, to where it would go on: a gap need not exist at corners.
 std::optional<double> gapAtEnd(const bem::Function& gap, const Body& body,
                                const bem::Edge& side, double end) {
@@ -189,6 +235,10 @@ void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& 
 /// What a body's conditions at some time say that is probably not meant.
 void findInConditions(const Body& body, const contact::Conditions& conditions,
                       Warnings& warn) {
+  for (const auto& [boundary, given] : conditions.dirichlet) {
+    findJump(body, boundary, "X", given.x, warn);
+    findJump(body, boundary, "Y", given.y, warn);
+  }
   findJumps(body, conditions, warn);
   findPressedCorners(body, conditions, warn);
   if (conditions.neumann.empty())

@@ -63,13 +63,25 @@ void addWords(const std::string& text, std::set<std::string>& words) {
       words.insert(std::exchange(word, {}));
 }
 
-/// Adds the words of all texts of a list and its sublists.
-void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& words) {
-  for (const auto& item : list)
+/// Adds the words of all texts of a list and its sublists, and warns of keys without effect.
+void collectWords(const Teuchos::ParameterList& list, const std::string& path,
+                  std::set<std::string>& words, std::vector<std::string>& warnings) {
+  for (const auto& item : list) {
+    const std::string place = bem::join(path, item.first);
     if (item.second.isList())
-      collectWords(Teuchos::getValue<Teuchos::ParameterList>(item.second), words);
-    else if (item.second.isType<std::string>())
-      addWords(Teuchos::getValue<std::string>(item.second), words);
+      collectWords(Teuchos::getValue<Teuchos::ParameterList>(item.second), place, words,
+                   warnings);
+    if (!item.second.isType<std::string>())
+      continue;
+    std::set<std::string> own;
+    addWords(Teuchos::getValue<std::string>(item.second), own);
+    if (item.first == "Sliding" && path != "Constants" && own.count("t") == 0)
+      warnings.push_back(place + ": does not use t; without a change nothing slides");
+    if (item.first == "Cycle Jump" && own.count("1") == 0 &&
+        !list.isParameter("Coefficient"))
+      warnings.push_back(place + ": nothing wears without Coefficient");
+    words.merge(own);
+  }
 }
 
 /// Adds the words of what a list has in place of numbers.
@@ -88,7 +100,7 @@ void collectConstants(const Teuchos::ParameterList& given,
 /// say), a path on which nothing changes, rigid bodies that nothing touches.
 void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   std::set<std::string> words;
-  collectWords(*scene.used, words);
+  collectWords(*scene.used, "", words, warnings);
   collectConstants(scene.given, *scene.used, words);
   std::vector<std::string> used;
   for (const auto& [name, value] : scene.constants)

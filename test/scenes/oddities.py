@@ -54,6 +54,13 @@ for sentence, setting, words in [
         ("a side that is pushed through an obstacle at both of its corners",
          CONDITIONS + "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01}",
          "'side' moves its corner with 'foundation'"),
+        ("a side whose displacement jumps between its ends",
+         CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=1e-3*y + 1e-5*(y > 0.13), Displacement Y=0}",
+         "->side->Displacement X: jumps by"),
+        ("one that jumps where its expression has a value between", CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=1e-4*sign(y), Displacement Y=0}",
+         "->side->Displacement X: jumps by"),
         ("a load that is there half way along a path alone",
          CONDITIONS + "top={Type=Neumann, Traction Y=-100*t*(1 - t)*(abs(x - 0.0612) < 0.001)}",
          "->top: the traction is narrower")]:
@@ -63,6 +70,10 @@ for sentence, setting, words in [
     claim(code == 0 and len(warnings) == 1 and words in warnings[0], "%s: %s" % (sentence, warnings))
 for sentence, setting in [
         ("a wide one", CONDITIONS + "top={Type=Neumann, Traction Y=-100*(abs(x - 0.0612) < 0.07)}"),
+        ("a displacement that is steep", CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=1e-4*tanh(1e7*(y - 0.13)), Displacement Y=0}"),
+        ("one of unbounded slope", CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=1e-4*sqrt(abs(y - 0.13)), Displacement Y=0}"),
         ("one that is pulled away", CONDITIONS +
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}"),
         ("one that touches but for rounding", CONDITIONS +
@@ -77,6 +88,14 @@ for sentence, file, setting, words in [
          "Bodies->pad->Material->Young's Modulus=1e8", "name the softer one first")]:
     code, text = epafi("check", scene(file), "--set", setting)
     claim(code == 0 and words in text, sentence)
+PLATE = body("plate", block(0, 0, 4, 1), 1, condition(
+    "bottom", "Dirichlet", CLAMPED) + condition("top", "Neumann", Traction_Y=-1e-3))
+for depth, count in ((0.05, 1), (0.008, 0)):
+    code, warnings = told(written("apart", [PLATE, body("pad", block(1, 1.01, 2, 2), 1, condition(
+        "top", "Dirichlet", Displacement_X=0, Displacement_Y=-depth))], form="Density"), "apart")
+    claim(code == 0 and len(warnings) == count and all(
+        "'plate' and 'pad', deformed, overlap" in line for line in warnings),
+          "a pad without a contact, %g down: %s" % (depth, warnings))
 code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
                       "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
 claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),

@@ -157,6 +157,10 @@ refused("no path", indented("pathless", path=None), "Contacts->rub->Wear", "Hist
 refused("a jump", indented("jump", jump=0.5), "Cycle Jump", "0.5", command="check")
 refused("growth", indented("growth", coefficient="-x"), "Wear->Coefficient", ">= 0", command="check")
 refused("dual", indented("dual", form="None"), "Contacts->rub: ", "Biorthogonal")
+fails("a motion that stays", ["warning: Contacts->rub->Sliding", "does not use t"], "check",
+      indented("still", sliding="0.3*x"), code=0)
+fails("a jump of what does not wear", ["warning: Contacts->rub->Wear->Cycle Jump", "Coefficient"],
+      "check", indented("unworn"), "--set", "Contacts->rub->Wear={Cycle Jump=10}", code=0)
 fails("a long jump", ["Cycle Jump", "0.3"], "run", indented(
     "long", law=friction(0.5), sliding="", motion=SHAKEN, coefficient=0.2, jump=400,
     path=([1, 1.1], [1, 1])), "--output", fresh("long"), code=0)
