@@ -17,8 +17,8 @@ from epafi.plot.inside import NAMES as FIELDS
 from epafi.runs import Run
 from runs import (EPAFI, RANKS, WORK, claim, epafi, fails, finish, fresh, levels, read, run, scene,
                   table, write)
-from written import (CLAMPED, NONE, block, body, condition, friction, geometry, history, mesh,
-                     written)
+from written import (CLAMPED, NONE, block, body, condition, confined, friction, geometry, history,
+                     keys, listed, mesh, wear, written)
 
 matplotlib.use("Agg")
 PICTURES = ["convergence", "time", "contributions", "mesh", "contact", "deformed"]
@@ -119,12 +119,21 @@ for name in ("contact", "path", "steps"):
 figure, axes = Run(os.path.join(WORK, "row solved")).plot("path")
 figure.canvas.draw()
 legend, = figure.legends
+claim(all(line.get_marker() in ("", "None") for panel in axes for line in panel.get_lines()
+          if line.get_linestyle() == "--"), "no markers on dashes")
 claim("not drawn: 2 others" in [text.get_text() for text in legend.get_texts()] and
       not any(legend.get_window_extent().overlaps(panel.get_window_extent()) for panel in axes),
       "six contacts and a word about the others, below the curves")
 run(scene("two-blocks.xml"), "pair", levels(1))
 figure, axes = Run(os.path.join(WORK, "pair")).plot("contact")
 claim("contact on joint" in figure.texts[0].get_text(), "a contact has its name in the title")
+# where sides that wear and yield touch, u_n is what they may: the gap and what both give way
+run(confined("worn", wear(2) + listed("Normal", Law="Linear", Compliance=0.5) + keys(
+    Sliding="max(0, t - 1)"), "-0.01*min(t, 1)", more=history([1, 3], [1, 2])), "worn solved")
+figure, axes = Run(os.path.join(WORK, "worn solved")).plot("contact")
+curves = {line.get_label(): line.get_ydata() for line in np.ravel(axes)[1].get_lines()}
+claim(np.allclose(curves["gap + closing + wear"], curves["normal displacement $u_n$"], 1e-9) and
+      not curves["gap as drawn"].any(), "worn sides touch where they may: %s" % list(curves))
 plt.close("all")
 
 # what was drawn of one solution does not stay beside another one; other files do
@@ -223,6 +232,12 @@ code, text = epafi("check", scene("two-blocks.xml"), "--plot", file)
 words = read(file)
 claim(code == 0 and "top (joint)" in words and "bottom (joint)" in words,
       "both sides of a contact are named in the scene's picture")
+
+half = body("block", geometry(block(0, 0, 1, 1), "a, b, c, any"), 1, fix="Y")
+code, text = epafi("check", written("half", [half], more=listed("Geometry", Symmetry="X")),
+                   "--plot", file)
+claim(code == 0 and read(file).count("<!-- symmetry -->") == 1 and "Dirichlet" not in read(file),
+      "the line of symmetry is in the legend alone")
 
 for name in ("tresca", "disc"):
     file = os.path.join(WORK, name + "-scene.png")

@@ -71,7 +71,12 @@ def draw_stresses(axes, laid):
 def draw_displacements(axes, laid):
     contact, *_ = laid
     line(axes, laid, contact["u_n"], "normal displacement $u_n$", color=COLOURS[0])
-    line(axes, laid, contact["gap"], "gap", color="black", ls="--", lw=1)
+    room = {text: contact[column] for text, column in (
+        ("gap", "gap"), ("closing", "normal_closing"), ("wear", "worn_depth"))
+            if text == "gap" or column in contact and contact[column].any()}
+    if len(room) > 1:
+        line(axes, laid, contact["gap"], "gap as drawn", color="grey", ls=":", lw=1)
+    line(axes, laid, sum(room.values()), " + ".join(room), color="black", ls="--", lw=1)
     line(axes, laid, contact["u_t"], "tangential displacement $u_t$", color=COLOURS[1])
 
 

@@ -104,8 +104,9 @@ def draw_path(folder, rows, t, files, title, pictures):
     shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
     force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
 
-    def along(panel, name, label, **style):
-        panel.plot(t, np.append(0, rows[name]), label=label, marker=".", **style)
+    def along(panel, name, label, ls="-", **style):  # markers would hide dashes
+        panel.plot(t, np.append(0, rows[name]), label=label, ls=ls,
+                   marker="." if ls == "-" else "", **style)
 
     for k, name in enumerate(shown):
         along(axes[0], name + ".force_normal", short(name), color=COLOURS[k])

@@ -5,7 +5,8 @@ from matplotlib.lines import Line2D
 
 from epafi.plot.figures import equal_axes, plt, shape_of
 
-COLOURS = {"Dirichlet": "C1", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey"}
+COLOURS = {"Dirichlet": "C1", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey",
+           "symmetry": "C3"}
 
 
 def runs_of(table):
@@ -81,7 +82,8 @@ def figure_of(table, title, looks):
         ends = table["element"][part]
         nodes = np.append(np.flatnonzero(np.diff(ends)), len(ends) - 1)
         axes.plot(x[part][nodes], y[part][nodes], ".", color=colour, ms=5, zorder=3)
-        names.append((kind == "free", part, colour))
+        if kind != "symmetry":  # which the legend names
+            names.append((kind == "free", part, colour))
         here = np.isfinite(gap[part])
         if here.any():
             near = np.minimum(gap[part][here], 0.15 * larger)  # far ones would widen the view
