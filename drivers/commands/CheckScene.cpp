@@ -138,7 +138,8 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
   if (load != conditions.neumann.end())
     return {held ? "Dirichlet" : "Neumann", value(load->second.x), value(load->second.y),
             ""};
-  return {held ? "Dirichlet" : "free", "", "", ""};
+  const bool drawn = conditions.isBoundary(boundary);
+  return {!drawn ? "symmetry" : held ? "Dirichlet" : "free", "", "", ""};
 }
 
 /// The contacts that a boundary belongs to, on either side: "joint, seat".

@@ -178,12 +178,10 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   std::vector<std::vector<std::pair<Vec2, Vec2>>> bodies(elastic + scene.rigid.size());
   double depth = 0;
   const auto moved = [&](long long k) {
-    const auto at = [k](const VtkArray& field) {
-      return Vec2{field.at<double>(3 * k), field.at<double>(3 * k + 1)};
-    };
-    const Vec2 u = at(grid.pointData[Displacement]);
+    const VtkArray& motion = grid.pointData[Displacement];
+    const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
     depth = std::max(depth, share * norm(u));
-    return at(grid.points) + u;
+    return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
   };
   for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
     bodies[grid.cellData[OfBody].at<int>(k)].emplace_back(moved(grid.corners[2 * k]),

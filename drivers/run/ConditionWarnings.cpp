@@ -87,22 +87,19 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
       return valueAt(given, body.outline->physical(edge.curve.point(t)))
           .value_or(std::nan(""));
     };
-    const auto sample = [](int k) { return -1 + 2.0 * k / samples; };
-    bem::Vector steps;
-    for (int k = 0; k < samples; ++k)
-      steps.push_back(at(sample(k + 1)) - at(sample(k)));
+    const auto place = [](int k) { return -1 + 2.0 * k / samples; };
+    const auto step = [&](int k) { return at(place(k + 1)) - at(place(k)); };
     double excess = 0;
-    int largest = 0;
-    for (int k = 0; k < samples; ++k)
-      if (const double here = std::abs(2 * steps[k] - steps[std::max(k - 1, 0)] -
-                                       steps[std::min(k + 1, samples - 1)]);
+    int largest = 1;
+    for (int k = 1; k + 1 < samples; ++k)
+      if (const double here = std::abs(2 * step(k) - step(k - 1) - step(k + 1));
           here > excess) {
         excess = here;
         largest = k;
       }
     for (const int k : {largest - 1, largest, largest + 1}) {
-      double low = sample(std::clamp(k, 0, samples - 1));
-      double high = low + 2.0 / samples;
+      double low = place(k);
+      double high = place(k + 1);
       for (int halved = 0; halved < halvings; ++halved) {
         const double middle = (low + high) / 2;
         const double value = at(middle);
@@ -110,11 +107,11 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
       }
       const double before = at(low);
       const double jump = at(high) - before;
-      const bem::Vec2 place = body.outline->physical(edge.curve.point(low));
+      const bem::Vec2 x = body.outline->physical(edge.curve.point(low));
       if (std::abs(jump) > share * excess && !areAlike(jump, 0, std::abs(before), body))
         warn(message("jump ", body.name, boundary, axis), "Bodies->", body.name,
              "->Boundary Conditions->", boundary, "->Displacement ", axis, ": jumps by ",
-             jump, " at (", place.x, ", ", place.y,
+             jump, " at (", x.x, ", ", x.y,
              "); a jump has no finite energy, between edges neither: stresses there grow "
              "with every level; let it rise over some length");
     }

@@ -73,12 +73,12 @@ void collectWords(const Teuchos::ParameterList& list, const std::string& path,
                    warnings);
     if (!item.second.isType<std::string>())
       continue;
-    const auto& text = Teuchos::getValue<std::string>(item.second);
     std::set<std::string> own;
-    addWords(text, own);
+    addWords(Teuchos::getValue<std::string>(item.second), own);
     if (item.first == "Sliding" && path != "Constants" && own.count("t") == 0)
       warnings.push_back(place + ": does not use t; without a change nothing slides");
-    if (item.first == "Cycle Jump" && text != "1" && !list.isParameter("Coefficient"))
+    if (item.first == "Cycle Jump" && own.count("1") == 0 &&
+        !list.isParameter("Coefficient"))
       warnings.push_back(place + ": nothing wears without Coefficient");
     words.merge(own);
   }
