@@ -175,7 +175,13 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   using bem::Vec2;
   constexpr double share = 0.1;
   const std::size_t elastic = scene.bodies.size();
-  std::vector<std::vector<std::pair<Vec2, Vec2>>> bodies(elastic + scene.rigid.size());
+  struct Deformed {
+    std::vector<std::pair<Vec2, Vec2>> lines{};
+    Vec2 low{std::numeric_limits<double>::infinity(),
+             std::numeric_limits<double>::infinity()};
+    Vec2 high = -1.0 * low;
+  };
+  std::vector<Deformed> bodies(elastic + scene.rigid.size());
   double depth = 0;
   const auto moved = [&](long long k) {
     const VtkArray& motion = grid.pointData[Displacement];
@@ -183,9 +189,13 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
     depth = std::max(depth, share * norm(u));
     return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
   };
-  for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
-    bodies[grid.cellData[OfBody].at<int>(k)].emplace_back(moved(grid.corners[2 * k]),
-                                                          moved(grid.corners[2 * k + 1]));
+  for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k) {
+    auto& [lines, low, high] = bodies[grid.cellData[OfBody].at<int>(k)];
+    lines.emplace_back(moved(grid.corners[2 * k]), moved(grid.corners[2 * k + 1]));
+    const Vec2 end = lines.back().first;
+    low = {std::min(low.x, end.x), std::min(low.y, end.y)};
+    high = {std::max(high.x, end.x), std::max(high.y, end.y)};
+  }
   const auto nameOf = [&](std::size_t b) {
     return b < elastic ? scene.bodies[b].name : scene.rigid[b - elastic].name;
   };
@@ -197,11 +207,14 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
       if (a == b || std::min(a, b) >= elastic ||
           met.count({nameOf(a), nameOf(b)}) + met.count({nameOf(b), nameOf(a)}) > 0)
         continue;
-      for (const auto& [from, to] : bodies[a]) {
+      const auto& [lines, low, high] = bodies[b];
+      for (const auto& [from, to] : bodies[a].lines) {
         const Vec2 along = to - from;
         const Vec2 x = from + 0.5 * along + depth / norm(along) * turnLeft(along);
+        if (!(low.x < x.x && x.x < high.x && low.y < x.y && x.y < high.y))
+          continue;
         bool isInside = false;
-        for (const auto& [p, q] : bodies[b])
+        for (const auto& [p, q] : lines)
           if ((p.y > x.y) != (q.y > x.y) && (cross(q - p, x - p) > 0) == (q.y > p.y))
             isInside = !isInside;
         if (isInside && depth > 0)
