@@ -19,6 +19,8 @@ struct Standing {
   contact::PathMemory memory;
   contact::Prediction prediction;
   std::vector<contact::LoadResponses> responses{};
+  std::shared_ptr<const SolvedPart> part{};    ///< the last one
+  std::shared_ptr<const SolvedPart> before{};  ///< and the one before
   double t = 0;
   double cycles = 0;
 };
@@ -54,9 +56,10 @@ class Follower {
         here_{contact::PathMemory(atZero, scene_.history.tolerance > 0
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
-              contact::Prediction(atZero)},
+              contact::Prediction(atZero),
+              {},
+              std::make_shared<const SolvedPart>(spaces)},
         path_(path),
-        last_(std::make_shared<const SolvedStep>(spaces)),
         empty_(spaces.stepRow()) {}
 
   /// Up to a time; false where the path ends before it.
@@ -260,6 +263,8 @@ class Follower {
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);
       here_.responses = system->responses();
+      here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
+                                                   spaces_, conditions_, latestAt_));
     });
     system_ = std::move(system);
     if (converged) {
@@ -276,9 +281,9 @@ class Follower {
 
   // The step asked for, with everything that follows from its state.
   void finish() {
-    const auto made =
-        std::make_shared<SolvedStep>(spaces_, std::move(conditions_), std::move(system_),
-                                     std::move(latestAt_), last_, here_.memory.wear());
+    const auto made = std::make_shared<SolvedStep>(
+        spaces_, std::move(conditions_), std::move(system_), std::move(latestAt_),
+        row_.converged ? here_.before : here_.part, here_.memory.wear());
     SolvedStep& step = *made;
     const contact::ContactSystem& system = *step.system;
     const double energy = scene_.energy();
@@ -333,7 +338,7 @@ class Follower {
       }
     }
     step.row = row_;
-    path_.steps.push_back(last_ = made);
+    path_.steps.push_back(made);
   }
 
   const Scene& scene_;
@@ -347,7 +352,6 @@ class Follower {
   int newtonIterations_ = 0;
   int coulombIterations_ = 0;
   SolvedLevel& path_;
-  std::shared_ptr<const SolvedStep> last_;
   const StepRow empty_;
   StepRow row_;
   // of the last attempt

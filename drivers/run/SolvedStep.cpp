@@ -35,26 +35,30 @@ contact::Configuration atRest(const BodySpaces& spaces) {
 
 }  // namespace
 
-SolvedStep::SolvedStep(const BodySpaces& spaces_)
-    : spaces(spaces_),
-      at(atRest(spaces)),
-      motions(spaces.motions(at.displacements, at.rigid)) {}
+SolvedPart::SolvedPart(const BodySpaces& spaces)
+    : at(atRest(spaces)), motions(spaces.motions(at.displacements, at.rigid)) {}
+
+SolvedPart::SolvedPart(const BodySpaces& spaces,
+                       std::shared_ptr<const Conditions> conditions_,
+                       contact::Configuration at_)
+    : conditions(std::move(conditions_)),
+      at(std::move(at_)),
+      motions(spaces.motions(at.displacements, at.rigid)) {
+  for (const contact::Conditions& ofBody : *conditions)
+    motions.inside.push_back(ofBody.inside);
+}
 
 SolvedStep::SolvedStep(const BodySpaces& spaces_,
                        std::shared_ptr<const Conditions> conditions_,
                        std::shared_ptr<const contact::ContactSystem> system_,
                        contact::Configuration at_,
-                       std::shared_ptr<const SolvedStep> before_,
+                       std::shared_ptr<const SolvedPart> before_,
                        std::vector<contact::Wear> wear_)
-    : spaces(spaces_),
+    : SolvedPart(spaces_, std::move(conditions_), std::move(at_)),
+      spaces(spaces_),
       before(std::move(before_)),
-      conditions(std::move(conditions_)),
       system(std::move(system_)),
-      at(std::move(at_)),
-      motions(spaces.motions(at.displacements, at.rigid)),
       wear(std::move(wear_)) {
-  for (const contact::Conditions& ofBody : *conditions)
-    motions.inside.push_back(ofBody.inside);
   const std::size_t count = system->size();
   bodies.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
@@ -75,7 +79,7 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
       solved.displacementBefore = &before->motions.displacements[b];
       solved.motionsBefore = &before->motions;
     }
-    if (before && before->system) {
+    if (before && before->conditions) {
       solved.stateBefore = &before->at.bodies[b];
       solved.conditionsBefore = &(*before->conditions)[b];
     }

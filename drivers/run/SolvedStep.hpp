@@ -11,21 +11,31 @@
 
 namespace epafi::drivers {
 
-/// A solution of all bodies on their meshes, with the data for results: under a load, or in
-/// a step of a path.  Refers to the spaces.
-struct SolvedStep {
+/// Displacements of all bodies on their meshes.  Refers to the spaces.
+struct SolvedPart {
   using Conditions = std::vector<contact::Conditions>;
 
   /// At rest, before the first step of a path.
-  explicit SolvedStep(const BodySpaces& spaces);
-  /// \param before the step before of a path; null: no path
+  explicit SolvedPart(const BodySpaces& spaces);
+  SolvedPart(const BodySpaces& spaces, std::shared_ptr<const Conditions> conditions,
+             contact::Configuration at);
+  SolvedPart(const SolvedPart&) = delete;
+  SolvedPart& operator=(const SolvedPart&) = delete;
+
+  std::shared_ptr<const Conditions> conditions;  ///< null: at rest
+  contact::Configuration at;
+  contact::Motions motions;
+};
+
+/// A solution with the data for results: under a load, or in a step of a path.
+struct SolvedStep : SolvedPart {
+  /// \param before of a path: from where slip is measured, the part before the last one of this
+  ///   step; null: no path
   /// \param wear by body, after the step
   SolvedStep(const BodySpaces& spaces, std::shared_ptr<const Conditions> conditions,
              std::shared_ptr<const contact::ContactSystem> system,
-             contact::Configuration at, std::shared_ptr<const SolvedStep> before = {},
+             contact::Configuration at, std::shared_ptr<const SolvedPart> before = {},
              std::vector<contact::Wear> wear = {});
-  SolvedStep(const SolvedStep&) = delete;
-  SolvedStep& operator=(const SolvedStep&) = delete;
 
   /// As numbers.
   StepFields fields() const;
@@ -41,11 +51,8 @@ struct SolvedStep {
   void addRigid(std::vector<PartRow>& rows) const;
 
   const BodySpaces& spaces;
-  std::shared_ptr<const SolvedStep> before;
-  std::shared_ptr<const Conditions> conditions;
-  std::shared_ptr<const contact::ContactSystem> system;  ///< null: at rest
-  contact::Configuration at;
-  contact::Motions motions;
+  std::shared_ptr<const SolvedPart> before;
+  std::shared_ptr<const contact::ContactSystem> system;
   std::vector<contact::Wear> wear;
   std::vector<bem::Vector> densities;   ///< of each body
   std::vector<contact::Solved> bodies;  ///< likewise

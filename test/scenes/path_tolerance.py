@@ -3,7 +3,7 @@ import os
 import signal
 
 from halves import contact_side, loads, loop
-from runs import claim, epafi, finish, fresh, options, refused, scene, solved, steps, stopped
+from runs import claim, epafi, finish, fresh, options, refused, scene, solved, steps, stopped, table
 from scales import worst
 
 SCENE = scene("fretting.xml")
@@ -68,6 +68,10 @@ claim(error < 2e-3, "pressed in %d steps, pushed in %d: work off by %.1e" % (
 # a section that ends where it begins
 folder, text = solve("there and back", COARSE + path([1, 5], 1, 1e-2))
 claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and comes back is seen")
+parts, reported = (table(os.path.join(name, "history.csv"))[-1]["eta_slip"] for name in (
+    folder, solve("there and back in steps", COARSE + path([1, 5], 16, 0))[0]))
+claim(0 < parts < 2 * reported,
+      "slip of a part is estimated as that of a step: %.2e, %.2e" % (parts, reported))
 
 # as short as steps may be is not short enough
 folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.125"])
@@ -75,7 +79,7 @@ claim("error in time" in text and "History->Tolerance" in text, "what is missing
 claim(steps(folder)[1]["parts"] == 16, "down to the shortest step")
 WORN = path([1, 2, 3, 4, 5], 1, 1e-4) + ["History->Minimum Step=0.03125"]
 _, text = solved("worn too fast", scene("fretting-wear.xml"), *WORN)
-told = [line for line in text.splitlines() if "the worn volume has an estimated error in time" in line]
+told = [line for line in text.splitlines() if "the worn volume has an estimated error" in line]
 claim(len(told) == 1, "of the worn volume, too")
 refused("steps that leave nothing to compare", SCENE, "at least 8 steps from t = 0 to 1; at most 0.125",
         settings=SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"])
