@@ -131,15 +131,14 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
   if (contact != conditions.contact.end())
     return {"Contact", "", "",
             contact->second.name.empty() ? value(contact->second.gap) : ""};
-  const auto load = conditions.neumann.find(boundary);
   if (!conditions.isBoundary(boundary))
     return {"symmetry", "", "", ""};
+  const auto load = conditions.neumann.find(boundary);
   const bool held = conditions.dirichlet.count(boundary) != 0;
   if (load != conditions.neumann.end())
     return {held ? "Dirichlet" : "Neumann", value(load->second.x), value(load->second.y),
             ""};
-  const bool drawn = conditions.isBoundary(boundary);
-  return {!drawn ? "symmetry" : held ? "Dirichlet" : "free", "", "", ""};
+  return {held ? "Dirichlet" : "free", "", "", ""};
 }
 
 /// The contacts that a boundary belongs to, on either side: "joint, seat".

@@ -270,10 +270,10 @@ class Follower {
     if (converged) {
       here_.cycles += (next - here_.t) * cyclesOf(*conditions_);
       ++row_.parts;
-      const PathPoint* same = known ? &from_.path[points().size()] : nullptr;
+      const PathPoint before = known ? from_.path[points().size()] : PathPoint();
       points().push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
-                          std::exchange(coulombIterations_, 0),
-                          known ? same->workError : 0, known ? same->volumeError : 0});
+                          std::exchange(coulombIterations_, 0), before.workError,
+                          before.volumeError});
       here_.t = next;
     }
     return converged;
