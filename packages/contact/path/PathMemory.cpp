@@ -127,6 +127,12 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
                         ofInside_.size());
   slip_ = step.slipSoFar(at);
   defect_ = step.defect(at);
+  // what rounding leaves of r where contact is closed: under the same load, Newton's method would
+  // look for states that it alone decides
+  const ContactState state = classify(problem, at.state, at.penetration);
+  for (std::size_t i = 0; i < normals; ++i)
+    if (state.normal[i] == NormalState::Closed)
+      defect_[i] -= at.penetration[i];
   largestLoad_ = std::max(largestLoad_, step.loadSize());
   multiplier_ = at.state.multiplier;
   bounds_ = std::move(bounds);
