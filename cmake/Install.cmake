@@ -16,12 +16,15 @@ foreach(package IN LISTS epafi_packages)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endforeach()
-# epafi as a library, for programs that add to it: the component `program`.
+# epafi as a library, for programs that add to it or solve scenes: the component `program`.
 list(REMOVE_ITEM epafi_packages drivers)
 list(APPEND epafi_packages program)
 set_target_properties(epafi_drivers PROPERTIES EXPORT_NAME program)
-install(FILES ${PROJECT_SOURCE_DIR}/drivers/Program.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epafi/drivers COMPONENT development)
+foreach(headers . process scene run)
+  file(GLOB epafi_headers ${PROJECT_SOURCE_DIR}/drivers/${headers}/*.hpp)
+  install(FILES ${epafi_headers} COMPONENT development
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epafi/drivers/${headers})
+endforeach()
 # The wrappers are no imported targets, so they can be exported along.
 install(TARGETS ${epafi_wrappers} EXPORT EpafiTargets)
 install(EXPORT EpafiTargets NAMESPACE Epafi:: DESTINATION ${epafi_config}
