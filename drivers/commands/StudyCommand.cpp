@@ -1,5 +1,5 @@
 #include "bem/base/Error.hpp"
-#include "contact/body/CoupledBody.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/BoundaryLines.hpp"

@@ -20,9 +20,9 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                                std::shared_ptr<const Holding> holding)
-    : StabilisedBody(input.space, std::move(holding),
-                     makeCoupling(input.space, multiplier, input.stabilization,
-                                  input.lame, input.units)),
+    : ElasticBody(input.space, std::move(holding),
+                  makeCoupling(input.space, multiplier, input.stabilization, input.lame,
+                               input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {
   restriction_.held.assign(at(operators_->size()), 1);
@@ -115,49 +115,43 @@ Vector CompressedBody::residual(const Vector& force, const Vector& u) const {
   return rest;
 }
 
-// (V + G)⁻¹ (K u - N λ)
-Vector CompressedBody::density(const Vector& u, const Vector& multiplier) const {
-  Vector psi = fieldOf(u).psi;
-  if (coupling_.byDensity() && !multiplier.empty())
-    bem::axpy(-1, under(coupling_.weighted(multiplier)).psi, psi);
-  return psi;
+// uᵀ W u + ψᵀ (V + G) ψ from Z's products
+double CompressedBody::stiffnessWork(const Vector& u) const {
+  const auto& [unused, psi, images] = fieldOf(u);
+  return std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
+         std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
+                            0.0);
 }
 
-// 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
-double CompressedBody::strainEnergy(const Vector& u, const Vector& multiplier,
-                                    const Loads::OfInside& inside) const {
-  Vector psi = density(u, multiplier);
-  if (!inside.density.empty())
-    bem::axpy(1, inside.density, psi);
-  const Matrix& images = fieldOf(u).images;
-  const auto work = [](const Vector& x, const Matrix& image, Index column, Index first) {
-    return std::inner_product(x.begin(), x.end(), image.column(column) + first, 0.0);
-  };
-  double twice =
-      work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
-  if (coupling_.byDensity() && !multiplier.empty())
-    twice += work(psi, under(coupling_.weighted(multiplier)).image, 0, range_.densities);
-  if (!inside.density.empty())
-    twice -= dot(psi, inside.compliance);
-  return 0.5 * (twice - coupling_.complianceWork(psi));
+Vector CompressedBody::density(const Vector& u, const Vector& w) const {
+  Vector psi = fieldOf(u).psi;
+  if (!w.empty())
+    bem::axpy(-1, onDensities(w).psi, psi);
+  return psi;
 }
 
 Vector CompressedBody::tractionsOf(const Vector& u) const {
   return coupling_.ofDensities(fieldOf(u).psi);
 }
 
-Vector CompressedBody::forcesOf(const Vector& w) const {
-  return forcesIn(under(w).image);
-}
-
 Vector CompressedBody::responsesTo(const Vector& w) const {
-  return coupling_.ofDensities(under(w).psi);
+  return coupling_.ofDensities(onDensities(w).psi);
 }
 
-std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& compliance) const {
-  Vector psi = answer(compliance);
+std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& g) const {
+  Vector psi = densityFor(placed(g), 1);
+  for (double& x : psi)
+    x = -x;
   Vector force = forcesIn(operators_->times(placed(psi)));
   return {std::move(psi), std::move(force)};
+}
+
+const CompressedBody::OnDensities& CompressedBody::onDensities(const Vector& w) const {
+  if (w != onDensities_.w) {
+    auto [psi, force] = answerTo(coupling_.onDensities(w, space_.densities()));
+    onDensities_ = {w, std::move(psi), std::move(force)};
+  }
+  return onDensities_;
 }
 
 Vector CompressedBody::forcesIn(const Matrix& image) const {
@@ -188,22 +182,6 @@ const bem::CompressedFactor& CompressedBody::densityFactor() const {
         *operators_, restriction, std::vector<int>{});
   }
   return *densityFactor_;
-}
-
-Vector CompressedBody::answer(const Vector& g) const {
-  Vector psi = densityFor(placed(g), 1);
-  for (double& x : psi)
-    x = -x;
-  return psi;
-}
-
-const CompressedBody::Under& CompressedBody::under(const Vector& weights) const {
-  if (weights != under_.weights) {
-    Vector psi = answer(coupling_.onDensities(weights, space_.densities()));
-    Matrix image = operators_->times(placed(psi));
-    under_ = {weights, std::move(psi), std::move(image)};
-  }
-  return under_;
 }
 
 Vector CompressedBody::densityFor(const Matrix& right, int refinements) const {

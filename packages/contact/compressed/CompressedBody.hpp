@@ -1,12 +1,7 @@
 #pragma once
 
 #include "bem/compressed/CompressedFactor.hpp"
-#include "contact/body/BodyInput.hpp"
-#include "contact/body/Holding.hpp"
-#include "contact/body/StabilisedBody.hpp"
-#include "contact/multiplier/MultiplierSpace.hpp"
-
-#include <memory>
+#include "contact/body/ElasticBody.hpp"
 
 namespace epafi::contact {
 
@@ -15,7 +10,7 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 
 /// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
 /// system regular; displaced() removes their effect.
-class CompressedBody final : public StabilisedBody {
+class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
   CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
@@ -25,9 +20,12 @@ class CompressedBody final : public StabilisedBody {
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }
   Vector residual(const Vector& force, const Vector& u) const override;
-  Vector density(const Vector& u, const Vector& multiplier) const override;
-  double strainEnergy(const Vector& u, const Vector& multiplier,
-                      const Loads::OfInside& inside) const override;
+  double stiffnessWork(const Vector& u) const override;
+  Vector density(const Vector& u, const Vector& w) const override;
+  Vector tractionsOf(const Vector& u) const override;
+  Vector forcesOf(const Vector& w) const override { return onDensities(w).force; }
+  Vector responsesTo(const Vector& w) const override;
+  std::pair<Vector, Vector> answerTo(const Vector& g) const override;
 
   const bem::Space& space() const { return space_; }
   const bem::CompressedOperators& operators() const { return *operators_; }
@@ -40,11 +38,6 @@ class CompressedBody final : public StabilisedBody {
   Matrix functionals() const { return placed(holding_->functionals); }
 
  private:
-  Vector tractionsOf(const Vector& u) const override;
-  Vector forcesOf(const Vector& w) const override;
-  Vector responsesTo(const Vector& w) const override;
-  std::pair<Vector, Vector> answerTo(const Vector& compliance) const override;
-
   void addSprings();
   /// A⁺: displacements and densities for right-hand sides of both (columns), without allowed
   /// rigid motions; zero for all other unknowns.
@@ -59,15 +52,13 @@ class CompressedBody final : public StabilisedBody {
   const bem::CompressedFactor& densityFactor() const;
   /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
   Vector densityFor(const Matrix& right, int refinements) const;
-  /// (V + G)⁻¹ g
-  Vector answer(const Vector& g) const;
-  /// ψ = (V + G)⁻¹ E w and Z (0, ψ); the last one is kept.
-  struct Under {
-    Vector weights;
+  /// ψ = (V + G)⁻¹ E w and K' ψ; the last one is kept.
+  struct OnDensities {
+    Vector w;
     Vector psi;
-    Matrix image;
+    Vector force;
   };
-  const Under& under(const Vector& weights) const;
+  const OnDensities& onDensities(const Vector& w) const;
 
   /// Z (u, 0) and Z (0, ψ)
   Matrix imagesOf(const Vector& u, const Vector& psi) const;
@@ -105,7 +96,7 @@ class CompressedBody final : public StabilisedBody {
   mutable std::unique_ptr<const LeftOfMotions> leftOfMotions_;
   mutable Vector solved_;  ///< ψ of the last solution
   mutable Field field_;
-  mutable Under under_;
+  mutable OnDensities onDensities_;
 };
 
 }  // namespace epafi::contact

@@ -1,11 +1,12 @@
 #include "contact/system/ContactBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/CoupledBody.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedBody.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace epafi::contact {
 
@@ -39,7 +40,7 @@ Vector withoutFixedMotions(const Holding& holding, const Vector& prescribed,
 }
 
 /// \throws bem::InputError if the multiplier does not go with the form.
-std::shared_ptr<const StabilisedBody> makeForm(
+std::shared_ptr<const ElasticBody> makeElastic(
     const BodyInput& input, const MultiplierSpace& multiplier,
     const std::shared_ptr<const Holding>& holding) {
   if (input.basis.sharesNodes && input.stabilization.isOn())
@@ -47,7 +48,7 @@ std::shared_ptr<const StabilisedBody> makeForm(
                           "' needs the stabilisation's form None");
   if (input.stiffness.compressed() != nullptr)
     return std::make_shared<const CompressedBody>(input, multiplier, holding);
-  return makeCoupledBody(input, multiplier, holding);
+  return makeDenseBody(input, multiplier, holding);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ ContactBody::ContactBody(const BodyInput& input)
       opposite_(input.opposite
                     ? input.opposite
                     : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
-      form_(makeForm(input, multiplier_, holding_)),
+      elastic_(makeElastic(input, multiplier_, holding_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   setLoads();
 }
@@ -73,27 +74,61 @@ ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
       holding_(same.holding_),
       multiplier_(same.multiplier_.under(conditions)),
       opposite_(same.opposite_),
-      form_(same.form_),
+      elastic_(same.elastic_),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   setLoads();
 }
 
 void ContactBody::setLoads() {
-  form_->setResidual(multiplier_, loads_.inside);
-  if (!loads_.inside.force.empty())
-    axpy(1, loads_.inside.force, loads_.load);
-  load_ = loads_.largestDisplacement > 0 ? form_->residual(loads_.load, loads_.prescribed)
-                                         : loads_.load;
+  if (multiplier_.conditions().inside)
+    setResidual(*multiplier_.conditions().inside);
+  load_ = loads_.largestDisplacement > 0
+              ? elastic_->residual(loads_.load, loads_.prescribed)
+              : loads_.load;
   constant_ = withoutFixedMotions(
       *holding_, loads_.prescribed,
       meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+}
+
+void ContactBody::setResidual(const ParticularSolution& solution) {
+  const Coupling& coupling = elastic_->coupling();
+  Loads::OfInside& inside = loads_.inside;
+  setTractionMoments(*space_, multiplier_, coupling, solution, inside);
+  if (coupling.hasCompliance()) {
+    inside.compliance = coupling.complianceOf(*space_, inside.weights, solution);
+    std::tie(inside.density, inside.force) = elastic_->answerTo(inside.compliance);
+    for (double& x : inside.density)
+      x = -x;
+    coupling.subtractWeighted(coupling.ofDensities(inside.density), inside.terms);
+  } else if (!coupling.weights.empty()) {
+    inside.force = elastic_->forcesOf(inside.weights);
+  }
+  if (!inside.force.empty())
+    axpy(1, inside.force, loads_.load);
+}
+
+Vector ContactBody::apply(const Vector& u) const {
+  const Coupling& coupling = elastic_->coupling();
+  Vector result = coupling.trace.apply(u);
+  if (!coupling.weights.empty())
+    coupling.subtractWeighted(elastic_->tractionsOf(u), result);
+  return result;
+}
+
+Vector ContactBody::massTimes(const Vector& multiplier) const {
+  const Coupling& coupling = elastic_->coupling();
+  Vector result = coupling.massTimes(multiplier);
+  if (coupling.byDensity())
+    coupling.subtractWeighted(elastic_->responsesTo(coupling.weighted(multiplier)),
+                              result);
+  return result;
 }
 
 Vector ContactBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
     if (holding_->clamped[j] != 0)
       force[j] = 0;
-  Vector u = form_->solve(force);
+  Vector u = elastic_->solve(force);
   for (Index k = 0; k < holding_->allowed.columns(); ++k) {
     const Vector r = columnOf(holding_->allowed, k);
     axpy(-dot(r, force), r, u);
@@ -102,8 +137,15 @@ Vector ContactBody::respond(Vector force) const {
 }
 
 Vector ContactBody::contactForce(const State& state, const Vector& oppositeForce) const {
-  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier)
-    cached_ = {state.multiplier, form_->applyTranspose(state.multiplier)};
+  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier) {
+    const Coupling& coupling = elastic_->coupling();
+    Vector force(load_.size(), 0.0);
+    if (!coupling.weights.empty())
+      axpy(-1, elastic_->forcesOf(coupling.weighted(state.multiplier)), force);
+    coupling.trace.addTranspose(state.multiplier, force);
+    coupling.completion.addTranspose(state.multiplier, force);
+    cached_ = {state.multiplier, std::move(force)};
+  }
   Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
   if (!oppositeForce.empty())
     axpy(1, oppositeForce, force);
@@ -144,25 +186,50 @@ Vector ContactBody::displacement(const State& state, const Vector& oppositeForce
   axpy(1, constant_, u);
   if (!state.rigid.empty())
     axpy(1, moved(state.rigid.data()), u);
-  if (!form_->isFormed())
+  if (!elastic_->isFormed())
     return u;
   // What the factor leaves is ε |A| |u|.
   Vector whole = load();
   axpy(-1, pushed, whole);
-  return refined(std::move(u),
-                 [&](const Vector& now) { return respond(form_->residual(whole, now)); });
+  return refined(std::move(u), [&](const Vector& now) {
+    return respond(elastic_->residual(whole, now));
+  });
+}
+
+// With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as
+// ν -> 1/2 while γ is there.  What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
+double ContactBody::strainEnergy(const State& state, const Vector& displacement) const {
+  const Coupling& coupling = elastic_->coupling();
+  double twice = elastic_->stiffnessWork(displacement);
+  if (!coupling.hasCompliance())
+    return 0.5 * twice;
+  const Loads::OfInside& inside = loads_.inside;
+  if (!inside.density.empty())
+    twice -= 2 * dot(displacement, inside.force) + dot(inside.compliance, inside.density);
+  twice -= coupling.complianceWork(density(state, displacement));
+  if (!coupling.byDensity() || state.multiplier.empty())
+    return 0.5 * twice;
+  const Vector w = coupling.weighted(state.multiplier);
+  if (!inside.density.empty())
+    twice -= 2 * dot(w, coupling.ofDensities(inside.density));
+  twice -= 2 * dot(displacement, elastic_->forcesOf(w));
+  return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
 
 double ContactBody::storedEnergy(const State& state, const Vector& displacement) const {
   const Vector none(displacement.size(), 0.0);
-  double twice = -dot(form_->residual(none, displacement), displacement);
+  double twice = -dot(elastic_->residual(none, displacement), displacement);
   if (!state.multiplier.empty())
-    twice += dot(state.multiplier, form_->massTimes(state.multiplier));
+    twice += dot(state.multiplier, massTimes(state.multiplier));
   return twice / 2;
 }
 
 Vector ContactBody::density(const State& state, const Vector& displacement) const {
-  Vector psi = form_->density(displacement, state.multiplier);
+  const Coupling& coupling = elastic_->coupling();
+  Vector psi =
+      elastic_->density(displacement, coupling.byDensity() && !state.multiplier.empty()
+                                          ? coupling.weighted(state.multiplier)
+                                          : Vector());
   if (!loads_.inside.density.empty())
     axpy(1, loads_.inside.density, psi);
   return psi;
@@ -176,9 +243,9 @@ Vector ContactBody::clampForces(const State& state, const Vector& displacement,
     return forces;
   Vector rest = load();
   axpy(-1, contactForce(state, oppositeForce), rest);
-  rest = form_->residual(rest, displacement);
-  if (form_->isFormed())
-    rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
+  rest = elastic_->residual(rest, displacement);
+  if (elastic_->isFormed())
+    rest = elastic_->residual(rest, onlyRounding(respond(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
       forces[i] = -rest[i];

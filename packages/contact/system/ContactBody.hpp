@@ -1,9 +1,6 @@
 #pragma once
 
-#include "contact/body/BodyInput.hpp"
-#include "contact/body/Holding.hpp"
-#include "contact/body/StabilisedBody.hpp"
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/body/ElasticBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
 namespace epafi::contact {
@@ -34,27 +31,29 @@ class ContactBody {
   const Opposite& opposite() const { return *opposite_; }
   const Obstacle& obstacle() const { return obstacle_; }
   const Holding& holding() const { return *holding_; }
-  const std::shared_ptr<const StabilisedBody>& form() const { return form_; }
+  const std::shared_ptr<const ElasticBody>& elastic() const { return elastic_; }
 
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
   void setStress(double stress) { stress_ = stress; }
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
-  /// equations hold to the rounding of u (see BalancedStiffness).
+  /// equations hold to the rounding of u (see DenseBody).
   ///
   /// `oppositeForce`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
   /// below; empty: there are none.
   Vector displacement(const State& state, const Vector& oppositeForce = {}) const;
+
+  /// B u, and M λ.
+  Vector apply(const Vector& u) const;
+  Vector massTimes(const Vector& multiplier) const;
 
   /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
   /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
   Vector density(const State& state, const Vector& displacement) const;
 
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
-  double strainEnergy(const State& state, const Vector& displacement) const {
-    return form_->strainEnergy(displacement, state.multiplier, loads_.inside);
-  }
+  double strainEnergy(const State& state, const Vector& displacement) const;
 
   /// ½ uᵀ A u + ½ λᵀ M λ, dimensionless: the strain energy and what the stabilisation adds
   /// to it.  What loads, clamps and friction do changes this by their work.
@@ -77,20 +76,21 @@ class ContactBody {
                    const Vector& oppositeForce = {}) const;
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
-  double gamma0() const { return form_->local().gamma0; }
+  double gamma0() const { return elastic_->coupling().gamma0; }
 
   /// Whether ψ stands for S u in the stabilisation: Form Density.
-  bool byDensity() const { return form_->local().byDensity(); }
+  bool byDensity() const { return elastic_->coupling().byDensity(); }
 
   /// γ (λ + ψ) of each contact element (as multiplier().elements() has them), averaged along it,
   /// under Form Density; else zero.  Dimensionless.
   std::vector<bem::Vec2> meanSlacks(const State& state, const Vector& density) const {
-    return form_->local().meanSlacks(state.multiplier, density, loads_.inside.compliance);
+    return elastic_->coupling().meanSlacks(state.multiplier, density,
+                                           loads_.inside.compliance);
   }
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const {
-    return form_->local().gamma[contactElement];
+    return elastic_->coupling().gamma[contactElement];
   }
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
@@ -115,6 +115,8 @@ class ContactBody {
 
  private:
   void setLoads();
+  /// Sets what body loads do through the stabilisation.
+  void setResidual(const ParticularSolution& solution);
   /// The displacement under a force that is neither clamped nor rigid.
   Vector respond(Vector force) const;
   /// Bᵀ λ and what others press; the last multiplier's is kept, which several results ask for.
@@ -126,7 +128,7 @@ class ContactBody {
   std::shared_ptr<const Holding> holding_;
   MultiplierSpace multiplier_;
   std::shared_ptr<const Opposite> opposite_;
-  std::shared_ptr<const StabilisedBody> form_;
+  std::shared_ptr<const ElasticBody> elastic_;
   Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it

@@ -2,6 +2,7 @@
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/system/BodyLoadTerms.hpp"
@@ -75,8 +76,12 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   return bodies;
 }
 
+const DenseBody& ContactSystem::dense(std::size_t b) const {
+  return dynamic_cast<const DenseBody&>(*body(b).elastic());
+}
+
 Matrix ContactSystem::transposed(std::size_t b) const {
-  Matrix own = body(b).form()->coupling();
+  Matrix own = dense(b).transposedCoupling();
   if (size() == 1)
     return own;
   Matrix all(own.rows(), numbering_.size());
@@ -88,10 +93,10 @@ Matrix ContactSystem::transposed(std::size_t b) const {
 
 Matrix ContactSystem::multiplierMass() const {
   if (size() == 1)
-    return body(0).form()->multiplierMass();
+    return dense(0).multiplierMass();
   Matrix all(numbering_.size(), numbering_.size());
   for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix own = body(b).form()->multiplierMass();
+    const Matrix own = dense(b).multiplierMass();
     for (Index j = 0; j < own.columns(); ++j)
       for (Index i = 0; i < own.rows(); ++i)
         all(numbering_(b, i), numbering_(b, j)) = own(i, j);
@@ -104,12 +109,12 @@ void ContactSystem::condense(Index formedUpTo) {
   Matrix d;
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix forward = isFormed() ? body(b).form()->forward(transposed(b)) : Matrix();
+    const Matrix forward = isFormed() ? dense(b).forward(transposed(b)) : Matrix();
     if (isFormed() && b == 0)  // not before, beside what forward() needs
       d = multiplierMass();
     std::vector<Vector> motions =
         motionsOnContacts(body(b).holding(), 0, numbering_, b,
-                          body(b).form()->local().trace, (*opposite_)[b]);
+                          body(b).elastic()->coupling().trace, (*opposite_)[b]);
     for (const Vector& moved : motions)
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
@@ -131,7 +136,7 @@ void ContactSystem::condense(Index formedUpTo) {
 Flexibility ContactSystem::compressed(Index formedUpTo) const {
   std::vector<std::shared_ptr<const CompressedBody>> forms;
   for (const ContactBody& body : *bodies_)
-    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.form()));
+    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.elastic()));
   const auto flexibility = std::make_shared<const CompressedFlexibility>(
       std::move(forms), numbering_.normals());
   return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
@@ -217,8 +222,8 @@ double ContactSystem::loadSize() const {
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).form()->apply(at.displacements[b]);
-    axpy(-1, body(b).form()->massTimes(at.bodies[b].multiplier), own);
+    Vector own = body(b).apply(at.displacements[b]);
+    axpy(-1, body(b).massTimes(at.bodies[b].multiplier), own);
     axpy(1, onAllMultipliers(numbering_, b, own, (*opposite_)[b], at.displacements[b]),
          r);
   }

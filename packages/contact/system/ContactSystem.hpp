@@ -8,6 +8,8 @@
 
 namespace epafi::contact {
 
+class DenseBody;
+
 /// A state of a system with the displacements that follow from it, dimensionless.
 struct Configuration {
   State state;                ///< of all bodies
@@ -125,11 +127,13 @@ class ContactSystem {
       const std::vector<Conditions>& conditions) const;
   std::vector<ContactSide> sides() const;
 
-  bool isFormed() const { return body(0).form()->isFormed(); }
+  bool isFormed() const { return body(0).elastic()->isFormed(); }
   /// C_b u
   Vector apply(std::size_t b, const Vector& u) const {
-    return onAllMultipliers(numbering_, b, body(b).form()->apply(u), (*opposite_)[b], u);
+    return onAllMultipliers(numbering_, b, body(b).apply(u), (*opposite_)[b], u);
   }
+  /// \pre isFormed()
+  const DenseBody& dense(std::size_t b) const;
   /// C_bᵀ and M, over all multipliers.
   Matrix transposed(std::size_t b) const;
   Matrix multiplierMass() const;
