@@ -22,7 +22,7 @@ class FixedTraction {
       : mesh_(solved.space.mesh()),
         conditions_(solved.conditions),
         centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
-        amplitudes_(solved.problem.fixedReactions(solved.state, solved.oppositeForce)) {}
+        amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
 
   Vec2 at(int e, double t) const {
     if (!conditions_.isBoundary(mesh_.boundary(e)))

@@ -54,11 +54,10 @@ bool fixWorks(const ContactSystem& step, std::size_t b) {
 Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> forces;
   for (std::size_t b = 0; b < step.size(); ++b) {
-    forces.push_back(step.body(b).clampForces(at.bodies[b], at.displacements[b],
-                                              at.oppositeForces[b]));
+    forces.push_back(step.body(b).clampForces(at.displacements[b], at.contactForces[b]));
     bem::axpy(1, step.body(b).load(), forces.back());
     if (fixWorks(step, b))
-      forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.oppositeForces[b]));
+      forces.push_back(step.body(b).fixedReactions(at.contactForces[b]));
   }
   for (const auto& [x, y, moment] : step.rigidForces(at.state))
     forces.push_back({-x, -y, -moment});

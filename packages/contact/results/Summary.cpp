@@ -102,9 +102,8 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
-      solved.problem.clampWork(solved.state, solved.displacement, solved.oppositeForce);
-  const Vector amplitudes =
-      solved.problem.fixedReactions(solved.state, solved.oppositeForce);
+      solved.problem.clampWork(solved.displacement, solved.contactForce);
+  const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
     double& sum = work[v];

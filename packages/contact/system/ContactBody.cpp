@@ -136,19 +136,15 @@ Vector ContactBody::respond(Vector force) const {
   return u;
 }
 
-Vector ContactBody::contactForce(const State& state, const Vector& oppositeForce) const {
-  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier) {
-    const Coupling& coupling = elastic_->coupling();
-    Vector force(load_.size(), 0.0);
-    if (!coupling.weights.empty())
-      axpy(-1, elastic_->forcesOf(coupling.weighted(state.multiplier)), force);
-    coupling.trace.addTranspose(state.multiplier, force);
-    coupling.completion.addTranspose(state.multiplier, force);
-    cached_ = {state.multiplier, std::move(force)};
-  }
-  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
-  if (!oppositeForce.empty())
-    axpy(1, oppositeForce, force);
+Vector ContactBody::contactForce(const Vector& multiplier) const {
+  Vector force(load_.size(), 0.0);
+  if (multiplier.empty())
+    return force;
+  const Coupling& coupling = elastic_->coupling();
+  if (!coupling.weights.empty())
+    axpy(-1, elastic_->forcesOf(coupling.weighted(multiplier)), force);
+  coupling.trace.addTranspose(multiplier, force);
+  coupling.completion.addTranspose(multiplier, force);
   return force;
 }
 
@@ -178,10 +174,9 @@ Vector ContactBody::moved(const double* motions) const {
   return u;
 }
 
-Vector ContactBody::displacement(const State& state, const Vector& oppositeForce) const {
-  const Vector pushed = contactForce(state, oppositeForce);
+Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   Vector force = load_;
-  axpy(-1, pushed, force);
+  axpy(-1, contactForce, force);
   Vector u = respond(std::move(force));
   axpy(1, constant_, u);
   if (!state.rigid.empty())
@@ -190,7 +185,7 @@ Vector ContactBody::displacement(const State& state, const Vector& oppositeForce
     return u;
   // What the factor leaves is ε |A| |u|.
   Vector whole = load();
-  axpy(-1, pushed, whole);
+  axpy(-1, contactForce, whole);
   return refined(std::move(u), [&](const Vector& now) {
     return respond(elastic_->residual(whole, now));
   });
@@ -235,14 +230,14 @@ Vector ContactBody::density(const State& state, const Vector& displacement) cons
   return psi;
 }
 
-Vector ContactBody::clampForces(const State& state, const Vector& displacement,
-                                const Vector& oppositeForce) const {
+Vector ContactBody::clampForces(const Vector& displacement,
+                                const Vector& contactForce) const {
   const std::vector<char>& clamped = holding_->clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
   Vector rest = load();
-  axpy(-1, contactForce(state, oppositeForce), rest);
+  axpy(-1, contactForce, rest);
   rest = elastic_->residual(rest, displacement);
   if (elastic_->isFormed())
     rest = elastic_->residual(rest, onlyRounding(respond(rest), displacement));
@@ -252,10 +247,10 @@ Vector ContactBody::clampForces(const State& state, const Vector& displacement,
   return forces;
 }
 
-Vector ContactBody::clampWork(const State& state, const Vector& displacement,
-                              const Vector& oppositeForce) const {
+Vector ContactBody::clampWork(const Vector& displacement,
+                              const Vector& contactForce) const {
   const RigidModes& modes = holding_->modes;
-  const Vector forces = clampForces(state, displacement, oppositeForce);
+  const Vector forces = clampForces(displacement, contactForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
@@ -264,10 +259,9 @@ Vector ContactBody::clampWork(const State& state, const Vector& displacement,
   return work;
 }
 
-Vector ContactBody::fixedReactions(const State& state,
-                                   const Vector& oppositeForce) const {
+Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   Vector force = load_;
-  axpy(-1, contactForce(state, oppositeForce), force);
+  axpy(-1, contactForce, force);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < holding_->fixed(); ++k)
     reactions[at(holding_->fixedModes[at(k)])] =

@@ -40,9 +40,15 @@ class ContactBody {
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see DenseBody).
   ///
-  /// `oppositeForce`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
-  /// below; empty: there are none.
-  Vector displacement(const State& state, const Vector& oppositeForce = {}) const;
+  /// `contactForce`, here and below: Bᵀ λ of the body's own multiplier and of those that other
+  /// bodies have against it.
+  Vector displacement(const State& state, const Vector& contactForce) const;
+  /// Without other bodies.
+  Vector displacement(const State& state) const {
+    return displacement(state, contactForce(state.multiplier));
+  }
+  /// Bᵀ λ of the body's own multiplier, with forces on clamps and corners; empty: zero.
+  Vector contactForce(const Vector& multiplier) const;
 
   /// B u, and M λ.
   Vector apply(const Vector& u) const;
@@ -65,15 +71,13 @@ class ContactBody {
   const Loads::OfInside& ofInside() const { return loads_.inside; }
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
-  Vector clampForces(const State& state, const Vector& displacement,
-                     const Vector& oppositeForce = {}) const;
+  Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
   /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
-  Vector clampWork(const State& state, const Vector& displacement,
-                   const Vector& oppositeForce = {}) const;
+  Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
   double gamma0() const { return elastic_->coupling().gamma0; }
@@ -95,7 +99,7 @@ class ContactBody {
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
-  Vector fixedReactions(const State& state, const Vector& oppositeForce = {}) const;
+  Vector fixedReactions(const Vector& contactForce) const;
 
   /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
   /// for clamps and for what acts inside.
@@ -119,8 +123,6 @@ class ContactBody {
   void setResidual(const ParticularSolution& solution);
   /// The displacement under a force that is neither clamped nor rigid.
   Vector respond(Vector force) const;
-  /// Bᵀ λ and what others press; the last multiplier's is kept, which several results ask for.
-  Vector contactForce(const State& state, const Vector& oppositeForce) const;
 
   const bem::Space* space_;
   bem::Units units_;
@@ -133,11 +135,6 @@ class ContactBody {
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
   double stress_ = 1;
-  struct Cached {
-    Vector multiplier;
-    Vector force;
-  };
-  mutable Cached cached_{};
 };
 
 }  // namespace epafi::contact

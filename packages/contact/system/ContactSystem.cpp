@@ -327,13 +327,11 @@ Configuration ContactSystem::configuration(State state) const {
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector& force = result.oppositeForces.emplace_back();
-    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty()) {
-      force.resize(at(body(b).space().displacements()));
+    Vector force = body(b).contactForce(result.bodies[b].multiplier);
+    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
       opposite.addTranspose(state.multiplier, force);
-    }
-    result.displacements.push_back(
-        body(b).displacement(result.bodies[b], result.oppositeForces[b]));
+    result.displacements.push_back(body(b).displacement(result.bodies[b], force));
+    result.contactForces.push_back(std::move(force));
   }
   result.rigid = rigid_.motions(motions);
   result.state = std::move(state);

@@ -14,9 +14,9 @@ class DenseBody;
 struct Configuration {
   State state;                ///< of all bodies
   std::vector<State> bodies;  ///< own multipliers and motions of each elastic body
-  std::vector<Vector> oppositeForces;  ///< by multipliers of others, see ContactBody
-  std::vector<Vector> displacements;   ///< of each elastic body, all unknowns
-  std::vector<RigidMotion> rigid;      ///< of each rigid body
+  std::vector<Vector> contactForces;  ///< on each elastic body, see ContactBody
+  std::vector<Vector> displacements;  ///< of each elastic body, all unknowns
+  std::vector<RigidMotion> rigid;     ///< of each rigid body
   /// r of numbers() from the displacements, C u - M λ - g, since rounding errors of D dominate r
   /// on slender bodies.
   Vector penetration;
