@@ -179,35 +179,35 @@ Matrix DenseBody::forward(Matrix rows) const {
   return factor_.forward(rowsAt(free_, std::move(rows)));
 }
 
-Matrix DenseBody::transposedCoupling() const {
-  Matrix result(space_.displacements(), static_cast<Index>(coupling_.trace.rests.size()));
-  coupling_.trace.addTo(result);
+Matrix DenseBody::transposedCoupling(const Numbering& numbering, std::size_t b,
+                                     const TraceCoupling& opposite) const {
+  Matrix result(space_.displacements(), numbering.size());
+  coupling_.trace.addTo(result, [&](Index own) { return numbering(b, own); });
   for (const bem::Entry& entry : coupling_.weights) {
     const double* traction = columns_->column(entry.row);
-    double* column = result.column(entry.column);
+    double* column = result.column(numbering(b, entry.column));
     for (Index j = 0; j < result.rows(); ++j)
       column[j] -= entry.value * traction[j];
   }
+  opposite.addTo(result, [](Index i) { return i; });
   return result;
 }
 
 // M - Gᵀ X G, G by columns
-Matrix DenseBody::multiplierMass() const {
-  const auto size = static_cast<Index>(coupling_.trace.rests.size());
-  Matrix result(size, size);
+void DenseBody::addMultiplierMass(const Numbering& numbering, std::size_t b,
+                                  Matrix& d) const {
   for (const bem::Entry& entry : coupling_.mass)
-    result(entry.row, entry.column) += entry.value;
+    d(numbering(b, entry.row), numbering(b, entry.column)) += entry.value;
   if (response_ == nullptr)
-    return result;
+    return;
   const Matrix& x = response_->density;
-  Matrix half(x.rows(), size);
+  Matrix half(x.rows(), numbering.sizeOf(b));
   for (const bem::Entry& entry : coupling_.weights)
     for (Index i = 0; i < x.rows(); ++i)
       half(i, entry.column) += entry.value * x(i, entry.row);
-  for (Index j = 0; j < size; ++j)
+  for (Index j = 0; j < half.columns(); ++j)
     for (const bem::Entry& entry : coupling_.weights)
-      result(entry.column, j) -= entry.value * half(entry.row, j);
-  return result;
+      d(numbering(b, entry.column), numbering(b, j)) -= entry.value * half(entry.row, j);
 }
 
 Vector DenseBody::density(const Vector& u, const Vector& w) const {

@@ -29,10 +29,13 @@ class DenseBody final : public ElasticBody {
   DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
             Coupling coupling, Tractions tractions);
 
-  /// Bᵀ, M of the multiplier's own body, and L⁻¹ Cᵀ with the factor L, where clamped rows are
-  /// ignored.
-  Matrix transposedCoupling() const;
-  Matrix multiplierMass() const;
+  /// Bᵀ of the multipliers of all bodies, this one's number b: `opposite` as in
+  /// oppositeCouplings.
+  Matrix transposedCoupling(const Numbering& numbering, std::size_t b,
+                            const TraceCoupling& opposite) const;
+  /// D += M
+  void addMultiplierMass(const Numbering& numbering, std::size_t b, Matrix& d) const;
+  /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
 
   bool isFormed() const override { return true; }

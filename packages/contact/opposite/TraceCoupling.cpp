@@ -142,13 +142,15 @@ void TraceCoupling::addTranspose(const Vector& multiplier, Vector& force) const 
     rotation->complete(bem::dot(rests, multiplier), force);
 }
 
-void TraceCoupling::addTo(Matrix& transposed) const {
+void TraceCoupling::addTo(Matrix& transposed,
+                          const std::function<Index(Index)>& columnOf) const {
   for (const bem::Entry& entry : entries)
-    transposed(entry.row, entry.column) += entry.value;
+    transposed(entry.row, columnOf(entry.column)) += entry.value;
   for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
-        transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
+        transposed(j, columnOf(static_cast<Index>(i))) +=
+            rests[i] * rotation->functional()[at(j)];
 }
 
 const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,

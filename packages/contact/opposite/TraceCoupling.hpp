@@ -4,6 +4,7 @@
 #include "bem/space/Space.hpp"
 #include "contact/opposite/Numbering.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct TraceCoupling {
   Vector apply(const Vector& u) const;
   /// force += Cᵀ λ
   void addTranspose(const Vector& multiplier, Vector& force) const;
-  /// transposed += Cᵀ
-  void addTo(Matrix& transposed) const;
+  /// transposed += Cᵀ, a multiplier's column by its number.
+  void addTo(Matrix& transposed, const std::function<Index(Index)>& columnOf) const;
 };
 
 /// On all multipliers, the displacement u of body b: `own`, what it does to those of the body, and

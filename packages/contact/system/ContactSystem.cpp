@@ -2,10 +2,11 @@
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/system/BodyLoadTerms.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -14,6 +15,49 @@
 namespace epafi::contact {
 
 using bem::axpy;
+
+namespace {
+
+/// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
+/// and of the opposite one, P the projection onto that one, and what their tractions add through
+/// the stabilisation.  Empty without body loads.               [doc/theory/body-loads.md]
+Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& numbering) {
+  const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
+    return bodies[b].multiplier().conditions().inside;
+  };
+  Vector terms;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (insideOf(b))
+      terms.resize(at(numbering.size()));
+  for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
+    const ContactBody& own = bodies[b];
+    const Vector& stabilised = own.ofInside().terms;
+    for (std::size_t i = 0; i < stabilised.size(); ++i)
+      terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
+    const bem::Mesh& mesh = own.space().mesh();
+    forEachSidePoint(
+        mesh, own.multiplier(), own.opposite(),
+        [](const auto& contact, const Opposite::Point&) {
+          return &bem::gaussForGiven(contact.degree);
+        },
+        [&](const SidePoint& point) {
+          const Opposite::Point& there = point.opposite;
+          bem::Vec2 u;
+          if (insideOf(b))
+            u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
+          if (there.element >= 0 && insideOf(at(there.body)))
+            u = u - insideOf(at(there.body))
+                        ->displacement(bodies[at(there.body)].space().mesh(),
+                                       there.element, there.t);
+          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
+            terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+          });
+        });
+  }
+  return terms;
+}
+
+}  // namespace
 
 std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
     const std::vector<BodyInput>& inputs) {
@@ -76,42 +120,19 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   return bodies;
 }
 
-const DenseBody& ContactSystem::dense(std::size_t b) const {
-  return dynamic_cast<const DenseBody&>(*body(b).elastic());
-}
-
-Matrix ContactSystem::transposed(std::size_t b) const {
-  Matrix own = dense(b).transposedCoupling();
-  if (size() == 1)
-    return own;
-  Matrix all(own.rows(), numbering_.size());
-  for (Index j = 0; j < own.columns(); ++j)
-    std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
-  (*opposite_)[b].addTo(all);
-  return all;
-}
-
-Matrix ContactSystem::multiplierMass() const {
-  if (size() == 1)
-    return dense(0).multiplierMass();
-  Matrix all(numbering_.size(), numbering_.size());
-  for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix own = dense(b).multiplierMass();
-    for (Index j = 0; j < own.columns(); ++j)
-      for (Index i = 0; i < own.rows(); ++i)
-        all(numbering_(b, i), numbering_(b, j)) = own(i, j);
-  }
-  return all;
-}
-
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
 void ContactSystem::condense(Index formedUpTo) {
   Matrix d;
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix forward = isFormed() ? dense(b).forward(transposed(b)) : Matrix();
-    if (isFormed() && b == 0)  // not before, beside what forward() needs
-      d = multiplierMass();
+    const auto* dense = dynamic_cast<const DenseBody*>(body(b).elastic().get());
+    Matrix forward;
+    if (dense != nullptr) {
+      forward = dense->forward(dense->transposedCoupling(numbering_, b, (*opposite_)[b]));
+      if (b == 0)  // not before, beside what forward() needs
+        d = Matrix(numbering_.size(), numbering_.size());
+      dense->addMultiplierMass(numbering_, b, d);
+    }
     std::vector<Vector> motions =
         motionsOnContacts(body(b).holding(), 0, numbering_, b,
                           body(b).elastic()->coupling().trace, (*opposite_)[b]);
@@ -121,7 +142,7 @@ void ContactSystem::condense(Index formedUpTo) {
           d(i, j) -= moved[at(i)] * moved[at(j)];
     std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
               std::back_inserter(columns));
-    if (isFormed())
+    if (dense != nullptr)
       d = addGram(std::move(d), forward);
   }
   for (Index j = 0; j < d.columns(); ++j)

@@ -8,8 +8,6 @@
 
 namespace epafi::contact {
 
-class DenseBody;
-
 /// A state of a system with the displacements that follow from it, dimensionless.
 struct Configuration {
   State state;                ///< of all bodies
@@ -132,11 +130,6 @@ class ContactSystem {
   Vector apply(std::size_t b, const Vector& u) const {
     return onAllMultipliers(numbering_, b, body(b).apply(u), (*opposite_)[b], u);
   }
-  /// \pre isFormed()
-  const DenseBody& dense(std::size_t b) const;
-  /// C_bᵀ and M, over all multipliers.
-  Matrix transposed(std::size_t b) const;
-  Matrix multiplierMass() const;
   /// Computes D and G.
   void condense(Index formedUpTo);
   Flexibility compressed(Index formedUpTo) const;
