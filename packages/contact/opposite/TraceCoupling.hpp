@@ -20,8 +20,10 @@ struct TraceCoupling {
 
   /// C u
   Vector apply(const Vector& u) const;
-  /// force += Cᵀ λ
-  void addTranspose(const Vector& multiplier, Vector& force) const;
+  /// r += C u
+  void addApplied(const double* u, Vector& r) const;
+  /// force += s Cᵀ λ
+  void addTranspose(double s, const double* multiplier, double* force) const;
   /// transposed += Cᵀ, a multiplier's column by its number.
   void addTo(Matrix& transposed, const std::function<Index(Index)>& columnOf) const;
 };

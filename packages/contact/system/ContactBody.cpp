@@ -143,8 +143,8 @@ Vector ContactBody::contactForce(const Vector& multiplier) const {
   const Coupling& coupling = elastic_->coupling();
   if (!coupling.weights.empty())
     axpy(-1, elastic_->forcesOf(coupling.weighted(multiplier)), force);
-  coupling.trace.addTranspose(multiplier, force);
-  coupling.completion.addTranspose(multiplier, force);
+  for (const TraceCoupling* trace : {&coupling.trace, &coupling.completion})
+    trace->addTranspose(1, multiplier.data(), force.data());
   return force;
 }
 

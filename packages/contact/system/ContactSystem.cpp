@@ -350,7 +350,7 @@ Configuration ContactSystem::configuration(State state) const {
   for (std::size_t b = 0; b < size(); ++b) {
     Vector force = body(b).contactForce(result.bodies[b].multiplier);
     if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
-      opposite.addTranspose(state.multiplier, force);
+      opposite.addTranspose(1, state.multiplier.data(), force.data());
     result.displacements.push_back(body(b).displacement(result.bodies[b], force));
     result.contactForces.push_back(std::move(force));
   }
