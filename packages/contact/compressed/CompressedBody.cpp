@@ -37,41 +37,28 @@ CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& mu
       changes ? furtherLeaves(*operators_) : std::vector<int>());
 }
 
-// One spring per rigid motion that clamps allow, at the pivots of the matrix of motions
-// (complete pivoting), rows weighted with the lengths of functionals: a force on a short
-// element causes densities, and rounding errors, proportional to 1/h.
+// One spring per rigid motion that clamps allow, where pivoting finds the motions least dependent,
+// rows weighted with the lengths of functionals: a force on a short element causes densities,
+// and rounding errors, proportional to 1/h.
 void CompressedBody::addSprings() {
-  Matrix motions = holding_->allowed.copy();
+  const Matrix& motions = holding_->allowed;
+  const Matrix& functionals = holding_->functionals;
   if (motions.columns() == 0)
     return;
-  const Matrix& functionals = holding_->functionals;
   Vector lengths(at(motions.rows()));
   for (Index k = 0; k < functionals.columns(); ++k)
     for (Index i = 0; i < functionals.rows(); ++i)
       lengths[at(i)] += std::abs(functionals(i, k));
   // lengths above a quarter of the longest count as equal
   const double longest = *std::max_element(lengths.begin(), lengths.end());
-  const auto moved = [&](Index i, Index k) {
-    return std::min(lengths[at(i)], 0.25 * longest) * std::abs(motions(i, k));
-  };
+  Matrix moved(motions.columns(), motions.rows());
+  for (Index k = 0; k < motions.columns(); ++k)
+    for (Index i = 0; i < motions.rows(); ++i)
+      moved(k, i) = std::min(lengths[at(i)], 0.25 * longest) * motions(i, k);
+  const std::vector<Index> rows = bem::pivotedTriangle(moved);
   for (Index k = 0; k < motions.columns(); ++k) {
-    Index row = 0;
-    Index column = k;
-    for (Index l = k; l < motions.columns(); ++l)
-      for (Index i = 0; i < motions.rows(); ++i)
-        if (moved(i, l) > moved(row, column)) {
-          row = i;
-          column = l;
-        }
-    std::swap_ranges(motions.column(k), motions.column(k) + motions.rows(),
-                     motions.column(column));
-    restriction_.entries.push_back(
-        {range_.first + row, range_.first + row, range_.young});
-    for (Index l = k + 1; l < motions.columns(); ++l) {
-      const double factor = motions(row, l) / motions(row, k);
-      for (Index i = 0; i < motions.rows(); ++i)
-        motions(i, l) -= factor * motions(i, k);
-    }
+    const Index spring = range_.first + rows[at(k)];
+    restriction_.entries.push_back({spring, spring, range_.young});
   }
 }
 

@@ -12,8 +12,6 @@
 
 namespace epafi::contact {
 
-using bem::axpy;
-
 class CompressedFlexibility::Reduced final : public Factor {
  public:
   /// Refers to `whole`.  \throws bem::NumericalError if singular, as solve() does

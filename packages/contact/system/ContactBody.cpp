@@ -34,7 +34,7 @@ Vector withoutFixedMotions(const Holding& holding, const Vector& prescribed,
     double mean = dot(functional, prescribed);
     if (!means.empty())
       mean += means[at(holding.fixedModes[k])];
-    axpy(-holding.scale(k) * mean, columnOf(holding.allowed, k), result);
+    axpy(-holding.scales[at(k)] * mean, columnOf(holding.allowed, k), result);
   }
   return result;
 }
@@ -265,7 +265,7 @@ Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   Vector reactions(3, 0.0);
   for (Index k = 0; k < holding_->fixed(); ++k)
     reactions[at(holding_->fixedModes[at(k)])] =
-        -holding_->scale(k) * dot(columnOf(holding_->allowed, k), force);
+        -holding_->scales[at(k)] * dot(columnOf(holding_->allowed, k), force);
   return reactions;
 }
 
