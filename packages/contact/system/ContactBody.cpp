@@ -67,16 +67,13 @@ ContactBody::ContactBody(const BodyInput& input)
   setLoads();
 }
 
-ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
-    : space_(same.space_),
-      units_(same.units_),
-      loads_(makeLoads(*space_, conditions, units_)),
-      holding_(same.holding_),
-      multiplier_(same.multiplier_.under(conditions)),
-      opposite_(same.opposite_),
-      elastic_(same.elastic_),
-      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
-  setLoads();
+ContactBody ContactBody::under(const Conditions& conditions) const {
+  ContactBody result = *this;
+  result.multiplier_ = multiplier_.under(conditions);
+  result.loads_ = makeLoads(*space_, conditions, units_);
+  result.obstacle_ = makeObstacle(space_->mesh(), result.multiplier_, *opposite_, units_);
+  result.setLoads();
+  return result;
 }
 
 void ContactBody::setLoads() {

@@ -23,7 +23,7 @@ class ContactBody {
   ///   and too large.
   explicit ContactBody(const BodyInput& input);
   /// The same at another time of a path; the factor of A is shared.
-  ContactBody(const ContactBody& same, const Conditions& conditions);
+  ContactBody under(const Conditions& conditions) const;
 
   ContactSide side() const { return {*space_, multiplier_, *opposite_}; }
   const bem::Space& space() const { return *space_; }

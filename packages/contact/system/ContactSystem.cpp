@@ -116,7 +116,7 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   assert(conditions.size() == size());
   auto bodies = std::make_shared<std::vector<ContactBody>>();
   for (std::size_t b = 0; b < size(); ++b)
-    bodies->emplace_back(body(b), conditions[b]);
+    bodies->push_back(body(b).under(conditions[b]));
   return bodies;
 }
 
