@@ -50,7 +50,7 @@ double smallestEigenvalue(const SolvedLevel& level) {
         {solved.space, level.stiffness[b], scene.lame(b), solved.units,
          scene.bodies[b].conditions, contact::multiplierBasis(scene.multiplier),
          scene.stabilization});
-    smallest = std::min(smallest, 1 - solved.problem.gamma0() / limit);
+    smallest = std::min(smallest, 1 - solved.problem.coupling().gamma0 / limit);
   }
   return smallest;
 }

@@ -177,7 +177,8 @@ TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused
     return contact::ContactBody({space, stiffness, lame, bem::Units{1, 1}, conditions,
                                  contact::multiplierBasis("Gauss-Legendre-Lagrange"),
                                  stabilization})
-        .gamma0();
+        .coupling()
+        .gamma0;
   };
   const double first = stabilization.firstGamma0();
   const double weakened = used();

@@ -5,8 +5,6 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 
-#include <Teuchos_LAPACK.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,28 +50,8 @@ Matrix rowsAt(const std::vector<Index>& which, Matrix a) {
 }
 
 /// Aᵀ x
-Vector columnsTimes(const Matrix& a, const Vector& x) {
-  Vector result;
-  for (Index j = 0; j < a.columns(); ++j) {
-    const double* column = a.column(j);
-    double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (Index i = 0; i < a.rows(); ++i)
-      sum += column[i] * x[i];
-    result.push_back(sum);
-  }
-  return result;
-}
-
-double largestEigenvalue(Matrix symmetric) {
-  const int n = bem::asInt(symmetric.rows());
-  Vector values(n);
-  Vector work(std::max(1, 34 * n));
-  int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('N', 'L', n, symmetric.data(),
-                                      bem::asInt(symmetric.stride()), values.data(),
-                                      work.data(), static_cast<int>(work.size()), &info);
-  return info == 0 && n > 0 ? values.back() : 0;
+Vector transposedTimes(const Matrix& a, const Vector& x) {
+  return columnOf(bem::transposedTimes(a, bem::asColumn(x)), 0);
 }
 
 /// Columns of X, S^ = X Xᵀ = R γ Rᵀ.
@@ -115,7 +93,8 @@ double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>&
   const DenseBody plain(input, holding, std::move(none), tractions);  // S
   const Matrix reduced =
       plain.forward(halfBetween(*tractions, coupling.gamma, 0, columns));
-  return coupling.gamma0 / largestEigenvalue(addGram(Matrix(columns, columns), reduced));
+  return coupling.gamma0 /
+         bem::singularValues(bem::transposedProduct(reduced, reduced)).s.front();
 }
 
 }  // namespace
@@ -172,6 +151,10 @@ Vector DenseBody::solve(const Vector& force) const {
   u.assign(force.size(), 0.0);
   for (std::size_t k = 0; k < solved.size(); ++k)
     u[free_[k]] = solved[k];
+  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
+    const Vector r = columnOf(holding_->allowed, k);
+    bem::axpy(-bem::dot(r, force), r, u);
+  }
   return u;
 }
 
@@ -215,13 +198,13 @@ Vector DenseBody::density(const Vector& u, const Vector& w) const {
 }
 
 Vector DenseBody::tractionsOf(const Vector& u) const {
-  return columnsTimes(*columns_, u);
+  return transposedTimes(*columns_, u);
 }
 
 Vector DenseBody::forcesOf(const Vector& w) const { return multiply(*columns_, w); }
 
 Vector DenseBody::responsesTo(const Vector& w) const {
-  return columnsTimes(response_->density, w);
+  return transposedTimes(response_->density, w);
 }
 
 std::pair<Vector, Vector> DenseBody::answerTo(const Vector& g) const {

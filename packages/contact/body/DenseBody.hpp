@@ -63,11 +63,12 @@ class DenseBody final : public ElasticBody {
   const bem::SteklovPoincare& stiffness_;
   std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
   Tractions tractions_;
-  const Matrix* columns_;       ///< R
-  RigidModes modes_;            ///< r
-  Vector squares_;              ///< <r, r>
-  std::vector<Index> free_;     ///< displacements that are not clamped
-  bem::CholeskyFactor factor_;  ///< of A there
+  const Matrix* columns_;    ///< R
+  RigidModes modes_;         ///< r
+  Vector squares_;           ///< <r, r>
+  std::vector<Index> free_;  ///< displacements that are not clamped
+  bem::CholeskyFactor
+      factor_;  ///< of A + Σ c cᵀ there, c: functionals of allowed motions
 };
 
 /// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.

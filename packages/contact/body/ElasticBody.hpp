@@ -40,8 +40,8 @@ class ElasticBody {
   /// Is A formed?  Else solve() is refined by its own product.
   virtual bool isFormed() const = 0;
 
-  /// (A + Σ c cᵀ)⁻¹ f, zero on clamped unknowns; c: functionals of the allowed rigid motions, so
-  /// that the sum is positive definite if A is positive definite on all other displacements.
+  /// A⁺ f, the displacement under f without allowed rigid motions, zero on clamped unknowns, where
+  /// f does not matter.
   virtual Vector solve(const Vector& force) const = 0;
   /// f - A u
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;

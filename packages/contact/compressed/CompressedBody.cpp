@@ -64,32 +64,16 @@ void CompressedBody::addSprings() {
 
 // A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: under balanced loads, as many springs as motions
 // carry no force
-Matrix CompressedBody::displaced(Matrix forces) const {
-  const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
-    for (Index j = 0; j < x.columns(); ++j)
-      for (Index k = 0; k < taken.columns(); ++k) {
-        double sum = 0;
-        for (Index i = 0; i < seen.rows(); ++i)
-          sum += seen(i, k) * x(range_.first + i, j);
-        for (Index i = 0; i < taken.rows(); ++i)
-          x(range_.first + i, j) -= sum * taken(i, k);
-      }
-  };
-  subtract(holding_->allowed, holding_->functionals, forces);
-  Matrix x = factor_->solve(forces);
-  subtract(holding_->functionals, holding_->allowed, x);
-  return x;
-}
-
 Vector CompressedBody::solve(const Vector& force) const {
-  const Matrix x = displaced(placed(bem::asColumn(force)));
+  const auto without = [](const Matrix& seen, const Matrix& taken, Vector x) {
+    for (Index k = 0; k < taken.columns(); ++k)
+      bem::axpy(-dot(columnOf(seen, k), x), columnOf(taken, k), x);
+    return x;
+  };
+  const Matrix x = factor_->solve(
+      placed(bem::asColumn(without(holding_->allowed, holding_->functionals, force))));
   solved_.assign(x.data() + range_.densities, x.data() + range_.last);
-  Vector u = forcesIn(x);
-  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->allowed, k);
-    bem::axpy(dot(r, force), r, u);
-  }
-  return u;
+  return without(holding_->functionals, holding_->allowed, forcesIn(x));
 }
 
 // f - (W u + K' ψ), ψ that of u
@@ -176,13 +160,6 @@ Vector CompressedBody::densityFor(const Matrix& right, int refinements) const {
   return {psi.data() + range_.densities, psi.data() + range_.last};
 }
 
-Matrix CompressedBody::imagesOf(const Vector& u, const Vector& psi) const {
-  Matrix x(operators_->size(), 2);
-  std::copy(u.begin(), u.end(), x.column(0) + range_.first);
-  std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
-  return operators_->times(x);
-}
-
 const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
   if (leftOfMotions_ == nullptr) {
     const Matrix modes = makeRigidModes(space_).motions;
@@ -239,7 +216,10 @@ const CompressedBody::Field& CompressedBody::fieldOf(const Vector& u) const {
     return field_;
   Vector psi = solved_;
   psi.resize(at(range_.last - range_.densities));
-  Matrix images = imagesOf(u, psi);
+  Matrix x(operators_->size(), 2);
+  std::copy(u.begin(), u.end(), x.column(0) + range_.first);
+  std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
+  Matrix images = operators_->times(x);
   double left = restOf(images).size;
   if (left > 1e-12 && left <= 1e-9) {
     takeMotions(restOf(images), psi, images);

@@ -9,14 +9,13 @@ namespace epafi::contact {
 std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 
 /// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
-/// system regular; displaced() removes their effect.
+/// system regular; solve() removes their effect.
 class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
   CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                  std::shared_ptr<const Holding> holding);
 
-  /// A⁺ f + R Rᵀ f
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }
   Vector residual(const Vector& force, const Vector& u) const override;
@@ -39,9 +38,6 @@ class CompressedBody final : public ElasticBody {
 
  private:
   void addSprings();
-  /// A⁺: displacements and densities for right-hand sides of both (columns), without allowed
-  /// rigid motions; zero for all other unknowns.
-  Matrix displaced(Matrix forces) const;
   /// Displacements (columns), or a density, among all unknowns.
   Matrix placed(const Matrix& displacements) const;
   Matrix placed(const Vector& density) const;
@@ -60,10 +56,8 @@ class CompressedBody final : public ElasticBody {
   };
   const OnDensities& onDensities(const Vector& w) const;
 
-  /// Z (u, 0) and Z (0, ψ)
-  Matrix imagesOf(const Vector& u, const Vector& psi) const;
-  /// A displacement, its ψ without a multiplier, and imagesOf both; the last one is kept, which
-  /// several results ask for.
+  /// A displacement, its ψ without a multiplier, Z (u, 0) and Z (0, ψ); the last one is kept,
+  /// which several results ask for.
   struct Field {
     Vector u;
     Vector psi;

@@ -55,7 +55,7 @@ Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> forces;
   for (std::size_t b = 0; b < step.size(); ++b) {
     forces.push_back(step.body(b).clampForces(at.displacements[b], at.contactForces[b]));
-    bem::axpy(1, step.body(b).load(), forces.back());
+    bem::axpy(1, step.body(b).loads().load, forces.back());
     if (fixWorks(step, b))
       forces.push_back(step.body(b).fixedReactions(at.contactForces[b]));
   }
@@ -89,7 +89,7 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
-    size += atZero.body(b).load().size() + (fixWorks(atZero, b) ? 3 : 0);
+    size += atZero.body(b).loads().load.size() + (fixWorks(atZero, b) ? 3 : 0);
   motions_.assign(size, 0.0);
   forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on

@@ -88,16 +88,15 @@ void ContactBody::setLoads() {
 }
 
 void ContactBody::setResidual(const ParticularSolution& solution) {
-  const Coupling& coupling = elastic_->coupling();
   Loads::OfInside& inside = loads_.inside;
-  setTractionMoments(*space_, multiplier_, coupling, solution, inside);
-  if (coupling.hasCompliance()) {
-    inside.compliance = coupling.complianceOf(*space_, inside.weights, solution);
+  setTractionMoments(*space_, multiplier_, coupling(), solution, inside);
+  if (coupling().hasCompliance()) {
+    inside.compliance = coupling().complianceOf(*space_, inside.weights, solution);
     std::tie(inside.density, inside.force) = elastic_->answerTo(inside.compliance);
     for (double& x : inside.density)
       x = -x;
-    coupling.subtractWeighted(coupling.ofDensities(inside.density), inside.terms);
-  } else if (!coupling.weights.empty()) {
+    coupling().subtractWeighted(coupling().ofDensities(inside.density), inside.terms);
+  } else if (!coupling().weights.empty()) {
     inside.force = elastic_->forcesOf(inside.weights);
   }
   if (!inside.force.empty())
@@ -105,42 +104,27 @@ void ContactBody::setResidual(const ParticularSolution& solution) {
 }
 
 Vector ContactBody::apply(const Vector& u) const {
-  const Coupling& coupling = elastic_->coupling();
-  Vector result = coupling.trace.apply(u);
-  if (!coupling.weights.empty())
-    coupling.subtractWeighted(elastic_->tractionsOf(u), result);
+  Vector result = coupling().trace.apply(u);
+  if (!coupling().weights.empty())
+    coupling().subtractWeighted(elastic_->tractionsOf(u), result);
   return result;
 }
 
 Vector ContactBody::massTimes(const Vector& multiplier) const {
-  const Coupling& coupling = elastic_->coupling();
-  Vector result = coupling.massTimes(multiplier);
-  if (coupling.byDensity())
-    coupling.subtractWeighted(elastic_->responsesTo(coupling.weighted(multiplier)),
-                              result);
+  Vector result = coupling().massTimes(multiplier);
+  if (coupling().byDensity())
+    coupling().subtractWeighted(elastic_->responsesTo(coupling().weighted(multiplier)),
+                                result);
   return result;
-}
-
-Vector ContactBody::respond(Vector force) const {
-  for (std::size_t j = 0; j < force.size(); ++j)
-    if (holding_->clamped[j] != 0)
-      force[j] = 0;
-  Vector u = elastic_->solve(force);
-  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->allowed, k);
-    axpy(-dot(r, force), r, u);
-  }
-  return u;
 }
 
 Vector ContactBody::contactForce(const Vector& multiplier) const {
   Vector force(load_.size(), 0.0);
   if (multiplier.empty())
     return force;
-  const Coupling& coupling = elastic_->coupling();
-  if (!coupling.weights.empty())
-    axpy(-1, elastic_->forcesOf(coupling.weighted(multiplier)), force);
-  for (const TraceCoupling* trace : {&coupling.trace, &coupling.completion})
+  if (!coupling().weights.empty())
+    axpy(-1, elastic_->forcesOf(coupling().weighted(multiplier)), force);
+  for (const TraceCoupling* trace : {&coupling().trace, &coupling().completion})
     trace->addTranspose(1, multiplier.data(), force.data());
   return force;
 }
@@ -152,7 +136,7 @@ Vector ContactBody::pushing() const {
 }
 
 Vector ContactBody::displacementOfLoads() const {
-  Vector u = respond(load_);
+  Vector u = elastic_->solve(load_);
   axpy(1, constant_, u);
   return u;
 }
@@ -164,46 +148,39 @@ Vector ContactBody::rigidLoad() const {
   return result;
 }
 
-Vector ContactBody::moved(const double* motions) const {
-  Vector u(load_.size(), 0.0);
-  for (Index k = 0; k < freeMotions(); ++k)
-    axpy(motions[k], columnOf(holding_->allowed, holding_->fixed() + k), u);
-  return u;
-}
-
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   Vector force = load_;
   axpy(-1, contactForce, force);
-  Vector u = respond(std::move(force));
+  Vector u = elastic_->solve(std::move(force));
   axpy(1, constant_, u);
-  if (!state.rigid.empty())
-    axpy(1, moved(state.rigid.data()), u);
+  for (std::size_t k = 0; k < state.rigid.size(); ++k)
+    axpy(state.rigid[k],
+         columnOf(holding_->allowed, holding_->fixed() + static_cast<Index>(k)), u);
   if (!elastic_->isFormed())
     return u;
   // What the factor leaves is ε |A| |u|.
-  Vector whole = load();
+  Vector whole = loads_.load;
   axpy(-1, contactForce, whole);
   return refined(std::move(u), [&](const Vector& now) {
-    return respond(elastic_->residual(whole, now));
+    return elastic_->solve(elastic_->residual(whole, now));
   });
 }
 
 // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as
 // ν -> 1/2 while γ is there.  What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
 double ContactBody::strainEnergy(const State& state, const Vector& displacement) const {
-  const Coupling& coupling = elastic_->coupling();
   double twice = elastic_->stiffnessWork(displacement);
-  if (!coupling.hasCompliance())
+  if (!coupling().hasCompliance())
     return 0.5 * twice;
   const Loads::OfInside& inside = loads_.inside;
   if (!inside.density.empty())
     twice -= 2 * dot(displacement, inside.force) + dot(inside.compliance, inside.density);
-  twice -= coupling.complianceWork(density(state, displacement));
-  if (!coupling.byDensity() || state.multiplier.empty())
+  twice -= coupling().complianceWork(density(state, displacement));
+  if (!coupling().byDensity() || state.multiplier.empty())
     return 0.5 * twice;
-  const Vector w = coupling.weighted(state.multiplier);
+  const Vector w = coupling().weighted(state.multiplier);
   if (!inside.density.empty())
-    twice -= 2 * dot(w, coupling.ofDensities(inside.density));
+    twice -= 2 * dot(w, coupling().ofDensities(inside.density));
   twice -= 2 * dot(displacement, elastic_->forcesOf(w));
   return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
@@ -217,10 +194,9 @@ double ContactBody::storedEnergy(const State& state, const Vector& displacement)
 }
 
 Vector ContactBody::density(const State& state, const Vector& displacement) const {
-  const Coupling& coupling = elastic_->coupling();
   Vector psi =
-      elastic_->density(displacement, coupling.byDensity() && !state.multiplier.empty()
-                                          ? coupling.weighted(state.multiplier)
+      elastic_->density(displacement, coupling().byDensity() && !state.multiplier.empty()
+                                          ? coupling().weighted(state.multiplier)
                                           : Vector());
   if (!loads_.inside.density.empty())
     axpy(1, loads_.inside.density, psi);
@@ -233,11 +209,11 @@ Vector ContactBody::clampForces(const Vector& displacement,
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
-  Vector rest = load();
+  Vector rest = loads_.load;
   axpy(-1, contactForce, rest);
   rest = elastic_->residual(rest, displacement);
   if (elastic_->isFormed())
-    rest = elastic_->residual(rest, onlyRounding(respond(rest), displacement));
+    rest = elastic_->residual(rest, onlyRounding(elastic_->solve(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
       forces[i] = -rest[i];

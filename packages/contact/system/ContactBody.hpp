@@ -32,6 +32,7 @@ class ContactBody {
   const Obstacle& obstacle() const { return obstacle_; }
   const Holding& holding() const { return *holding_; }
   const std::shared_ptr<const ElasticBody>& elastic() const { return elastic_; }
+  const Coupling& coupling() const { return elastic_->coupling(); }
 
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
@@ -65,10 +66,8 @@ class ContactBody {
   /// to it.  What loads, clamps and friction do changes this by their work.
   double storedEnergy(const State& state, const Vector& displacement) const;
 
-  /// f of the equations, see Loads, all unknowns: the Neumann data's where nothing acts inside.
-  const Vector& load() const { return loads_.load; }
-  /// What is given and what acts inside by themselves; vectors are empty where nothing does.
-  const Loads::OfInside& ofInside() const { return loads_.inside; }
+  /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
+  const Loads& loads() const { return loads_; }
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
   Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
@@ -79,24 +78,6 @@ class ContactBody {
   /// Stabilisation included; what holds fixed rigid motions is not.
   Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
 
-  /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
-  double gamma0() const { return elastic_->coupling().gamma0; }
-
-  /// Whether ψ stands for S u in the stabilisation: Form Density.
-  bool byDensity() const { return elastic_->coupling().byDensity(); }
-
-  /// γ (λ + ψ) of each contact element (as multiplier().elements() has them), averaged along it,
-  /// under Form Density; else zero.  Dimensionless.
-  std::vector<bem::Vec2> meanSlacks(const State& state, const Vector& density) const {
-    return elastic_->coupling().meanSlacks(state.multiplier, density,
-                                           loads_.inside.compliance);
-  }
-
-  /// γ on a contact element (index into multiplier().elements()), dimensionless.
-  double gamma(std::size_t contactElement) const {
-    return elastic_->coupling().gamma[contactElement];
-  }
-
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
   Vector fixedReactions(const Vector& contactForce) const;
@@ -104,10 +85,6 @@ class ContactBody {
   /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
   /// for clamps and for what acts inside.
   Vector fixedMeans(const Vector& displacement) const;
-
-  Index freeMotions() const { return holding_->free(); }
-  /// The displacement that their sizes make.
-  Vector moved(const double* motions) const;
 
   /// u for λ = 0 and α = 0, the loads that it is linear in (forces, then displacements given), and
   /// Rᵀ f of the free motions.
@@ -121,8 +98,6 @@ class ContactBody {
   void setLoads();
   /// Sets what body loads do through the stabilisation.
   void setResidual(const ParticularSolution& solution);
-  /// The displacement under a force that is neither clamped nor rigid.
-  Vector respond(Vector force) const;
 
   const bem::Space* space_;
   bem::Units units_;

@@ -31,7 +31,7 @@ Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& nu
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
     const ContactBody& own = bodies[b];
-    const Vector& stabilised = own.ofInside().terms;
+    const Vector& stabilised = own.loads().inside.terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
@@ -133,9 +133,8 @@ void ContactSystem::condense(Index formedUpTo) {
         d = Matrix(numbering_.size(), numbering_.size());
       dense->addMultiplierMass(numbering_, b, d);
     }
-    std::vector<Vector> motions =
-        motionsOnContacts(body(b).holding(), 0, numbering_, b,
-                          body(b).elastic()->coupling().trace, (*opposite_)[b]);
+    std::vector<Vector> motions = motionsOnContacts(
+        body(b).holding(), 0, numbering_, b, body(b).coupling().trace, (*opposite_)[b]);
     for (const Vector& moved : motions)
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
@@ -343,8 +342,8 @@ Configuration ContactSystem::configuration(State state) const {
   const double* motions = state.rigid.data();
   for (std::size_t b = 0; b < size(); ++b) {
     State own{numbering().of(b, state.multiplier), {}};
-    own.rigid.assign(motions, motions + body(b).freeMotions());
-    motions += body(b).freeMotions();
+    own.rigid.assign(motions, motions + body(b).holding().free());
+    motions += body(b).holding().free();
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
