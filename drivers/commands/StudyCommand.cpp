@@ -1,5 +1,5 @@
 #include "bem/base/Error.hpp"
-#include "contact/body/CoupledBody.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/BoundaryLines.hpp"
@@ -50,7 +50,7 @@ double smallestEigenvalue(const SolvedLevel& level) {
         {solved.space, level.stiffness[b], scene.lame(b), solved.units,
          scene.bodies[b].conditions, contact::multiplierBasis(scene.multiplier),
          scene.stabilization});
-    smallest = std::min(smallest, 1 - solved.problem.gamma0() / limit);
+    smallest = std::min(smallest, 1 - solved.problem.coupling().gamma0 / limit);
   }
   return smallest;
 }

@@ -109,7 +109,7 @@ bem::Vector estimateErrors(const bem::Processes& processes, SolvedLevel& solved)
 double gamma0Of(const contact::ContactSystem& system) {
   double smallest = 0;
   for (std::size_t b = 0; b < system.size(); ++b) {
-    const double own = system.body(b).gamma0();
+    const double own = system.body(b).coupling().gamma0;
     if (own > 0 && (smallest == 0 || own < smallest))
       smallest = own;
   }

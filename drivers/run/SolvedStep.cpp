@@ -70,7 +70,7 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
                                                                   spaces.scene().units(),
                                                                   at.bodies[b],
                                                                   u,
-                                                                  at.oppositeForces[b],
+                                                                  at.contactForces[b],
                                                                   {},
                                                                   &motions});
     if (!wear.empty())

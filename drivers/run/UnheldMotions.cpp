@@ -33,12 +33,11 @@ using FreeMotions = std::vector<std::vector<Vector>>;
 
 FreeMotions motionsOf(const contact::ContactSystem& system) {
   FreeMotions motions(system.size());
-  for (std::size_t b = 0; b < system.size(); ++b)
-    for (bem::Index k = 0; k < system.body(b).freeMotions(); ++k) {
-      Vector sizes(system.body(b).freeMotions());
-      sizes[k] = 1;
-      motions[b].push_back(system.body(b).moved(sizes.data()));
-    }
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const contact::Holding& holding = system.body(b).holding();
+    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
+      motions[b].push_back(bem::columnOf(holding.allowed, k));
+  }
   return motions;
 }
 

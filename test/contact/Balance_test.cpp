@@ -3,7 +3,7 @@
 #include "Largest.hpp"
 #include "Rectangle.hpp"
 #include "contact/Form.hpp"
-#include "contact/body/CoupledBody.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
 
@@ -53,15 +53,15 @@ contact::ContactBody problemOf(const Body& body, const contact::Conditions& cond
        contact::multiplierBasis("Gauss-Legendre-Lagrange"), test::projected()});
 }
 
-std::unique_ptr<const contact::StabilisedBody> coupledBody(
+std::unique_ptr<const contact::DenseBody> denseBody(
     const Body& body, const contact::Conditions& conditions,
     const contact::MultiplierSpace& multiplier, bem::Units units,
     const contact::Stabilization& stabilization) {
-  return contact::makeCoupledBody({body.space, body.stiffness, body.lame, units,
-                                   conditions, multiplier.basis(), stabilization},
-                                  multiplier,
-                                  std::make_shared<const contact::Holding>(
-                                      contact::makeHolding(body.space, conditions)));
+  return contact::makeDenseBody({body.space, body.stiffness, body.lame, units, conditions,
+                                 multiplier.basis(), stabilization},
+                                multiplier,
+                                std::make_shared<const contact::Holding>(
+                                    contact::makeHolding(body.space, conditions)));
 }
 
 double worstImbalance(const Body& body, double load) {
@@ -90,13 +90,12 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const auto coupled =
-      coupledBody(body, conditions, multiplier, {100, 1}, test::projected());
+  const auto dense = denseBody(body, conditions, multiplier, {100, 1}, test::projected());
   const bem::Matrix motions = body.space.rigidMotions();
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::sin(1.0 + static_cast<double>(i * i % 101));
-  const Vector forces = coupled->residual(Vector(u.size(), 0.0), u);
+  const Vector forces = dense->residual(Vector(u.size(), 0.0), u);
   const double size =
       std::sqrt(std::inner_product(forces.begin(), forces.end(), forces.begin(), 0.0));
   TEST_COMPARE(size, >, 0.1);
@@ -105,7 +104,7 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
     TEST_COMPARE(std::abs(std::inner_product(forces.begin(), forces.end(), motion, 0.0)),
                  <, 1e-15 * size);
     const Vector none =
-        coupled->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
+        dense->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
     TEST_COMPARE(test::largest(none), <, 1e-16);
   }
 }
@@ -115,12 +114,12 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const auto coupled =
-      coupledBody(body, conditions, multiplier, {2, 1}, test::ofForm(Form::None));
+  const auto dense =
+      denseBody(body, conditions, multiplier, {2, 1}, test::ofForm(Form::None));
   Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
-  const Vector left = coupled->residual(body.stiffness.apply(u), u);
+  const Vector left = dense->residual(body.stiffness.apply(u), u);
   for (const double rest : left)
     TEST_COMPARE(std::abs(rest), <, 1e-13);
 }
@@ -178,7 +177,8 @@ TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused
     return contact::ContactBody({space, stiffness, lame, bem::Units{1, 1}, conditions,
                                  contact::multiplierBasis("Gauss-Legendre-Lagrange"),
                                  stabilization})
-        .gamma0();
+        .coupling()
+        .gamma0;
   };
   const double first = stabilization.firstGamma0();
   const double weakened = used();

@@ -185,7 +185,7 @@ for f in ("1", "3", "10"):
          claims=[dissipates, steps(200)])
 
 # ---- material and units
-# Rounding of u comes back as a force times 1 / (1 - 2 nu), here 5e6: contact/body/BalancedStiffness.
+# Rounding of u comes back as a force times 1 / (1 - 2 nu), here 5e6: contact/body/DenseBody.
 for nu in ("0.49", "0.4999", "0.4999999"):
     case("nu_" + nu, "nu = " + nu, "pressed_block",
          ["Bodies->block->Material->Poisson's Ratio=" + nu],

@@ -22,7 +22,7 @@ class FixedTraction {
       : mesh_(solved.space.mesh()),
         conditions_(solved.conditions),
         centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
-        amplitudes_(solved.problem.fixedReactions(solved.state, solved.oppositeForce)) {}
+        amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
 
   Vec2 at(int e, double t) const {
     if (!conditions_.isBoundary(mesh_.boundary(e)))
@@ -167,7 +167,7 @@ class Residuals {
     double square = 0;
     for (std::size_t q = 0; q < values.size(); ++q)
       square += values[q].weight * dot(residual[q], residual[q]);
-    return solved_.problem.gamma(contact) * mu_ * square;
+    return solved_.problem.coupling().gamma[contact] * mu_ * square;
   }
 
  private:
@@ -307,7 +307,8 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
 
   // with Form Density the mean m of V ψ - (K + 1/2) u, which is -γ (λ + ψ), adds ∫ m²/h to
   // h |mismatch|²
-  const std::vector<Vec2> means = solved.problem.meanSlacks(solved.state, density);
+  const std::vector<Vec2> means = solved.problem.coupling().meanSlacks(
+      solved.state.multiplier, density, solved.problem.loads().inside.compliance);
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
   for (Contributions& square : squares)
     multiply(square, factors);
@@ -320,7 +321,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     Contributions contact = residuals.contactSquares(
         touching[k], values, contactResiduals[k], correction[k], both.mu);
     of(contact, Source::Density) += dot(means[k], means[k]);
-    if (sharp && !solved.problem.byDensity())
+    if (sharp && !solved.problem.coupling().byDensity())
       of(contact, Source::Contact) +=
           residuals.stabilisation(k, values, contactResiduals[k]);
     Contributions scales =

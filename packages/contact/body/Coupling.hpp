@@ -50,8 +50,8 @@ struct Coupling {
   /// pinned ones by their means.
   Vector complianceOf(const bem::Space& space, const Vector& onContacts,
                       const ParticularSolution& inside) const;
-  /// See ContactBody; zero without densities.  `ofInside`: the compliance of
-  /// Loads::OfInside.
+  /// γ (λ + ψ) of each contact element, averaged along it, under Form Density; else zero.
+  /// `ofInside`: the compliance of Loads::OfInside.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
                                     const Vector& ofInside) const;
 };

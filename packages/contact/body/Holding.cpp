@@ -163,6 +163,7 @@ void setMotions(const Conditions::Fix& fix, Holding& holding) {
                 functionals.column(k));
   functionals = withoutClamped(std::move(functionals), holding.clamped);
   holding.functionals = dualTo(holding.allowed, std::move(functionals), fixed);
+  holding.scales.assign(at(allowed), 1.0);
 }
 
 void scaleMotions(Holding& holding) {
@@ -176,7 +177,7 @@ void scaleMotions(Holding& holding) {
       motion[j] /= largest;
       functional[j] *= largest;
     }
-    holding.scales.push_back(largest);
+    holding.scales[at(k)] = largest;
   }
 }
 

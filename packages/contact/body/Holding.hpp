@@ -20,12 +20,11 @@ struct Holding {
   std::vector<int>
       fixedModes{};  ///< which of x (0), y (1), rotation (2) Fix holds, in order
 
-  /// Factors of the motions for which ∫ u · r ds is the dual functional; empty: 1.  On a body of
+  /// Factors of the motions for which ∫ u · r ds is the dual functional: 1, but on a body of
   /// diameter d < 1 entries of motions grow like 1/d or 1/d², and rounding errors of A⁻¹ like their
   /// square: there each motion has the largest entry 1.
   Vector scales{};
 
-  double scale(Index k) const { return scales.empty() ? 1 : scales[at(k)]; }
   Index fixed() const { return static_cast<Index>(fixedModes.size()); }
   Index free() const { return allowed.columns() - fixed(); }
 };

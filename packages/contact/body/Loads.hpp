@@ -29,7 +29,7 @@ struct Loads {
     double largestDisplacement = 0;
 
     // What t_p does in the residual λ + t_p + S u of the stabilisation, independent of u and λ, see
-    // StabilisedBody::setResidual; empty: zero.                     [doc/theory/body-loads.md]
+    // ContactBody::setResidual; empty: zero.                     [doc/theory/body-loads.md]
     Vector weights;     ///< by G's rows: <γ t_p, P> as G λ has <γ λ, P>
     Vector force;       ///< to f
     Vector terms;       ///< to C u - M λ, with -<γ t_p, χ_i>

@@ -20,9 +20,9 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                                std::shared_ptr<const Holding> holding)
-    : StabilisedBody(input.space, std::move(holding),
-                     makeCoupling(input.space, multiplier, input.stabilization,
-                                  input.lame, input.units)),
+    : ElasticBody(input.space, std::move(holding),
+                  makeCoupling(input.space, multiplier, input.stabilization, input.lame,
+                               input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {
   restriction_.held.assign(at(operators_->size()), 1);
@@ -37,72 +37,43 @@ CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& mu
       changes ? furtherLeaves(*operators_) : std::vector<int>());
 }
 
-// One spring per rigid motion that clamps allow, at the pivots of the matrix of motions
-// (complete pivoting), rows weighted with the lengths of functionals: a force on a short
-// element causes densities, and rounding errors, proportional to 1/h.
+// One spring per rigid motion that clamps allow, where pivoting finds the motions least dependent,
+// rows weighted with the lengths of functionals: a force on a short element causes densities,
+// and rounding errors, proportional to 1/h.
 void CompressedBody::addSprings() {
-  Matrix motions = holding_->allowed.copy();
+  const Matrix& motions = holding_->allowed;
+  const Matrix& functionals = holding_->functionals;
   if (motions.columns() == 0)
     return;
-  const Matrix& functionals = holding_->functionals;
   Vector lengths(at(motions.rows()));
   for (Index k = 0; k < functionals.columns(); ++k)
     for (Index i = 0; i < functionals.rows(); ++i)
       lengths[at(i)] += std::abs(functionals(i, k));
   // lengths above a quarter of the longest count as equal
   const double longest = *std::max_element(lengths.begin(), lengths.end());
-  const auto moved = [&](Index i, Index k) {
-    return std::min(lengths[at(i)], 0.25 * longest) * std::abs(motions(i, k));
-  };
+  Matrix moved(motions.columns(), motions.rows());
+  for (Index k = 0; k < motions.columns(); ++k)
+    for (Index i = 0; i < motions.rows(); ++i)
+      moved(k, i) = std::min(lengths[at(i)], 0.25 * longest) * motions(i, k);
+  const std::vector<Index> rows = bem::pivotedTriangle(moved);
   for (Index k = 0; k < motions.columns(); ++k) {
-    Index row = 0;
-    Index column = k;
-    for (Index l = k; l < motions.columns(); ++l)
-      for (Index i = 0; i < motions.rows(); ++i)
-        if (moved(i, l) > moved(row, column)) {
-          row = i;
-          column = l;
-        }
-    std::swap_ranges(motions.column(k), motions.column(k) + motions.rows(),
-                     motions.column(column));
-    restriction_.entries.push_back(
-        {range_.first + row, range_.first + row, range_.young});
-    for (Index l = k + 1; l < motions.columns(); ++l) {
-      const double factor = motions(row, l) / motions(row, k);
-      for (Index i = 0; i < motions.rows(); ++i)
-        motions(i, l) -= factor * motions(i, k);
-    }
+    const Index spring = range_.first + rows[at(k)];
+    restriction_.entries.push_back({spring, spring, range_.young});
   }
 }
 
 // A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: under balanced loads, as many springs as motions
 // carry no force
-Matrix CompressedBody::displaced(Matrix forces) const {
-  const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
-    for (Index j = 0; j < x.columns(); ++j)
-      for (Index k = 0; k < taken.columns(); ++k) {
-        double sum = 0;
-        for (Index i = 0; i < seen.rows(); ++i)
-          sum += seen(i, k) * x(range_.first + i, j);
-        for (Index i = 0; i < taken.rows(); ++i)
-          x(range_.first + i, j) -= sum * taken(i, k);
-      }
-  };
-  subtract(holding_->allowed, holding_->functionals, forces);
-  Matrix x = factor_->solve(forces);
-  subtract(holding_->functionals, holding_->allowed, x);
-  return x;
-}
-
 Vector CompressedBody::solve(const Vector& force) const {
-  const Matrix x = displaced(placed(bem::asColumn(force)));
+  const auto without = [](const Matrix& seen, const Matrix& taken, Vector x) {
+    for (Index k = 0; k < taken.columns(); ++k)
+      bem::axpy(-dot(columnOf(seen, k), x), columnOf(taken, k), x);
+    return x;
+  };
+  const Matrix x = factor_->solve(
+      placed(bem::asColumn(without(holding_->allowed, holding_->functionals, force))));
   solved_.assign(x.data() + range_.densities, x.data() + range_.last);
-  Vector u = forcesIn(x);
-  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->allowed, k);
-    bem::axpy(dot(r, force), r, u);
-  }
-  return u;
+  return without(holding_->functionals, holding_->allowed, forcesIn(x));
 }
 
 // f - (W u + K' ψ), ψ that of u
@@ -115,49 +86,43 @@ Vector CompressedBody::residual(const Vector& force, const Vector& u) const {
   return rest;
 }
 
-// (V + G)⁻¹ (K u - N λ)
-Vector CompressedBody::density(const Vector& u, const Vector& multiplier) const {
-  Vector psi = fieldOf(u).psi;
-  if (coupling_.byDensity() && !multiplier.empty())
-    bem::axpy(-1, under(coupling_.weighted(multiplier)).psi, psi);
-  return psi;
+// uᵀ W u + ψᵀ (V + G) ψ from Z's products
+double CompressedBody::stiffnessWork(const Vector& u) const {
+  const auto& [unused, psi, images] = fieldOf(u);
+  return std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
+         std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
+                            0.0);
 }
 
-// 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
-double CompressedBody::strainEnergy(const Vector& u, const Vector& multiplier,
-                                    const Loads::OfInside& inside) const {
-  Vector psi = density(u, multiplier);
-  if (!inside.density.empty())
-    bem::axpy(1, inside.density, psi);
-  const Matrix& images = fieldOf(u).images;
-  const auto work = [](const Vector& x, const Matrix& image, Index column, Index first) {
-    return std::inner_product(x.begin(), x.end(), image.column(column) + first, 0.0);
-  };
-  double twice =
-      work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
-  if (coupling_.byDensity() && !multiplier.empty())
-    twice += work(psi, under(coupling_.weighted(multiplier)).image, 0, range_.densities);
-  if (!inside.density.empty())
-    twice -= dot(psi, inside.compliance);
-  return 0.5 * (twice - coupling_.complianceWork(psi));
+Vector CompressedBody::density(const Vector& u, const Vector& w) const {
+  Vector psi = fieldOf(u).psi;
+  if (!w.empty())
+    bem::axpy(-1, onDensities(w).psi, psi);
+  return psi;
 }
 
 Vector CompressedBody::tractionsOf(const Vector& u) const {
   return coupling_.ofDensities(fieldOf(u).psi);
 }
 
-Vector CompressedBody::forcesOf(const Vector& w) const {
-  return forcesIn(under(w).image);
-}
-
 Vector CompressedBody::responsesTo(const Vector& w) const {
-  return coupling_.ofDensities(under(w).psi);
+  return coupling_.ofDensities(onDensities(w).psi);
 }
 
-std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& compliance) const {
-  Vector psi = answer(compliance);
+std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& g) const {
+  Vector psi = densityFor(placed(g), 1);
+  for (double& x : psi)
+    x = -x;
   Vector force = forcesIn(operators_->times(placed(psi)));
   return {std::move(psi), std::move(force)};
+}
+
+const CompressedBody::OnDensities& CompressedBody::onDensities(const Vector& w) const {
+  if (w != onDensities_.w) {
+    auto [psi, force] = answerTo(coupling_.onDensities(w, space_.densities()));
+    onDensities_ = {w, std::move(psi), std::move(force)};
+  }
+  return onDensities_;
 }
 
 Vector CompressedBody::forcesIn(const Matrix& image) const {
@@ -190,32 +155,9 @@ const bem::CompressedFactor& CompressedBody::densityFactor() const {
   return *densityFactor_;
 }
 
-Vector CompressedBody::answer(const Vector& g) const {
-  Vector psi = densityFor(placed(g), 1);
-  for (double& x : psi)
-    x = -x;
-  return psi;
-}
-
-const CompressedBody::Under& CompressedBody::under(const Vector& weights) const {
-  if (weights != under_.weights) {
-    Vector psi = answer(coupling_.onDensities(weights, space_.densities()));
-    Matrix image = operators_->times(placed(psi));
-    under_ = {weights, std::move(psi), std::move(image)};
-  }
-  return under_;
-}
-
 Vector CompressedBody::densityFor(const Matrix& right, int refinements) const {
   const Matrix psi = densityFactor().solve(right, refinements);
   return {psi.data() + range_.densities, psi.data() + range_.last};
-}
-
-Matrix CompressedBody::imagesOf(const Vector& u, const Vector& psi) const {
-  Matrix x(operators_->size(), 2);
-  std::copy(u.begin(), u.end(), x.column(0) + range_.first);
-  std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
-  return operators_->times(x);
 }
 
 const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
@@ -274,7 +216,10 @@ const CompressedBody::Field& CompressedBody::fieldOf(const Vector& u) const {
     return field_;
   Vector psi = solved_;
   psi.resize(at(range_.last - range_.densities));
-  Matrix images = imagesOf(u, psi);
+  Matrix x(operators_->size(), 2);
+  std::copy(u.begin(), u.end(), x.column(0) + range_.first);
+  std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
+  Matrix images = operators_->times(x);
   double left = restOf(images).size;
   if (left > 1e-12 && left <= 1e-9) {
     takeMotions(restOf(images), psi, images);

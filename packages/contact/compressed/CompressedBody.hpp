@@ -1,12 +1,7 @@
 #pragma once
 
 #include "bem/compressed/CompressedFactor.hpp"
-#include "contact/body/BodyInput.hpp"
-#include "contact/body/Holding.hpp"
-#include "contact/body/StabilisedBody.hpp"
-#include "contact/multiplier/MultiplierSpace.hpp"
-
-#include <memory>
+#include "contact/body/ElasticBody.hpp"
 
 namespace epafi::contact {
 
@@ -14,20 +9,22 @@ namespace epafi::contact {
 std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 
 /// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
-/// system regular; displaced() removes their effect.
-class CompressedBody final : public StabilisedBody {
+/// system regular; solve() removes their effect.
+class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
   CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                  std::shared_ptr<const Holding> holding);
 
-  /// A⁺ f + R Rᵀ f
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }
   Vector residual(const Vector& force, const Vector& u) const override;
-  Vector density(const Vector& u, const Vector& multiplier) const override;
-  double strainEnergy(const Vector& u, const Vector& multiplier,
-                      const Loads::OfInside& inside) const override;
+  double stiffnessWork(const Vector& u) const override;
+  Vector density(const Vector& u, const Vector& w) const override;
+  Vector tractionsOf(const Vector& u) const override;
+  Vector forcesOf(const Vector& w) const override { return onDensities(w).force; }
+  Vector responsesTo(const Vector& w) const override;
+  std::pair<Vector, Vector> answerTo(const Vector& g) const override;
 
   const bem::Space& space() const { return space_; }
   const bem::CompressedOperators& operators() const { return *operators_; }
@@ -40,15 +37,7 @@ class CompressedBody final : public StabilisedBody {
   Matrix functionals() const { return placed(holding_->functionals); }
 
  private:
-  Vector tractionsOf(const Vector& u) const override;
-  Vector forcesOf(const Vector& w) const override;
-  Vector responsesTo(const Vector& w) const override;
-  std::pair<Vector, Vector> answerTo(const Vector& compliance) const override;
-
   void addSprings();
-  /// A⁺: displacements and densities for right-hand sides of both (columns), without allowed
-  /// rigid motions; zero for all other unknowns.
-  Matrix displaced(Matrix forces) const;
   /// Displacements (columns), or a density, among all unknowns.
   Matrix placed(const Matrix& displacements) const;
   Matrix placed(const Vector& density) const;
@@ -59,20 +48,16 @@ class CompressedBody final : public StabilisedBody {
   const bem::CompressedFactor& densityFactor() const;
   /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
   Vector densityFor(const Matrix& right, int refinements) const;
-  /// (V + G)⁻¹ g
-  Vector answer(const Vector& g) const;
-  /// ψ = (V + G)⁻¹ E w and Z (0, ψ); the last one is kept.
-  struct Under {
-    Vector weights;
+  /// ψ = (V + G)⁻¹ E w and K' ψ; the last one is kept.
+  struct OnDensities {
+    Vector w;
     Vector psi;
-    Matrix image;
+    Vector force;
   };
-  const Under& under(const Vector& weights) const;
+  const OnDensities& onDensities(const Vector& w) const;
 
-  /// Z (u, 0) and Z (0, ψ)
-  Matrix imagesOf(const Vector& u, const Vector& psi) const;
-  /// A displacement, its ψ without a multiplier, and imagesOf both; the last one is kept, which
-  /// several results ask for.
+  /// A displacement, its ψ without a multiplier, Z (u, 0) and Z (0, ψ); the last one is kept,
+  /// which several results ask for.
   struct Field {
     Vector u;
     Vector psi;
@@ -105,7 +90,7 @@ class CompressedBody final : public StabilisedBody {
   mutable std::unique_ptr<const LeftOfMotions> leftOfMotions_;
   mutable Vector solved_;  ///< ψ of the last solution
   mutable Field field_;
-  mutable Under under_;
+  mutable OnDensities onDensities_;
 };
 
 }  // namespace epafi::contact

@@ -1,15 +1,43 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
+#include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/compressed/ReducedFlexibility.hpp"
+#include "bem/base/Error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 
 namespace epafi::contact {
+
+class CompressedFlexibility::Reduced final : public Factor {
+ public:
+  /// Refers to `whole`.  \throws bem::NumericalError if singular, as solve() does
+  Reduced(const CompressedFlexibility& whole, System system);
+
+  /// Rigid motions by their Schur complement Ĝᵀ D⁻¹ Ĝ + K̂.
+  Matrix solve(Matrix b) const override;
+
+ private:
+  /// x for right-hand sides b (columns), with β = 0.
+  Matrix coefficients(Matrix b) const;
+  /// The same with D_M, see motions_.
+  Matrix solveSprung(Matrix b) const;
+  /// From D_M⁻¹ U in the rows.
+  void makeCorrection(Matrix answers);
+  void makeBorder();
+  const Along& factor() const { return whole_.eliminated(number_, restriction_); }
+
+  const CompressedFlexibility& whole_;
+  System system_;
+  int number_;
+  bem::Restriction restriction_;
+  bem::Woodbury correction_;  ///< from D_M⁻¹ to D⁻¹ in the rows
+  Matrix answers_;            ///< x for b = Ĝ: D⁻¹ Ĝ
+  bem::LuFactor border_;      ///< of the Schur complement
+};
 
 CompressedFlexibility::CompressedFlexibility(
     std::vector<std::shared_ptr<const CompressedBody>> bodies, Index normals)
@@ -27,42 +55,33 @@ CompressedFlexibility::CompressedFlexibility(
 // Of the entries that Z has beside the boundary operators.
 void CompressedFlexibility::takeCoupling() {
   const Index first = operators().further();
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    coupling_.push_back(
+        {{}, bodies_[b]->space().rotation(), operators().local().rotations[b]});
   for (const auto& [row, column, value] : operators().local().entries)
     if (row >= first) {
       mass_.push_back({row - first, column - first, -value});
       if (row != column)
         mass_.push_back({column - first, row - first, -value});
     } else if (column >= first) {
-      entries_.push_back({row, column - first, value});
+      std::size_t b = 0;
+      while (row >= operators().range(b).last)
+        ++b;
+      coupling_[b].entries.push_back(
+          {row - operators().range(b).first, column - first, value});
     }
 }
 
 void CompressedFlexibility::addTranspose(double s, const double* multiplier,
                                          double* x) const {
-  for (const bem::Entry& entry : entries_)
-    x[entry.row] += s * entry.value * multiplier[entry.column];
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (const auto& rotation = bodies_[b]->space().rotation()) {
-      const Vector& rests = operators().local().rotations[b];
-      const Vector& q = rotation->functional();
-      const double work =
-          s * std::inner_product(rests.begin(), rests.end(), multiplier, 0.0);
-      for (std::size_t j = 0; j < q.size(); ++j)
-        x[operators().range(b).first + static_cast<Index>(j)] += work * q[j];
-    }
+  for (std::size_t b = 0; b < coupling_.size(); ++b)
+    coupling_[b].addTranspose(s, multiplier, x + operators().range(b).first);
 }
 
 Vector CompressedFlexibility::apply(const double* x) const {
   Vector result(at(size()));
-  for (const bem::Entry& entry : entries_)
-    result[at(entry.column)] += entry.value * x[entry.row];
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (const auto& rotation = bodies_[b]->space().rotation()) {
-      const Vector& q = rotation->functional();
-      bem::axpy(
-          std::inner_product(q.begin(), q.end(), x + operators().range(b).first, 0.0),
-          operators().local().rotations[b], result);
-    }
+  for (std::size_t b = 0; b < coupling_.size(); ++b)
+    coupling_[b].addApplied(x + operators().range(b).first, result);
   return result;
 }
 
@@ -97,8 +116,9 @@ void CompressedFlexibility::restrictAll() {
                                 own.entries.end());
   }
   leaves_ = furtherLeaves(operators());
-  for (const bem::Entry& entry : entries_)
-    leaves_.push_back(operators().leafOf(entry.row));
+  for (std::size_t b = 0; b < coupling_.size(); ++b)
+    for (const bem::Entry& entry : coupling_[b].entries)
+      leaves_.push_back(operators().leafOf(operators().range(b).first + entry.row));
 }
 
 CompressedFlexibility::Along CompressedFlexibility::along(
@@ -192,7 +212,7 @@ Matrix CompressedFlexibility::formed() const {
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     System system) const {
-  return std::make_unique<ReducedFlexibility>(*this, std::move(system));
+  return std::make_unique<Reduced>(*this, std::move(system));
 }
 
 const CompressedFlexibility::Along& CompressedFlexibility::eliminated(
@@ -216,6 +236,104 @@ const CompressedFlexibility::Along& CompressedFlexibility::eliminated(
 void CompressedFlexibility::release() const {
   reduced_ = nullptr;
   eliminated_ = 0;
+}
+
+CompressedFlexibility::Reduced::Reduced(const CompressedFlexibility& whole, System system)
+    : whole_(whole),
+      system_(std::move(system)),
+      number_(++whole.numbers_),
+      restriction_(whole.restriction_) {
+  const Index first = whole.operators().further();
+  for (const Index row : system_.rows)
+    restriction_.held[at(first + row)] = 0;
+  for (const auto& [follower, leader, factor] : system_.followers)
+    restriction_.followers.push_back({first + follower, first + leader, factor});
+  for (const auto& [row, column, value] : system_.added)
+    restriction_.entries.push_back({first + row, first + column, -value});
+  // one pass through the tree for all columns
+  const bem::LowRank& terms = whole_.motions_;
+  const Index corrected = terms.u.columns();
+  const Index motions = system_.motions.columns();
+  Matrix columns(whole_.size(), corrected + motions);
+  for (Index j = 0; j < columns.columns(); ++j)
+    for (const Index row : system_.rows)
+      columns(row, j) =
+          j < corrected ? terms.u(row, j) : system_.motions(row, j - corrected);
+  columns = solveSprung(std::move(columns));
+  answers_ = bem::columnsBetween(columns, corrected, corrected + motions);
+  columns.shrink(corrected);
+  makeCorrection(std::move(columns));
+  makeBorder();
+}
+
+Matrix CompressedFlexibility::Reduced::solve(Matrix b) const {
+  Matrix x = coefficients(bem::rowsBetween(b, 0, whole_.size()));
+  Matrix sizes = bem::rowsBetween(b, whole_.size(), b.rows());
+  addTransposedProduct(-1, system_.motions, x, sizes);
+  border_.solve(sizes);
+  addProduct(1, answers_, sizes, x);
+  return stacked(x, sizes);
+}
+
+Matrix CompressedFlexibility::Reduced::coefficients(Matrix b) const {
+  const bem::LowRank& terms = whole_.motions_;
+  if (terms.u.columns() == 0)
+    return solveSprung(std::move(b));
+  Matrix known = b.copy();
+  for (Index c = 0; c < b.columns(); ++c)
+    for (const Index row : system_.rows)
+      known(row, c) = 0;
+  // b - U S Uᵀ x of the known coefficients
+  Matrix ofKnown(b.rows(), b.columns());
+  terms.addTo(ofKnown, known);
+  for (Index c = 0; c < b.columns(); ++c)
+    for (const Index row : system_.rows)
+      b(row, c) -= ofKnown(row, c);
+  Matrix x = solveSprung(std::move(b));
+  for (Index c = 0; c < x.columns(); ++c)
+    for (Index i = 0; i < x.rows(); ++i)
+      x(i, c) -= known(i, c);
+  correction_.correct(x);
+  addTo(x, known);
+  return x;
+}
+
+// Z y + Ĉᵀ x = 0,  Ĉ y - M x = -b  in the rows, with the known coefficients in x
+Matrix CompressedFlexibility::Reduced::solveSprung(Matrix b) const {
+  const Index first = whole_.operators().further();
+  Matrix right(whole_.operators().size(), b.columns());
+  for (Index c = 0; c < b.columns(); ++c) {
+    for (const Index row : system_.rows)
+      right(first + row, c) = -std::exchange(b(row, c), 0.0);
+    whole_.addTranspose(-1, b.column(c), right.column(c));
+    for (const auto* entries : {&whole_.mass_, &system_.added})
+      for (const bem::Entry& entry : *entries)
+        right(first + entry.row, c) += entry.value * b(entry.column, c);
+  }
+  const Matrix solution = factor().solve(right);
+  for (Index c = 0; c < b.columns(); ++c)
+    for (Index i = 0; i < b.rows(); ++i)
+      b(i, c) += solution(first + i, c);
+  return b;
+}
+
+void CompressedFlexibility::Reduced::makeCorrection(Matrix answers) {
+  const bem::LowRank& terms = whole_.motions_;
+  if (answers.columns() == 0)
+    return;
+  correction_ = bem::Woodbury(terms.u.copy(), terms.inverse.copy(), std::move(answers),
+                              "the flexibility of the active coefficients");
+  correction_.correct(answers_);
+}
+
+void CompressedFlexibility::Reduced::makeBorder() {
+  Matrix border = transposedTimes(system_.motions, answers_);
+  for (Index l = 0; l < system_.stiffness.columns(); ++l)
+    for (Index k = 0; k < border.rows(); ++k)
+      border(k, l) += system_.stiffness(k, l);
+  border_ = bem::LuFactor(std::move(border));
+  if (!border_.isRegular())
+    throw SingularJacobian("singular Newton matrix: nothing balances the rigid motions");
 }
 
 }  // namespace epafi::contact

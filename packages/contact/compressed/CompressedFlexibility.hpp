@@ -23,19 +23,17 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Matrix formed() const override;
   void release() const override;
 
+ private:
+  /// Factor of a linear system in some coefficients of D.
+  class Reduced;
+
+  const bem::CompressedOperators& operators() const {
+    return bodies_.front()->operators();
+  }
   /// x += s Ĉᵀ λ on displacements and densities.
   void addTranspose(double s, const double* multiplier, double* x) const;
   /// Ĉ x
   Vector apply(const double* x) const;
-  const std::vector<bem::Entry>& mass() const { return mass_; }  ///< M
-  const bem::CompressedOperators& operators() const {
-    return bodies_.front()->operators();
-  }
-  /// Restriction of all bodies with all multipliers held.
-  const bem::Restriction& restriction() const { return restriction_; }
-  /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
-  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
-  const bem::LowRank& motions() const { return motions_; }
 
   /// A factor, and its CompressedFactor::activePaths of the leaves coupled to the multiplier.
   struct Along {
@@ -48,9 +46,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   /// a request for another one eliminates it again.
   /// \throws bem::NumericalError
   const Along& eliminated(int number, const bem::Restriction& restriction) const;
-  int nextNumber() const { return ++numbers_; }
 
- private:
   int kindOf(Index i) const { return i < normals_ ? 0 : 1; }
   void takeCoupling();
   void restrictAll();
@@ -61,12 +57,13 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   std::vector<std::shared_ptr<const CompressedBody>> bodies_;
   Index normals_;
-  std::vector<bem::Entry>
-      entries_;  ///< Ĉᵀ = [B₀, -Nᵀ]ᵀ: displacements and densities x multiplier
+  std::vector<TraceCoupling> coupling_;  ///< Ĉ = [B₀, -Nᵀ] of each body, with densities
   std::vector<bem::Entry> mass_;
-  std::vector<int> leaves_;  ///< coupled to the multiplier
-  bem::Restriction restriction_;
-  std::vector<Along> own_;  ///< of each body
+  std::vector<int> leaves_;       ///< coupled to the multiplier
+  bem::Restriction restriction_;  ///< of all bodies with all multipliers held
+  std::vector<Along> own_;        ///< of each body
+  /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
+  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
   bem::LowRank motions_;
   mutable Matrix rowSums_;  ///< over each kind, computed on first use
   // Kept between steps, so that only changed leaves and their ancestors are eliminated again.

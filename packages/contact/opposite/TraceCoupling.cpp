@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -128,27 +129,39 @@ void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& moti
 
 Vector TraceCoupling::apply(const Vector& u) const {
   Vector result(rests.size());
-  for (const bem::Entry& entry : entries)
-    result[at(entry.column)] += entry.value * u[at(entry.row)];
-  if (rotation != nullptr)
-    bem::axpy(rotation->amount(u), rests, result);
+  addApplied(u.data(), result);
   return result;
 }
 
-void TraceCoupling::addTranspose(const Vector& multiplier, Vector& force) const {
+void TraceCoupling::addApplied(const double* u, Vector& r) const {
   for (const bem::Entry& entry : entries)
-    force[at(entry.row)] += entry.value * multiplier[at(entry.column)];
-  if (rotation != nullptr)
-    rotation->complete(bem::dot(rests, multiplier), force);
+    r[at(entry.column)] += entry.value * u[entry.row];
+  if (rotation == nullptr)
+    return;
+  const Vector& q = rotation->functional();
+  bem::axpy(std::inner_product(q.begin(), q.end(), u, 0.0), rests, r);
 }
 
-void TraceCoupling::addTo(Matrix& transposed) const {
+void TraceCoupling::addTranspose(double s, const double* multiplier,
+                                 double* force) const {
   for (const bem::Entry& entry : entries)
-    transposed(entry.row, entry.column) += entry.value;
+    force[entry.row] += s * entry.value * multiplier[entry.column];
+  if (rotation == nullptr)
+    return;
+  const double work = s * std::inner_product(rests.begin(), rests.end(), multiplier, 0.0);
+  for (std::size_t j = 0; j < rotation->functional().size(); ++j)
+    force[j] += work * rotation->functional()[j];
+}
+
+void TraceCoupling::addTo(Matrix& transposed,
+                          const std::function<Index(Index)>& columnOf) const {
+  for (const bem::Entry& entry : entries)
+    transposed(entry.row, columnOf(entry.column)) += entry.value;
   for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
-        transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
+        transposed(j, columnOf(static_cast<Index>(i))) +=
+            rests[i] * rotation->functional()[at(j)];
 }
 
 const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,

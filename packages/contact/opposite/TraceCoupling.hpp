@@ -4,6 +4,7 @@
 #include "bem/space/Space.hpp"
 #include "contact/opposite/Numbering.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,10 +20,12 @@ struct TraceCoupling {
 
   /// C u
   Vector apply(const Vector& u) const;
-  /// force += Cᵀ λ
-  void addTranspose(const Vector& multiplier, Vector& force) const;
-  /// transposed += Cᵀ
-  void addTo(Matrix& transposed) const;
+  /// r += C u
+  void addApplied(const double* u, Vector& r) const;
+  /// force += s Cᵀ λ
+  void addTranspose(double s, const double* multiplier, double* force) const;
+  /// transposed += Cᵀ, a multiplier's column by its number.
+  void addTo(Matrix& transposed, const std::function<Index(Index)>& columnOf) const;
 };
 
 /// On all multipliers, the displacement u of body b: `own`, what it does to those of the body, and

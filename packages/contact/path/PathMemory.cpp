@@ -54,11 +54,10 @@ bool fixWorks(const ContactSystem& step, std::size_t b) {
 Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> forces;
   for (std::size_t b = 0; b < step.size(); ++b) {
-    forces.push_back(step.body(b).clampForces(at.bodies[b], at.displacements[b],
-                                              at.oppositeForces[b]));
-    bem::axpy(1, step.body(b).load(), forces.back());
+    forces.push_back(step.body(b).clampForces(at.displacements[b], at.contactForces[b]));
+    bem::axpy(1, step.body(b).loads().load, forces.back());
     if (fixWorks(step, b))
-      forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.oppositeForces[b]));
+      forces.push_back(step.body(b).fixedReactions(at.contactForces[b]));
   }
   for (const auto& [x, y, moment] : step.rigidForces(at.state))
     forces.push_back({-x, -y, -moment});
@@ -90,7 +89,7 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
-    size += atZero.body(b).load().size() + (fixWorks(atZero, b) ? 3 : 0);
+    size += atZero.body(b).loads().load.size() + (fixWorks(atZero, b) ? 3 : 0);
   motions_.assign(size, 0.0);
   forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on

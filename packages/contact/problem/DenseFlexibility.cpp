@@ -1,7 +1,6 @@
-#include "contact/problem/DenseFlexibility.hpp"
-
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/problem/Flexibility.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 
@@ -243,51 +242,64 @@ class ByLu final : public Dense {
   Vector columnScale_;
 };
 
+class DenseFlexibility final : public Flexibility::Operator {
+ public:
+  explicit DenseFlexibility(Matrix entries) : entries_(std::move(entries)) {
+    assert(entries_.rows() == entries_.columns());
+  }
+
+  Index size() const override { return entries_.rows(); }
+  const Matrix* entries() const override { return &entries_; }
+  Matrix formed() const override { return entries_.copy(); }
+
+  Product product(const Vector& x) const override {
+    Product sum{Vector(x.size(), 0.0), Vector(x.size(), 0.0)};
+    double* value = sum.value.data();
+    double* magnitude = sum.magnitude.data();
+    overColumns(x, [&](const double* column, double factor) {
+#pragma omp simd
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const double term = column[i] * factor;
+        value[i] += term;
+        magnitude[i] += std::abs(term);
+      }
+    });
+    return sum;
+  }
+
+  Vector times(const Vector& x) const override {
+    Vector sum(x.size(), 0.0);
+    double* value = sum.data();
+    overColumns(x, [&](const double* column, double factor) {
+#pragma omp simd
+      for (std::size_t i = 0; i < x.size(); ++i)
+        value[i] += column[i] * factor;
+    });
+    return sum;
+  }
+
+  // Without followers and springs, D in the rows is symmetric positive definite on {Ĝᵀ x = 0}.
+  std::unique_ptr<Factor> factor(System system) const override {
+    if (system.followers.empty() && system.stiffness.empty())
+      return std::make_unique<ByCholesky>(entries_, std::move(system));
+    return std::make_unique<ByLu>(entries_, std::move(system));
+  }
+
+ private:
+  template <class Add>
+  void overColumns(const Vector& x, const Add& add) const {
+    assert(static_cast<Index>(x.size()) == size());
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (x[j] != 0)
+        add(entries_.column(static_cast<Index>(j)), x[j]);
+  }
+
+  Matrix entries_;
+};
+
 }  // namespace
 
-DenseFlexibility::DenseFlexibility(Matrix entries) : entries_(std::move(entries)) {
-  assert(entries_.rows() == entries_.columns());
-}
-
-Flexibility::Operator::Product DenseFlexibility::product(const Vector& x) const {
-  Product sum{Vector(x.size(), 0.0), Vector(x.size(), 0.0)};
-  double* value = sum.value.data();
-  double* magnitude = sum.magnitude.data();
-  overColumns(x, [&](const double* column, double factor) {
-#pragma omp simd
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double term = column[i] * factor;
-      value[i] += term;
-      magnitude[i] += std::abs(term);
-    }
-  });
-  return sum;
-}
-
-Vector DenseFlexibility::times(const Vector& x) const {
-  Vector sum(x.size(), 0.0);
-  double* value = sum.data();
-  overColumns(x, [&](const double* column, double factor) {
-#pragma omp simd
-    for (std::size_t i = 0; i < x.size(); ++i)
-      value[i] += column[i] * factor;
-  });
-  return sum;
-}
-
-template <class Add>
-void DenseFlexibility::overColumns(const Vector& x, const Add& add) const {
-  assert(static_cast<Index>(x.size()) == size());
-  for (std::size_t j = 0; j < x.size(); ++j)
-    if (x[j] != 0)
-      add(entries_.column(static_cast<Index>(j)), x[j]);
-}
-
-std::unique_ptr<Flexibility::Operator::Factor> DenseFlexibility::factor(
-    System system) const {
-  if (system.followers.empty() && system.stiffness.empty())
-    return std::make_unique<ByCholesky>(entries_, std::move(system));
-  return std::make_unique<ByLu>(entries_, std::move(system));
-}
+Flexibility::Flexibility(Matrix entries)
+    : Flexibility(std::make_shared<const DenseFlexibility>(std::move(entries))) {}
 
 }  // namespace epafi::contact

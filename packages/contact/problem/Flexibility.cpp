@@ -1,13 +1,8 @@
 #include "contact/problem/Flexibility.hpp"
 
-#include "contact/problem/DenseFlexibility.hpp"
-
 #include <algorithm>
 
 namespace epafi::contact {
-
-Flexibility::Flexibility(Matrix entries)
-    : Flexibility(std::make_shared<const DenseFlexibility>(std::move(entries))) {}
 
 Flexibility::Flexibility(std::shared_ptr<const Operator> form)
     : operator_(std::move(form)), entries_(operator_->entries()) {}

@@ -32,7 +32,8 @@ struct Solved {
   bem::Units units;
   const State& state;          ///< multiplier and rigid motions of this body
   const Vector& displacement;  ///< all unknowns, dimensionless
-  Vector oppositeForce{};      ///< see ContactBody::displacement
+  /// See ContactBody::displacement; that of its own multiplier, if none is given.
+  Vector contactForce = problem.contactForce(state.multiplier);
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;

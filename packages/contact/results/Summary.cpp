@@ -102,9 +102,8 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
-      solved.problem.clampWork(solved.state, solved.displacement, solved.oppositeForce);
-  const Vector amplitudes =
-      solved.problem.fixedReactions(solved.state, solved.oppositeForce);
+      solved.problem.clampWork(solved.displacement, solved.contactForce);
+  const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
     double& sum = work[v];
@@ -175,7 +174,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
     }
   }
   const auto [own, within] = inside->energies(mesh);
-  const Loads::OfInside& loads = solved.problem.ofInside();
+  const Loads::OfInside& loads = solved.problem.loads().inside;
   const double weight = ofForces - (bem::dot(loads.traction, u) - ofHeat) + within;
   return {ofForces + ofHeat + own, loads.work + weight};
 }
@@ -185,7 +184,8 @@ Summary summarize(const Solved& solved) {
   const Vector& u = solved.displacement;
   Summary summary;
   const bool acts = solved.conditions.inside != nullptr;
-  const Vector& load = acts ? solved.problem.ofInside().given : solved.problem.load();
+  const Vector& load =
+      acts ? solved.problem.loads().inside.given : solved.problem.loads().load;
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * bem::dot(load, u);
   if (acts) {
@@ -193,7 +193,7 @@ Summary summarize(const Solved& solved) {
     summary.energyStrain += energy * more.strain;
     summary.energyLoad += energy * more.load;
     // what it leaves to the boundary is its negative
-    std::array<double, 3> work = workOf(solved.problem.ofInside().traction, solved);
+    std::array<double, 3> work = workOf(solved.problem.loads().inside.traction, solved);
     for (double& x : work)
       x = -x;
     summary.inside = resultantOf(work, solved);

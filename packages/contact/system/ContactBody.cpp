@@ -1,11 +1,12 @@
 #include "contact/system/ContactBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/CoupledBody.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedBody.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace epafi::contact {
 
@@ -33,13 +34,13 @@ Vector withoutFixedMotions(const Holding& holding, const Vector& prescribed,
     double mean = dot(functional, prescribed);
     if (!means.empty())
       mean += means[at(holding.fixedModes[k])];
-    axpy(-holding.scale(k) * mean, columnOf(holding.allowed, k), result);
+    axpy(-holding.scales[at(k)] * mean, columnOf(holding.allowed, k), result);
   }
   return result;
 }
 
 /// \throws bem::InputError if the multiplier does not go with the form.
-std::shared_ptr<const StabilisedBody> makeForm(
+std::shared_ptr<const ElasticBody> makeElastic(
     const BodyInput& input, const MultiplierSpace& multiplier,
     const std::shared_ptr<const Holding>& holding) {
   if (input.basis.sharesNodes && input.stabilization.isOn())
@@ -47,7 +48,7 @@ std::shared_ptr<const StabilisedBody> makeForm(
                           "' needs the stabilisation's form None");
   if (input.stiffness.compressed() != nullptr)
     return std::make_shared<const CompressedBody>(input, multiplier, holding);
-  return makeCoupledBody(input, multiplier, holding);
+  return makeDenseBody(input, multiplier, holding);
 }
 
 }  // namespace
@@ -61,52 +62,70 @@ ContactBody::ContactBody(const BodyInput& input)
       opposite_(input.opposite
                     ? input.opposite
                     : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
-      form_(makeForm(input, multiplier_, holding_)),
+      elastic_(makeElastic(input, multiplier_, holding_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   setLoads();
 }
 
-ContactBody::ContactBody(const ContactBody& same, const Conditions& conditions)
-    : space_(same.space_),
-      units_(same.units_),
-      loads_(makeLoads(*space_, conditions, units_)),
-      holding_(same.holding_),
-      multiplier_(same.multiplier_.under(conditions)),
-      opposite_(same.opposite_),
-      form_(same.form_),
-      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
-  setLoads();
+ContactBody ContactBody::under(const Conditions& conditions) const {
+  ContactBody result = *this;
+  result.multiplier_ = multiplier_.under(conditions);
+  result.loads_ = makeLoads(*space_, conditions, units_);
+  result.obstacle_ = makeObstacle(space_->mesh(), result.multiplier_, *opposite_, units_);
+  result.setLoads();
+  return result;
 }
 
 void ContactBody::setLoads() {
-  form_->setResidual(multiplier_, loads_.inside);
-  if (!loads_.inside.force.empty())
-    axpy(1, loads_.inside.force, loads_.load);
-  load_ = loads_.largestDisplacement > 0 ? form_->residual(loads_.load, loads_.prescribed)
-                                         : loads_.load;
+  if (multiplier_.conditions().inside)
+    setResidual(*multiplier_.conditions().inside);
+  load_ = loads_.largestDisplacement > 0
+              ? elastic_->residual(loads_.load, loads_.prescribed)
+              : loads_.load;
   constant_ = withoutFixedMotions(
       *holding_, loads_.prescribed,
       meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
 }
 
-Vector ContactBody::respond(Vector force) const {
-  for (std::size_t j = 0; j < force.size(); ++j)
-    if (holding_->clamped[j] != 0)
-      force[j] = 0;
-  Vector u = form_->solve(force);
-  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->allowed, k);
-    axpy(-dot(r, force), r, u);
+void ContactBody::setResidual(const ParticularSolution& solution) {
+  Loads::OfInside& inside = loads_.inside;
+  setTractionMoments(*space_, multiplier_, coupling(), solution, inside);
+  if (coupling().hasCompliance()) {
+    inside.compliance = coupling().complianceOf(*space_, inside.weights, solution);
+    std::tie(inside.density, inside.force) = elastic_->answerTo(inside.compliance);
+    for (double& x : inside.density)
+      x = -x;
+    coupling().subtractWeighted(coupling().ofDensities(inside.density), inside.terms);
+  } else if (!coupling().weights.empty()) {
+    inside.force = elastic_->forcesOf(inside.weights);
   }
-  return u;
+  if (!inside.force.empty())
+    axpy(1, inside.force, loads_.load);
 }
 
-Vector ContactBody::contactForce(const State& state, const Vector& oppositeForce) const {
-  if (!state.multiplier.empty() && cached_.multiplier != state.multiplier)
-    cached_ = {state.multiplier, form_->applyTranspose(state.multiplier)};
-  Vector force = state.multiplier.empty() ? Vector(load_.size(), 0.0) : cached_.force;
-  if (!oppositeForce.empty())
-    axpy(1, oppositeForce, force);
+Vector ContactBody::apply(const Vector& u) const {
+  Vector result = coupling().trace.apply(u);
+  if (!coupling().weights.empty())
+    coupling().subtractWeighted(elastic_->tractionsOf(u), result);
+  return result;
+}
+
+Vector ContactBody::massTimes(const Vector& multiplier) const {
+  Vector result = coupling().massTimes(multiplier);
+  if (coupling().byDensity())
+    coupling().subtractWeighted(elastic_->responsesTo(coupling().weighted(multiplier)),
+                                result);
+  return result;
+}
+
+Vector ContactBody::contactForce(const Vector& multiplier) const {
+  Vector force(load_.size(), 0.0);
+  if (multiplier.empty())
+    return force;
+  if (!coupling().weights.empty())
+    axpy(-1, elastic_->forcesOf(coupling().weighted(multiplier)), force);
+  for (const TraceCoupling* trace : {&coupling().trace, &coupling().completion})
+    trace->addTranspose(1, multiplier.data(), force.data());
   return force;
 }
 
@@ -117,7 +136,7 @@ Vector ContactBody::pushing() const {
 }
 
 Vector ContactBody::displacementOfLoads() const {
-  Vector u = respond(load_);
+  Vector u = elastic_->solve(load_);
   axpy(1, constant_, u);
   return u;
 }
@@ -129,66 +148,82 @@ Vector ContactBody::rigidLoad() const {
   return result;
 }
 
-Vector ContactBody::moved(const double* motions) const {
-  Vector u(load_.size(), 0.0);
-  for (Index k = 0; k < freeMotions(); ++k)
-    axpy(motions[k], columnOf(holding_->allowed, holding_->fixed() + k), u);
-  return u;
-}
-
-Vector ContactBody::displacement(const State& state, const Vector& oppositeForce) const {
-  const Vector pushed = contactForce(state, oppositeForce);
+Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   Vector force = load_;
-  axpy(-1, pushed, force);
-  Vector u = respond(std::move(force));
+  axpy(-1, contactForce, force);
+  Vector u = elastic_->solve(std::move(force));
   axpy(1, constant_, u);
-  if (!state.rigid.empty())
-    axpy(1, moved(state.rigid.data()), u);
-  if (!form_->isFormed())
+  for (std::size_t k = 0; k < state.rigid.size(); ++k)
+    axpy(state.rigid[k],
+         columnOf(holding_->allowed, holding_->fixed() + static_cast<Index>(k)), u);
+  if (!elastic_->isFormed())
     return u;
   // What the factor leaves is ε |A| |u|.
-  Vector whole = load();
-  axpy(-1, pushed, whole);
-  return refined(std::move(u),
-                 [&](const Vector& now) { return respond(form_->residual(whole, now)); });
+  Vector whole = loads_.load;
+  axpy(-1, contactForce, whole);
+  return refined(std::move(u), [&](const Vector& now) {
+    return elastic_->solve(elastic_->residual(whole, now));
+  });
+}
+
+// With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as
+// ν -> 1/2 while γ is there.  What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
+double ContactBody::strainEnergy(const State& state, const Vector& displacement) const {
+  double twice = elastic_->stiffnessWork(displacement);
+  if (!coupling().hasCompliance())
+    return 0.5 * twice;
+  const Loads::OfInside& inside = loads_.inside;
+  if (!inside.density.empty())
+    twice -= 2 * dot(displacement, inside.force) + dot(inside.compliance, inside.density);
+  twice -= coupling().complianceWork(density(state, displacement));
+  if (!coupling().byDensity() || state.multiplier.empty())
+    return 0.5 * twice;
+  const Vector w = coupling().weighted(state.multiplier);
+  if (!inside.density.empty())
+    twice -= 2 * dot(w, coupling().ofDensities(inside.density));
+  twice -= 2 * dot(displacement, elastic_->forcesOf(w));
+  return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
 
 double ContactBody::storedEnergy(const State& state, const Vector& displacement) const {
   const Vector none(displacement.size(), 0.0);
-  double twice = -dot(form_->residual(none, displacement), displacement);
+  double twice = -dot(elastic_->residual(none, displacement), displacement);
   if (!state.multiplier.empty())
-    twice += dot(state.multiplier, form_->massTimes(state.multiplier));
+    twice += dot(state.multiplier, massTimes(state.multiplier));
   return twice / 2;
 }
 
 Vector ContactBody::density(const State& state, const Vector& displacement) const {
-  Vector psi = form_->density(displacement, state.multiplier);
+  Vector psi =
+      elastic_->density(displacement, coupling().byDensity() && !state.multiplier.empty()
+                                          ? coupling().weighted(state.multiplier)
+                                          : Vector());
   if (!loads_.inside.density.empty())
     axpy(1, loads_.inside.density, psi);
   return psi;
 }
 
-Vector ContactBody::clampForces(const State& state, const Vector& displacement,
-                                const Vector& oppositeForce) const {
+Vector ContactBody::clampForces(const Vector& displacement,
+                                const Vector& contactForce) const {
   const std::vector<char>& clamped = holding_->clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
-  Vector rest = load();
-  axpy(-1, contactForce(state, oppositeForce), rest);
-  rest = form_->residual(rest, displacement);
-  if (form_->isFormed())
-    rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
+  Vector rest = loads_.load;
+  axpy(-1, contactForce, rest);
+  rest = elastic_->residual(rest, displacement);
+  if (elastic_->isFormed())
+    rest = elastic_->residual(rest, onlyRounding(elastic_->solve(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
       forces[i] = -rest[i];
   return forces;
 }
 
-Vector ContactBody::clampWork(const State& state, const Vector& displacement,
-                              const Vector& oppositeForce) const {
+Vector ContactBody::clampWork(const Vector& displacement,
+                              const Vector& contactForce) const {
   const RigidModes& modes = holding_->modes;
-  const Vector forces = clampForces(state, displacement, oppositeForce);
+  const Vector forces = clampForces(displacement, contactForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
@@ -197,14 +232,13 @@ Vector ContactBody::clampWork(const State& state, const Vector& displacement,
   return work;
 }
 
-Vector ContactBody::fixedReactions(const State& state,
-                                   const Vector& oppositeForce) const {
+Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   Vector force = load_;
-  axpy(-1, contactForce(state, oppositeForce), force);
+  axpy(-1, contactForce, force);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < holding_->fixed(); ++k)
     reactions[at(holding_->fixedModes[at(k)])] =
-        -holding_->scale(k) * dot(columnOf(holding_->allowed, k), force);
+        -holding_->scales[at(k)] * dot(columnOf(holding_->allowed, k), force);
   return reactions;
 }
 

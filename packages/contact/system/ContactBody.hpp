@@ -1,9 +1,6 @@
 #pragma once
 
-#include "contact/body/BodyInput.hpp"
-#include "contact/body/Holding.hpp"
-#include "contact/body/StabilisedBody.hpp"
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/body/ElasticBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
 namespace epafi::contact {
@@ -26,7 +23,7 @@ class ContactBody {
   ///   and too large.
   explicit ContactBody(const BodyInput& input);
   /// The same at another time of a path; the factor of A is shared.
-  ContactBody(const ContactBody& same, const Conditions& conditions);
+  ContactBody under(const Conditions& conditions) const;
 
   ContactSide side() const { return {*space_, multiplier_, *opposite_}; }
   const bem::Space& space() const { return *space_; }
@@ -34,76 +31,60 @@ class ContactBody {
   const Opposite& opposite() const { return *opposite_; }
   const Obstacle& obstacle() const { return obstacle_; }
   const Holding& holding() const { return *holding_; }
-  const std::shared_ptr<const StabilisedBody>& form() const { return form_; }
+  const std::shared_ptr<const ElasticBody>& elastic() const { return elastic_; }
+  const Coupling& coupling() const { return elastic_->coupling(); }
 
   /// Problem::stress of the system, which sets it.
   double stress() const { return stress_; }
   void setStress(double stress) { stress_ = stress; }
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
-  /// equations hold to the rounding of u (see BalancedStiffness).
+  /// equations hold to the rounding of u (see DenseBody).
   ///
-  /// `oppositeForce`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
-  /// below; empty: there are none.
-  Vector displacement(const State& state, const Vector& oppositeForce = {}) const;
+  /// `contactForce`, here and below: Bᵀ λ of the body's own multiplier and of those that other
+  /// bodies have against it.
+  Vector displacement(const State& state, const Vector& contactForce) const;
+  /// Without other bodies.
+  Vector displacement(const State& state) const {
+    return displacement(state, contactForce(state.multiplier));
+  }
+  /// Bᵀ λ of the body's own multiplier, with forces on clamps and corners; empty: zero.
+  Vector contactForce(const Vector& multiplier) const;
+
+  /// B u, and M λ.
+  Vector apply(const Vector& u) const;
+  Vector massTimes(const Vector& multiplier) const;
 
   /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
   /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
   Vector density(const State& state, const Vector& displacement) const;
 
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
-  double strainEnergy(const State& state, const Vector& displacement) const {
-    return form_->strainEnergy(displacement, state.multiplier, loads_.inside);
-  }
+  double strainEnergy(const State& state, const Vector& displacement) const;
 
   /// ½ uᵀ A u + ½ λᵀ M λ, dimensionless: the strain energy and what the stabilisation adds
   /// to it.  What loads, clamps and friction do changes this by their work.
   double storedEnergy(const State& state, const Vector& displacement) const;
 
-  /// f of the equations, see Loads, all unknowns: the Neumann data's where nothing acts inside.
-  const Vector& load() const { return loads_.load; }
-  /// What is given and what acts inside by themselves; vectors are empty where nothing does.
-  const Loads::OfInside& ofInside() const { return loads_.inside; }
+  /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
+  const Loads& loads() const { return loads_; }
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
-  Vector clampForces(const State& state, const Vector& displacement,
-                     const Vector& oppositeForce = {}) const;
+  Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
   /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
-  Vector clampWork(const State& state, const Vector& displacement,
-                   const Vector& oppositeForce = {}) const;
-
-  /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
-  double gamma0() const { return form_->local().gamma0; }
-
-  /// Whether ψ stands for S u in the stabilisation: Form Density.
-  bool byDensity() const { return form_->local().byDensity(); }
-
-  /// γ (λ + ψ) of each contact element (as multiplier().elements() has them), averaged along it,
-  /// under Form Density; else zero.  Dimensionless.
-  std::vector<bem::Vec2> meanSlacks(const State& state, const Vector& density) const {
-    return form_->local().meanSlacks(state.multiplier, density, loads_.inside.compliance);
-  }
-
-  /// γ on a contact element (index into multiplier().elements()), dimensionless.
-  double gamma(std::size_t contactElement) const {
-    return form_->local().gamma[contactElement];
-  }
+  Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
-  Vector fixedReactions(const State& state, const Vector& oppositeForce = {}) const;
+  Vector fixedReactions(const Vector& contactForce) const;
 
   /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
   /// for clamps and for what acts inside.
   Vector fixedMeans(const Vector& displacement) const;
-
-  Index freeMotions() const { return holding_->free(); }
-  /// The displacement that their sizes make.
-  Vector moved(const double* motions) const;
 
   /// u for λ = 0 and α = 0, the loads that it is linear in (forces, then displacements given), and
   /// Rᵀ f of the free motions.
@@ -115,10 +96,8 @@ class ContactBody {
 
  private:
   void setLoads();
-  /// The displacement under a force that is neither clamped nor rigid.
-  Vector respond(Vector force) const;
-  /// Bᵀ λ and what others press; the last multiplier's is kept, which several results ask for.
-  Vector contactForce(const State& state, const Vector& oppositeForce) const;
+  /// Sets what body loads do through the stabilisation.
+  void setResidual(const ParticularSolution& solution);
 
   const bem::Space* space_;
   bem::Units units_;
@@ -126,16 +105,11 @@ class ContactBody {
   std::shared_ptr<const Holding> holding_;
   MultiplierSpace multiplier_;
   std::shared_ptr<const Opposite> opposite_;
-  std::shared_ptr<const StabilisedBody> form_;
+  std::shared_ptr<const ElasticBody> elastic_;
   Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
   double stress_ = 1;
-  struct Cached {
-    Vector multiplier;
-    Vector force;
-  };
-  mutable Cached cached_{};
 };
 
 }  // namespace epafi::contact

@@ -2,9 +2,11 @@
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/system/BodyLoadTerms.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -13,6 +15,49 @@
 namespace epafi::contact {
 
 using bem::axpy;
+
+namespace {
+
+/// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
+/// and of the opposite one, P the projection onto that one, and what their tractions add through
+/// the stabilisation.  Empty without body loads.               [doc/theory/body-loads.md]
+Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& numbering) {
+  const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
+    return bodies[b].multiplier().conditions().inside;
+  };
+  Vector terms;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (insideOf(b))
+      terms.resize(at(numbering.size()));
+  for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
+    const ContactBody& own = bodies[b];
+    const Vector& stabilised = own.loads().inside.terms;
+    for (std::size_t i = 0; i < stabilised.size(); ++i)
+      terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
+    const bem::Mesh& mesh = own.space().mesh();
+    forEachSidePoint(
+        mesh, own.multiplier(), own.opposite(),
+        [](const auto& contact, const Opposite::Point&) {
+          return &bem::gaussForGiven(contact.degree);
+        },
+        [&](const SidePoint& point) {
+          const Opposite::Point& there = point.opposite;
+          bem::Vec2 u;
+          if (insideOf(b))
+            u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
+          if (there.element >= 0 && insideOf(at(there.body)))
+            u = u - insideOf(at(there.body))
+                        ->displacement(bodies[at(there.body)].space().mesh(),
+                                       there.element, there.t);
+          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
+            terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+          });
+        });
+  }
+  return terms;
+}
+
+}  // namespace
 
 std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
     const std::vector<BodyInput>& inputs) {
@@ -71,32 +116,8 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   assert(conditions.size() == size());
   auto bodies = std::make_shared<std::vector<ContactBody>>();
   for (std::size_t b = 0; b < size(); ++b)
-    bodies->emplace_back(body(b), conditions[b]);
+    bodies->push_back(body(b).under(conditions[b]));
   return bodies;
-}
-
-Matrix ContactSystem::transposed(std::size_t b) const {
-  Matrix own = body(b).form()->coupling();
-  if (size() == 1)
-    return own;
-  Matrix all(own.rows(), numbering_.size());
-  for (Index j = 0; j < own.columns(); ++j)
-    std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
-  (*opposite_)[b].addTo(all);
-  return all;
-}
-
-Matrix ContactSystem::multiplierMass() const {
-  if (size() == 1)
-    return body(0).form()->multiplierMass();
-  Matrix all(numbering_.size(), numbering_.size());
-  for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix own = body(b).form()->multiplierMass();
-    for (Index j = 0; j < own.columns(); ++j)
-      for (Index i = 0; i < own.rows(); ++i)
-        all(numbering_(b, i), numbering_(b, j)) = own(i, j);
-  }
-  return all;
 }
 
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
@@ -104,19 +125,23 @@ void ContactSystem::condense(Index formedUpTo) {
   Matrix d;
   std::vector<Vector> columns;  // of G
   for (std::size_t b = 0; b < size(); ++b) {
-    const Matrix forward = isFormed() ? body(b).form()->forward(transposed(b)) : Matrix();
-    if (isFormed() && b == 0)  // not before, beside what forward() needs
-      d = multiplierMass();
-    std::vector<Vector> motions =
-        motionsOnContacts(body(b).holding(), 0, numbering_, b,
-                          body(b).form()->local().trace, (*opposite_)[b]);
+    const auto* dense = dynamic_cast<const DenseBody*>(body(b).elastic().get());
+    Matrix forward;
+    if (dense != nullptr) {
+      forward = dense->forward(dense->transposedCoupling(numbering_, b, (*opposite_)[b]));
+      if (b == 0)  // not before, beside what forward() needs
+        d = Matrix(numbering_.size(), numbering_.size());
+      dense->addMultiplierMass(numbering_, b, d);
+    }
+    std::vector<Vector> motions = motionsOnContacts(
+        body(b).holding(), 0, numbering_, b, body(b).coupling().trace, (*opposite_)[b]);
     for (const Vector& moved : motions)
       for (Index j = 0; j < d.columns(); ++j)
         for (Index i = 0; i < d.rows(); ++i)
           d(i, j) -= moved[at(i)] * moved[at(j)];
     std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
               std::back_inserter(columns));
-    if (isFormed())
+    if (dense != nullptr)
       d = addGram(std::move(d), forward);
   }
   for (Index j = 0; j < d.columns(); ++j)
@@ -131,7 +156,7 @@ void ContactSystem::condense(Index formedUpTo) {
 Flexibility ContactSystem::compressed(Index formedUpTo) const {
   std::vector<std::shared_ptr<const CompressedBody>> forms;
   for (const ContactBody& body : *bodies_)
-    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.form()));
+    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.elastic()));
   const auto flexibility = std::make_shared<const CompressedFlexibility>(
       std::move(forms), numbering_.normals());
   return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
@@ -217,8 +242,8 @@ double ContactSystem::loadSize() const {
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).form()->apply(at.displacements[b]);
-    axpy(-1, body(b).form()->massTimes(at.bodies[b].multiplier), own);
+    Vector own = body(b).apply(at.displacements[b]);
+    axpy(-1, body(b).massTimes(at.bodies[b].multiplier), own);
     axpy(1, onAllMultipliers(numbering_, b, own, (*opposite_)[b], at.displacements[b]),
          r);
   }
@@ -317,18 +342,16 @@ Configuration ContactSystem::configuration(State state) const {
   const double* motions = state.rigid.data();
   for (std::size_t b = 0; b < size(); ++b) {
     State own{numbering().of(b, state.multiplier), {}};
-    own.rigid.assign(motions, motions + body(b).freeMotions());
-    motions += body(b).freeMotions();
+    own.rigid.assign(motions, motions + body(b).holding().free());
+    motions += body(b).holding().free();
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector& force = result.oppositeForces.emplace_back();
-    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty()) {
-      force.resize(at(body(b).space().displacements()));
-      opposite.addTranspose(state.multiplier, force);
-    }
-    result.displacements.push_back(
-        body(b).displacement(result.bodies[b], result.oppositeForces[b]));
+    Vector force = body(b).contactForce(result.bodies[b].multiplier);
+    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
+      opposite.addTranspose(1, state.multiplier.data(), force.data());
+    result.displacements.push_back(body(b).displacement(result.bodies[b], force));
+    result.contactForces.push_back(std::move(force));
   }
   result.rigid = rigid_.motions(motions);
   result.state = std::move(state);

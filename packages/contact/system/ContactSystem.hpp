@@ -12,9 +12,9 @@ namespace epafi::contact {
 struct Configuration {
   State state;                ///< of all bodies
   std::vector<State> bodies;  ///< own multipliers and motions of each elastic body
-  std::vector<Vector> oppositeForces;  ///< by multipliers of others, see ContactBody
-  std::vector<Vector> displacements;   ///< of each elastic body, all unknowns
-  std::vector<RigidMotion> rigid;      ///< of each rigid body
+  std::vector<Vector> contactForces;  ///< on each elastic body, see ContactBody
+  std::vector<Vector> displacements;  ///< of each elastic body, all unknowns
+  std::vector<RigidMotion> rigid;     ///< of each rigid body
   /// r of numbers() from the displacements, C u - M λ - g, since rounding errors of D dominate r
   /// on slender bodies.
   Vector penetration;
@@ -125,14 +125,11 @@ class ContactSystem {
       const std::vector<Conditions>& conditions) const;
   std::vector<ContactSide> sides() const;
 
-  bool isFormed() const { return body(0).form()->isFormed(); }
+  bool isFormed() const { return body(0).elastic()->isFormed(); }
   /// C_b u
   Vector apply(std::size_t b, const Vector& u) const {
-    return onAllMultipliers(numbering_, b, body(b).form()->apply(u), (*opposite_)[b], u);
+    return onAllMultipliers(numbering_, b, body(b).apply(u), (*opposite_)[b], u);
   }
-  /// C_bᵀ and M, over all multipliers.
-  Matrix transposed(std::size_t b) const;
-  Matrix multiplierMass() const;
   /// Computes D and G.
   void condense(Index formedUpTo);
   Flexibility compressed(Index formedUpTo) const;

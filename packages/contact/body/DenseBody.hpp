@@ -1,0 +1,84 @@
+#pragma once
+
+#include "bem/tractions/TractionRows.hpp"
+#include "contact/body/ElasticBody.hpp"
+
+namespace epafi::contact {
+
+/// The stabilised stiffness A = S - S^ is not positive definite with the γ₀ that was given.
+struct IndefiniteStiffness : bem::NumericalError {
+  IndefiniteStiffness(double used, double limit);
+  double gamma0;       ///< what was asked for
+  double limitGamma0;  ///< A is definite below
+};
+
+/// A body with dense S.  Rounding errors of A do not affect the balance of forces:
+///
+///   A = Pᵀ (S - S^) P,   P u = u - Σ_k r_k <u, r_k> / <r_k, r_k>,  <.,.>: L2(boundary)
+///
+/// In exact arithmetic rigid motions r are in the kernels of S and S^, and P changes nothing.
+/// The computed S satisfies this up to ε |S| only, an error of ε |S| |u| in the forces: 1e-10
+/// of the load for a beam of 1:100 (u is 5000 times the load) or for nu = 0.4999999 (|S| is
+/// 5e6 times Young's modulus).  For the same reason sums are computed with twice the digits
+/// of a double.
+class DenseBody final : public ElasticBody {
+ public:
+  using Tractions = std::shared_ptr<const bem::TractionRows>;
+
+  /// \param tractions S φ; null: no S^  \throws bem::NumericalError if A is not definite
+  DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
+            Coupling coupling, Tractions tractions);
+
+  /// Bᵀ of the multipliers of all bodies, this one's number b: `opposite` as in
+  /// oppositeCouplings.
+  Matrix transposedCoupling(const Numbering& numbering, std::size_t b,
+                            const TraceCoupling& opposite) const;
+  /// D += M
+  void addMultiplierMass(const Numbering& numbering, std::size_t b, Matrix& d) const;
+  /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
+  Matrix forward(Matrix rows) const;
+
+  bool isFormed() const override { return true; }
+  Vector solve(const Vector& force) const override;
+  Vector residual(const Vector& force, const Vector& u) const override;
+  /// The rounding error is relative to the result, neither to large entries of S as nu -> 1/2 nor
+  /// to a rigid motion in u.
+  double stiffnessWork(const Vector& u) const override;
+  Vector density(const Vector& u, const Vector& w) const override;
+  Vector tractionsOf(const Vector& u) const override;
+  Vector forcesOf(const Vector& w) const override;
+  Vector responsesTo(const Vector& w) const override;
+  std::pair<Vector, Vector> answerTo(const Vector& g) const override;
+
+ private:
+  using Extended = std::vector<long double>;
+
+  bem::CholeskyFactor factored() const;
+  Matrix subtractStabilisation(Matrix a) const;
+  void subtractStabilisation(const Extended& u, Extended& forces) const;
+  Extended withoutMotions(const Vector& u) const;
+  Extended balanced(Extended forces) const;
+  Extended stiffnessTimes(const Extended& u) const;
+
+  const bem::SteklovPoincare& stiffness_;
+  std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
+  Tractions tractions_;
+  const Matrix* columns_;    ///< R
+  RigidModes modes_;         ///< r
+  Vector squares_;           ///< <r, r>
+  std::vector<Index> free_;  ///< displacements that are not clamped
+  bem::CholeskyFactor
+      factor_;  ///< of A + Σ c cᵀ there, c: functionals of allowed motions
+};
+
+/// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.
+/// \pre input.stiffness is formed  \throws IndefiniteStiffness if a given γ₀ is too large
+std::unique_ptr<const DenseBody> makeDenseBody(
+    const BodyInput& input, const MultiplierSpace& multiplier,
+    const std::shared_ptr<const Holding>& holding);
+
+/// γ₀ at which A loses its definiteness: 1 / the largest eigenvalue of (S^/γ₀, S).  Infinite without
+/// S^.  Relative to S, the smallest eigenvalue of A is 1 - γ₀ / limitGamma0.      [P Lemma 6]
+double limitGamma0(const BodyInput& input);
+
+}  // namespace epafi::contact

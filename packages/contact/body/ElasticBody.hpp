@@ -1,0 +1,70 @@
+#pragma once
+
+#include "contact/body/Coupling.hpp"
+#include "contact/body/Holding.hpp"
+
+#include <memory>
+#include <utility>
+
+namespace epafi::contact {
+
+/// Data of a body and of the multiplier on it.
+struct BodyInput {
+  const bem::Space& space;                ///< must outlive the problem
+  const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
+  const bem::Lame& lame;
+  bem::Units units;
+  const Conditions& conditions;  ///< must outlive the problem
+  const MultiplierBasis& basis;
+  Stabilization stabilization;
+  /// Opposite sides of its contact sides, bodies numbered as in the problem; null: obstacles at
+  /// the gap of the conditions.
+  std::shared_ptr<const Opposite> opposite{};
+  /// With compressed operators, the largest number of multiplier coefficients of all bodies for
+  /// which D is formed, since this is then cheaper than eliminations in the tree.
+  Index formedUpTo = 1000;
+};
+
+/// The operators of an elastic body in the discrete equations of a contact problem,
+///
+///   A u + Bᵀ λ = f,   B u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
+///
+/// A factored under the Dirichlet conditions of the body, and R and X, see Coupling, of which B
+/// and M consist.  Dense S: DenseBody, all forms of the stabilisation; compressed S:
+/// CompressedBody, those that do not evaluate S u.
+class ElasticBody {
+ public:
+  virtual ~ElasticBody() = default;
+
+  const Coupling& coupling() const { return coupling_; }
+  /// Is A formed?  Else solve() is refined by its own product.
+  virtual bool isFormed() const = 0;
+
+  /// A⁺ f, the displacement under f without allowed rigid motions, zero on clamped unknowns, where
+  /// f does not matter.
+  virtual Vector solve(const Vector& force) const = 0;
+  /// f - A u
+  virtual Vector residual(const Vector& force, const Vector& u) const = 0;
+  /// uᵀ S u
+  virtual double stiffnessWork(const Vector& u) const = 0;
+  /// ψ of a displacement and of what a multiplier puts on the densities: (V + G)⁻¹ (K u - E w).
+  virtual Vector density(const Vector& u, const Vector& w) const = 0;
+
+  /// Rᵀ u, R w and, with densities, X w.
+  virtual Vector tractionsOf(const Vector& u) const = 0;
+  virtual Vector forcesOf(const Vector& w) const = 0;
+  virtual Vector responsesTo(const Vector& w) const = 0;
+  /// (V + G)⁻¹ g, and K' of it.
+  virtual std::pair<Vector, Vector> answerTo(const Vector& g) const = 0;
+
+ protected:
+  ElasticBody(const bem::Space& space, std::shared_ptr<const Holding> holding,
+              Coupling coupling)
+      : space_(space), holding_(std::move(holding)), coupling_(std::move(coupling)) {}
+
+  const bem::Space& space_;
+  std::shared_ptr<const Holding> holding_;
+  Coupling coupling_;
+};
+
+}  // namespace epafi::contact
