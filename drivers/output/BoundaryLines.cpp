@@ -151,7 +151,7 @@ VtkGrid boundaryLines(const SolvedStep& solved) {
     boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
   }
   for (std::size_t k = 0; k < scene.rigid.size(); ++k) {
-    addRigid(scene.rigid[k], solved.row.rigid[k].summary.motion,
+    addRigid(scene.rigid[k], solved.row.rigid[k].second.motion,
              static_cast<int>(solved.bodies.size() + k), boundaries, grid);
     boundaries += static_cast<int>(boundaryNames(*scene.rigid[k].outline).size());
   }
