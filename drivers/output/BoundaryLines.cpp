@@ -35,7 +35,7 @@ VtkGrid emptyGrid() {
 /// Adds a point.  `contact`: null where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
               const contact::ContactPoint* contact, VtkGrid& grid) {
-  std::vector<VtkArray>& fields = grid.pointData;
+  std::vector<DataArray>& fields = grid.pointData;
   grid.points.add(place);
   fields[Displacement].add(displacement);
   fields[Traction].add(traction);
@@ -183,7 +183,7 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   std::vector<Deformed> bodies(all.size());
   double depth = 0;
   const auto moved = [&](long long k) {
-    const VtkArray& motion = grid.pointData[Displacement];
+    const DataArray& motion = grid.pointData[Displacement];
     const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
     depth = std::max(depth, share * norm(u));
     return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
@@ -228,12 +228,12 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
 std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
   std::string csv;
   const std::vector<std::string> names = namesOfBoundaries(scene);
-  const std::vector<VtkArray>& fields = grid.pointData;
+  const std::vector<DataArray>& fields = grid.pointData;
   const auto of = [&](std::size_t line, int field) {
     return grid.cellData[field].at<int>(line);
   };
   const auto addPoint = [&](std::size_t line, long long point) {
-    const auto at = [&](const VtkArray& field, int component) {
+    const auto at = [&](const DataArray& field, int component) {
       return exactly(field.at<double>(3 * point + component));
     };
     addRow({{"x", at(grid.points, 0)},
