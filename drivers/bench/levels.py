@@ -1,11 +1,13 @@
-#!/usr/bin/env python3
-"""Seconds of one level by phase, one thread, p = 1, uniform: [P 8.1] with N elements.
+#!/usr/bin/python3
+"""What one level of the Tresca scene costs by phase, p = 1, uniform: [P 8.1] with N elements.
 
-    levels.py EPAFI [--runs 5] [--elements 256,1024] [--csv FILE]
+    levels.py EPAFI [--runs 5] [--elements 256,1024] [--ranks 1,2] [--csv FILE]
 
-Prints a Markdown table of medians with the error beside every time; the error is that of the
-strain energy, relative to an overkill run by "Graded hp" that the script makes first.  Results are
-appended to --csv.
+One thread a rank; numbers of ranks by turns, so that what else the machine does meets all.  Prints
+a Markdown table of medians: CPU seconds of the slowest rank, seconds by the clock, memory of the
+largest rank, and the error of the strain energy relative to a run by "Graded hp" that the script
+makes first.  Above 8000 elements by compressed operators, without stabilisation.  All runs are
+appended to --csv with the load of the machine.
 """
 import argparse
 import csv
@@ -13,75 +15,79 @@ import datetime
 import os
 import statistics
 import subprocess
-import sys
 import tempfile
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "tresca.xml")
-PHASES = ["assembly", "factorization", "stabilization", "newton", "estimate"]
+EDGES = (4, 4, 1, 2, 1, 4)  # of 16 elements
+OVERKILL = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Marking Fraction=0.6",
+            "Adaptivity->Maximum Levels=60", "Adaptivity->Maximum Degrees of Freedom=1400"]
+LARGE = ["Discretization->Multiplier=Biorthogonal", "Discretization->Stabilization->Form=None"]
+COSTS = ["seconds_" + phase for phase in ("assembly", "factorization", "stabilization", "newton",
+                                          "estimate", "total", "wall")] + ["memory_mb"]
 
 
-def last_row(epafi, folder, overrides):
-    command = [epafi, "run", SCENE, "--quiet", "--force", "--threads", "1", "--output", folder]
-    for override in overrides:
-        command += ["--set", override]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+def environment():
+    script = os.path.join(os.path.dirname(SCENE), "..", "..", "cmake", "environment.sh")
+    lines = subprocess.run(["bash", script], stdout=subprocess.PIPE, check=True,
+                           universal_newlines=True).stdout.split()
+    return {**os.environ, **dict(line.split("=", 1) for line in lines),
+            "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+
+
+def last_row(epafi, ranks, folder, settings):
+    launcher = ["mpirun", "-n", str(ranks), "--bind-to", "none"] if ranks > 1 else []
+    subprocess.run([*launcher, epafi, "run", SCENE, "--quiet", "--force", "--threads", "1",
+                    "--output", folder, *(x for setting in settings for x in ("--set", setting))],
+                   check=True, env=environment())
     with open(os.path.join(folder, "history.csv"), newline="") as file:
         return list(csv.DictReader(file))[-1]
 
 
 def uniform(elements):
-    counts = [elements // 4, elements // 4, elements // 16, elements // 8, elements // 16,
-              elements // 4]
-    return ["Discretization->Elements per Edge={%s}" % ", ".join(map(str, counts)),
-            "Adaptivity->Strategy=None", "Adaptivity->Maximum Degrees of Freedom=100000"]
+    counts = ", ".join(str(n * elements // 16) for n in EDGES)
+    return ["Discretization->Elements per Edge={%s}" % counts, "Adaptivity->Strategy=None",
+            "Adaptivity->Maximum Degrees of Freedom=%d" % (8 * elements),
+            *(["Output->Fields=false", *LARGE] if elements > 8000 else [])]
 
 
-def overkill():
-    return ["Adaptivity->Strategy=Graded hp", "Adaptivity->Marking Fraction=0.6",
-            "Adaptivity->Maximum Levels=60", "Adaptivity->Maximum Degrees of Freedom=1400"]
+def numbers(text):
+    return [int(word) for word in text.split(",")]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("epafi")
     parser.add_argument("--runs", type=int, default=5)
-    parser.add_argument("--elements", default="256,1024")
+    parser.add_argument("--elements", type=numbers, default=[256, 1024])
+    parser.add_argument("--ranks", type=numbers, default=[1])
     parser.add_argument("--csv")
     options = parser.parse_args()
-
+    names = ["elements", "ranks", "dof", "newton_iterations", "energy_error", *COSTS]
+    print("| " + " | ".join(names) + " |\n|" + "---|" * len(names))
+    rows = []
     with tempfile.TemporaryDirectory() as folder:
-        exact = float(last_row(options.epafi, folder, overkill())["energy_strain"])
-        rows = []
-        for elements in map(int, options.elements.split(",")):
-            runs = [last_row(options.epafi, folder, uniform(elements))
-                    for _ in range(options.runs)]
-            row = {"date": datetime.date.today().isoformat(), "elements": elements,
-                   "dof": runs[0]["dof"],
-                   "energy_error": "%.2e" % abs(float(runs[0]["energy_strain"]) / exact - 1)}
-            for phase in PHASES:
-                row[phase] = "%.4f" % statistics.median(
-                    float(run["seconds_" + phase]) for run in runs)
-            row["total"] = "%.4f" % statistics.median(
-                float(run["seconds_total"]) for run in runs)
-            row["memory_mb"] = "%.0f" % statistics.median(
-                float(run["memory_mb"]) for run in runs)
-            row["newton_steps"] = runs[0]["newton_iterations"]
-            rows.append(row)
-
-    names = list(rows[0])[1:]
-    print("| " + " | ".join(names) + " |")
-    print("|" + "---|" * len(names))
-    for row in rows:
-        print("| " + " | ".join(str(row[name]) for name in names) + " |")
+        exact = float(last_row(options.epafi, 1, folder, OVERKILL)["energy_strain"])
+        for elements in options.elements:
+            runs = [{**last_row(options.epafi, ranks, folder, uniform(elements)), "ranks": ranks,
+                     "date": datetime.date.today().isoformat(), "load": os.getloadavg()[0]}
+                    for _ in range(options.runs) for ranks in options.ranks]
+            for run in runs:
+                run["energy_error"] = "%.2e" % abs(float(run["energy_strain"]) / exact - 1)
+            rows += [{name: run[name] for name in ["date", "load", *names]} for run in runs]
+            for ranks in options.ranks:
+                own = [run for run in runs if run["ranks"] == ranks]
+                medians = {name: "%.4g" % statistics.median(float(run[name]) for run in own)
+                           for name in COSTS}
+                row = {**own[0], **medians}
+                print("| " + " | ".join(str(row[name]) for name in names) + " |", flush=True)
     if options.csv:
-        new = not os.path.exists(options.csv)
+        isNew = not os.path.exists(options.csv)
         with open(options.csv, "a", newline="") as file:
             writer = csv.DictWriter(file, list(rows[0]))
-            if new:
+            if isNew:
                 writer.writeheader()
             writer.writerows(rows)
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -142,13 +142,11 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
 }
 
 /// The contacts that a boundary belongs to, on either side: "joint, seat".
-std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
-                      const std::string& boundary) {
+std::string contactOf(const Scene& scene, const SideOfBody& side) {
   std::string names;
   for (const ContactPair& pair : scene.contacts)
-    for (const SideOfBody* side : {&pair.side, &pair.opposite})
-      if (side->rigid == rigid && side->body == body && side->boundary == boundary)
-        names += (names.empty() ? "" : ", ") + pair.name;
+    if (pair.side == side || pair.opposite == side)
+      names += (names.empty() ? "" : ", ") + pair.name;
   return names;
 }
 
@@ -185,7 +183,7 @@ std::string sceneCsv(const Scene& scene) {
         const bem::Vec2 x = mesh.physicalPoint(e, t);
         row(x, mesh[e].curve.normal(t), scene.bodies[b].name, boundary, e,
             conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines),
-            contactOf(scene, false, b, boundary));
+            contactOf(scene, {false, b, boundary}));
       }
   }
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)
@@ -196,7 +194,7 @@ std::string sceneCsv(const Scene& scene) {
         const double t = -1 + 2.0 * k / (4 * lines);
         row(body.outline->physical(edge.curve.point(t)), edge.curve.normal(t), body.name,
             edge.boundary, static_cast<int>(e), {"rigid", "", "", ""},
-            contactOf(scene, true, b, edge.boundary));
+            contactOf(scene, {true, b, edge.boundary}));
       }
   return csv;
 }
@@ -227,12 +225,9 @@ std::string checkScene(const Scene& scene) {
     text << "  symmetry    about " << scene.symmetry.line() << ", one half is drawn\n";
   for (const RigidBody& body : scene.rigid)
     text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";
-  const auto end = [&](const SideOfBody& side) {
-    return scene.nameOf(side) + ":" + side.boundary;
-  };
   for (const ContactPair& pair : scene.contacts)
-    text << "  between     " << pair.name << ": " << end(pair.side) << " on "
-         << end(pair.opposite) << "\n";
+    text << "  between     " << pair.name << ": " << scene.labelOf(pair.side) << " on "
+         << scene.labelOf(pair.opposite) << "\n";
   if (scene.history)
     text << "  path        " << counted(scene.history.times.size(), "step", "steps")
          << " up to t = " << scene.endOfPath() << "\n";

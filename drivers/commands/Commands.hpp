@@ -103,12 +103,9 @@ std::string standardOf(const Parameter& row);
 /// "only with Law 'Tresca'"
 std::string restriction(const Parameter& row);
 
-/// `epafi parameters`: all keys of the grammars as text or markdown; as xml a list of the
-/// first one that Teuchos can read: every key, with its default or a sample value.
+/// `epafi parameters`: all keys of the grammars as text, with what a program has added, or
+/// as markdown; as xml a list of the first one: every key, with its default or a sample value.
 int parametersCommand(const Given& given, std::ostream& out);
-/// As text or xml, with what a program has added.
-std::string parametersText(const std::vector<Grammar>& grammars,
-                           const std::string& format);
 
 /// `epafi schema [--format rng|json] [--of scene|study]`: RELAX NG of the XML files or JSON
 /// Schema of the YAML files.

@@ -53,6 +53,7 @@ std::string keyAsJson(const Parameter& row) {
                  {"free", row.kind == Kind::Free ? "true" : "false"},
                  {"required", row.required ? "true" : "false"},
                  {"default", quoted(standardOf(row))},
+                 {"sample", quoted(textOf(row.kind).sample)},
                  {"range", quoted(row.range())},
                  {"limits", limits(row.interval)},
                  {"allowed", array(row.allowed, quoted)},

@@ -18,7 +18,6 @@
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 namespace epafi::drivers {
 
@@ -150,26 +149,13 @@ Points gridPoints(const std::string& text, const Box& box, const BodyInsides& in
 }
 
 Points pointsOf(const std::string& file, const BodyInsides& insides) {
-  std::istringstream lines(
-      within("fields: --points: '" + file + "': ", [&] { return readText(file); }));
-  Points points;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos)
-      continue;
-    const std::vector<std::string> cells = csvCells(line);
-    const auto x = trimmedNumber(cells[0]);
-    const auto y = cells.size() < 2 ? std::nullopt : trimmedNumber(cells[1]);
-    if (number == 1 && !x && !y)
-      continue;  // the names of the columns
-    if (!x || !y)
-      throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
-                       "' does not begin with x,y");
-    points.push_back({insides.scene().bodyAt(insides.scene().drawn({*x, *y})), {*x, *y}});
-  }
-  if (points.empty())
+  const auto pairs = within("fields: --points: '" + file + "': ",
+                            [&] { return pairsIn(readText(file), false); });
+  if (pairs.empty())
     throw InputError("fields: --points: '", file, "' has no points");
+  Points points;
+  for (const auto& [x, y] : pairs)
+    points.push_back({insides.scene().bodyAt(insides.scene().drawn({x, y})), {x, y}});
   return points;
 }
 

@@ -8,7 +8,6 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>
-#include <functional>
 #include <ostream>
 #include <sstream>
 
@@ -68,47 +67,6 @@ std::string plainText(const bem::SchemaRows& rows) {
   return out.str();
 }
 
-/// A value that the type accepts, for a key without a default.
-std::string sample(const Parameter& row) {
-  if (!row.defaultValue.empty())
-    return row.defaultValue;
-  if (!row.allowed.empty())
-    return row.kind == Kind::Names ? "{" + row.allowed.front() + "}"
-                                   : row.allowed.front();
-  return textOf(row.kind).sample;
-}
-
-/// A list that Teuchos can read: every key, with its default or a sample value.
-std::string xml(const bem::SchemaRows& rows) {
-  std::ostringstream out;
-  const std::function<void(const std::string&, const std::string&)> write =
-      [&](const std::string& parent, const std::string& indent) {
-        for (const Parameter* child : childrenOf(rows, parent)) {
-          const Parameter& row = *child;
-          // Two hyphens in a row would end the comment.
-          out << indent << "<!-- " << remarks(row)
-              << (row.range().empty() ? "" : "; " + row.range());
-          if (!isList(row))
-            out << "; default: " << standardOf(row);
-          out << " -->\n";
-          const std::string name = xmlText(row.name());
-          if (isList(row)) {
-            out << indent << "<ParameterList name=\"" << name << "\">\n";
-            write(row.path, indent + "  ");
-            out << indent << "</ParameterList>\n";
-          } else {
-            out << indent << "<Parameter name=\"" << name << "\" type=\""
-                << textOf(row.kind).type << "\" value=\"" << xmlText(sample(row))
-                << "\"/>\n";
-          }
-        }
-      };
-  out << "<ParameterList name=\"Parameters\">\n";
-  write("", "  ");
-  out << "</ParameterList>\n";
-  return out.str();
-}
-
 }  // namespace
 
 std::vector<Grammar> grammars(const std::string& name) {
@@ -116,19 +74,6 @@ std::vector<Grammar> grammars(const std::string& name) {
   const Grammar study{"study", &studyParameters()};
   return name.empty() ? std::vector<Grammar>{scene, study}
                       : std::vector<Grammar>{name == scene.name ? scene : study};
-}
-
-std::string parametersText(const std::vector<Grammar>& grammars,
-                           const std::string& format) {
-  if (format == "xml")
-    return xml(*grammars.front().rows);
-  std::string text;
-  for (const Grammar& grammar : grammars) {
-    if (grammars.size() > 1)
-      text += (text.empty() ? "A " : "\nA ") + grammar.name + "\n\n";
-    text += plainText(*grammar.rows);
-  }
-  return text;
 }
 
 std::string madeWithProgram(const std::string& file) {
@@ -140,14 +85,19 @@ std::string madeWithProgram(const std::string& file) {
 }
 
 int parametersCommand(const Given& given, std::ostream& out) {
-  const std::vector<Grammar> wanted = grammars(given.value("--of"));
+  std::vector<Grammar> wanted = grammars(given.value("--of"));
   const std::string format = given.value("--format", "text");
-  if (format == "markdown")
-    for (const Grammar& grammar : wanted)
-      out << (&grammar == &wanted.front() ? "" : "\n")
-          << madeWithProgram("epafi/parameters/" + grammar.name + ".md");
-  else
-    out << parametersText(wanted, format);
+  if (format == "xml")
+    wanted.resize(1);
+  for (const Grammar& grammar : wanted) {
+    out << (&grammar == &wanted.front() ? "" : "\n");
+    if (format == "text")
+      out << (wanted.size() > 1 ? "A " + grammar.name + "\n\n" : "")
+          << plainText(*grammar.rows);
+    else
+      out << madeWithProgram("epafi/parameters/" + grammar.name +
+                             (format == "xml" ? ".xml" : ".md"));
+  }
   return 0;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace epafi::drivers {
 
@@ -36,7 +35,7 @@ VtkGrid emptyGrid() {
 /// Adds a point.  `contact`: null where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
               const contact::ContactPoint* contact, VtkGrid& grid) {
-  std::vector<VtkArray>& fields = grid.pointData;
+  std::vector<DataArray>& fields = grid.pointData;
   grid.points.add(place);
   fields[Displacement].add(displacement);
   fields[Traction].add(traction);
@@ -152,7 +151,7 @@ VtkGrid boundaryLines(const SolvedStep& solved) {
     boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
   }
   for (std::size_t k = 0; k < scene.rigid.size(); ++k) {
-    addRigid(scene.rigid[k], solved.row.rigid[k].summary.motion,
+    addRigid(scene.rigid[k], solved.row.rigid[k].second.motion,
              static_cast<int>(solved.bodies.size() + k), boundaries, grid);
     boundaries += static_cast<int>(boundaryNames(*scene.rigid[k].outline).size());
   }
@@ -161,12 +160,11 @@ VtkGrid boundaryLines(const SolvedStep& solved) {
 
 std::vector<std::string> namesOfBoundaries(const Scene& scene) {
   std::vector<std::string> all;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    for (const std::string& name : boundaryNames(*scene.bodies[b].outline))
-      all.push_back(scene.boundaryName(b, name));
-  for (const RigidBody& body : scene.rigid)
-    for (const std::string& name : boundaryNames(*body.outline))
-      all.push_back(body.name + ":" + name);
+  for (SideOfBody side : scene.everyBody())
+    for (const std::string& name : boundaryNames(scene.outlineOf(side))) {
+      side.boundary = name;
+      all.push_back(scene.boundaryName(side));
+    }
   return all;
 }
 
@@ -175,16 +173,17 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   using bem::Vec2;
   constexpr double share = 0.1;
   const std::size_t elastic = scene.bodies.size();
+  const std::vector<SideOfBody> all = scene.everyBody();
   struct Deformed {
     std::vector<std::pair<Vec2, Vec2>> lines{};
     Vec2 low{std::numeric_limits<double>::infinity(),
              std::numeric_limits<double>::infinity()};
     Vec2 high = -1.0 * low;
   };
-  std::vector<Deformed> bodies(elastic + scene.rigid.size());
+  std::vector<Deformed> bodies(all.size());
   double depth = 0;
   const auto moved = [&](long long k) {
-    const VtkArray& motion = grid.pointData[Displacement];
+    const DataArray& motion = grid.pointData[Displacement];
     const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
     depth = std::max(depth, share * norm(u));
     return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
@@ -196,16 +195,16 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
     low = {std::min(low.x, end.x), std::min(low.y, end.y)};
     high = {std::max(high.x, end.x), std::max(high.y, end.y)};
   }
-  const auto nameOf = [&](std::size_t b) {
-    return b < elastic ? scene.bodies[b].name : scene.rigid[b - elastic].name;
+  const auto touch = [&](const SideOfBody& a, const SideOfBody& b) {
+    return std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                       [&](const ContactPair& pair) {
+                         return pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b);
+                       });
   };
-  std::set<std::pair<std::string, std::string>> met;
-  for (const ContactPair& pair : scene.contacts)
-    met.emplace(scene.nameOf(pair.side), scene.nameOf(pair.opposite));
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      if (a == b || std::min(a, b) >= elastic ||
-          met.count({nameOf(a), nameOf(b)}) + met.count({nameOf(b), nameOf(a)}) > 0)
+      if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]) ||
+          touch(all[b], all[a]))
         continue;
       const auto& [lines, low, high] = bodies[b];
       for (const auto& [from, to] : bodies[a].lines) {
@@ -219,7 +218,7 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
             isInside = !isInside;
         if (isInside && depth > 0)
           return warnings.push_back(bem::message(
-              "Bodies: '", nameOf(a), "' and '", nameOf(b),
+              "Bodies: '", scene.nameOf(all[a]), "' and '", scene.nameOf(all[b]),
               "', deformed, overlap by more than ", depth, " at (", x.x, ", ", x.y,
               "), and no contact between them is drawn: add one to Contacts"));
       }
@@ -229,12 +228,12 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
 std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
   std::string csv;
   const std::vector<std::string> names = namesOfBoundaries(scene);
-  const std::vector<VtkArray>& fields = grid.pointData;
+  const std::vector<DataArray>& fields = grid.pointData;
   const auto of = [&](std::size_t line, int field) {
     return grid.cellData[field].at<int>(line);
   };
   const auto addPoint = [&](std::size_t line, long long point) {
-    const auto at = [&](const VtkArray& field, int component) {
+    const auto at = [&](const DataArray& field, int component) {
       return exactly(field.at<double>(3 * point + component));
     };
     addRow({{"x", at(grid.points, 0)},

@@ -82,7 +82,7 @@ std::string tableOf(
         const double t = -1 + (2.0 * k + 1) / samples;
         const ContactPoint p = fields.at(element, t);
         const std::string& name = element.condition->name;
-        CsvRow row = {{"boundary", scene.boundaryName(b, *element.boundary)},
+        CsvRow row = {{"boundary", scene.boundaryName({false, b, *element.boundary})},
                       {"element", number(element.element)},
                       {"x", exactly(p.place.x)},
                       {"y", exactly(p.place.y)},

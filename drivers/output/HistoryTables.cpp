@@ -103,7 +103,7 @@ CsvRow cellsOf(const StepRow& r) {
       {"cycles", number(r.cycles)},
       {"energy_springs", number(r.energySprings)},
   };
-  for (const auto& [name, s, dissipated] : r.contacts)
+  for (const auto& [name, s] : r.contacts)
     append(cells,
            {
                {"force_x", number(s.contact.x)},
@@ -112,12 +112,12 @@ CsvRow cellsOf(const StepRow& r) {
                {"force_tangential", number(s.forceTangential)},
                {"contact_length", number(s.contactLength)},
                {"slip_length", number(s.slipLength)},
-               {"energy_dissipated", number(dissipated)},
+               {"energy_dissipated", number(s.dissipated)},
                {"worn_volume", number(s.wornVolume)},
                {"pressure_max", number(s.pressureMax)},
            },
            name + ".");
-  for (const auto& [name, s, dissipated] : r.rigid)  // the forces that move or hold it
+  for (const auto& [name, s] : r.rigid)  // the forces that move or hold it
     append(cells,
            {
                {"motion_x", number(s.motion.slide.x)},
@@ -188,7 +188,7 @@ std::string bodiesLines(const SolvedStep& solved) {
         wholeOf(scene.symmetry, *scene.bodies[b].outline, solved.summaries()[b])));
   for (std::size_t k = 0; k < scene.rigid.size(); ++k)
     lines += lineOf(bodyCells(row, scene.rigid[k].name,
-                              aboutOrigin(row.rigid[k].summary, scene.rigid[k].pole)));
+                              aboutOrigin(row.rigid[k].second, scene.rigid[k].pole)));
   return lines;
 }
 

@@ -32,15 +32,15 @@ std::string iterations(const contact::Report& report) {
 constexpr std::size_t contactsShown = 3;
 
 /// Those with the largest forces, if there are more than are shown.
-std::vector<PartRow> largest(std::vector<PartRow> contacts) {
+template <class Contacts>
+Contacts largest(Contacts contacts) {
   if (contacts.size() <= contactsShown)
     return contacts;
-  const auto force = [](const PartRow& row) {
-    return std::hypot(row.summary.forceNormal, row.summary.forceTangential);
+  const auto force = [](const auto& contact) {
+    return std::hypot(contact.second.forceNormal, contact.second.forceTangential);
   };
-  std::stable_sort(
-      contacts.begin(), contacts.end(),
-      [&](const PartRow& a, const PartRow& b) { return force(a) > force(b); });
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [&](const auto& a, const auto& b) { return force(a) > force(b); });
   contacts.resize(contactsShown);
   return contacts;
 }
@@ -101,13 +101,13 @@ std::string tableLine(const StepRow& row) {
        << std::setw(10) << significant(row.t, 6) << std::right << std::setw(16)
        << counted(row.newtonIterations, "Newton step", "Newton steps")
        << ", friction's work " << significant(row.energyDissipated, 6);
-  for (const PartRow& contact : largest(row.contacts))
-    line << (contact.name.empty() ? ";" : "; " + contact.name) << " normal force "
-         << significant(contact.summary.forceNormal, 5) << ", shear "
-         << significant(contact.summary.forceTangential, 5);
+  for (const auto& [name, contact] : largest(row.contacts))
+    line << (name.empty() ? ";" : "; " + name) << " normal force "
+         << significant(contact.forceNormal, 5) << ", shear "
+         << significant(contact.forceTangential, 5);
   if (row.contacts.size() > contactsShown)
     line << "; " << row.contacts.size() - contactsShown << " more in steps.csv";
-  for (const auto& [name, summary, dissipated] : row.rigid)
+  for (const auto& [name, summary] : row.rigid)
     line << "; " << name << " at (" << significant(summary.motion.slide.x, 5) << ", "
          << significant(summary.motion.slide.y, 5) << "), turned by "
          << significant(summary.motion.turn, 5);

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
+#include <map>
 #include <string_view>
-#include <variant>
 
 namespace epafi::drivers {
 
@@ -17,32 +17,23 @@ namespace {
 constexpr int format = 7;  // formats 1 to 6 were never released
 const std::string group = "/Epafi";
 
-/// An array of the group, stored row by row.
-struct Array {
-  const char* name = nullptr;
-  std::size_t columns = 1;
-  std::variant<std::vector<double>, std::vector<int>> numbers{};
-  std::size_t taken = 0;  ///< how many numbers have been read into a level
-};
-
 /// The numbers of a level in the order of the checksum: body by body; for a path step by
 /// step, within a step body by body.
-using Arrays = std::vector<Array>;
+using Arrays = std::vector<DataArray>;
 
 constexpr const char* apart = "/Epafi: bodies does not go with the other arrays";
-
-std::size_t sizeOf(const Array& array) {
-  return std::visit([](const auto& numbers) { return numbers.size(); }, array.numbers);
-}
 
 /// Copies the values that it visits from a level to arrays, or back.
 class Archive {
  public:
   enum class To { File, Level };
   Archive(Arrays& arrays, To to) : arrays_(arrays), to_(to) {
-    for (const Array& array : arrays)
-      most_ += sizeOf(array);
+    for (const DataArray& array : arrays)
+      most_ += array.size();
+    left_ = most_;
   }
+  /// Has every number been read into the level?
+  bool tookAll() const { return left_ == 0; }
 
   void operator()(const char* name, int& value) { take(name, &value, 1); }
   void operator()(const char* name, double& value) { take(name, &value, 1); }
@@ -86,33 +77,36 @@ class Archive {
   }
   /// Rows of an array, divided by `parts`.
   std::size_t rows(const char* name, std::size_t parts = 1) {
-    const Array& array = named(name);
-    return sizeOf(array) / array.columns / parts;
+    const DataArray& array = named(name);
+    return array.size() / static_cast<std::size_t>(array.columns) / parts;
   }
 
  private:
-  Array& named(std::string_view name) {
+  DataArray& named(std::string_view name) {
     return *std::find_if(arrays_.begin(), arrays_.end(),
-                         [&](const Array& array) { return array.name == name; });
+                         [&](const DataArray& array) { return array.name == name; });
   }
 
   template <class T>
   void take(const char* name, T* first, std::size_t count) {
-    Array& array = named(name);
-    auto& numbers = std::get<std::vector<T>>(array.numbers);
+    auto& numbers = std::get<std::vector<T>>(named(name).numbers);
     if (to_ == To::File) {
       numbers.insert(numbers.end(), first, first + count);
       return;
     }
-    if (count > numbers.size() - array.taken)
+    std::size_t& taken = taken_[name];
+    if (count > numbers.size() - taken)
       throw bem::InputError(apart);
-    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(array.taken), count, first);
-    array.taken += count;
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(taken), count, first);
+    taken += count;
+    left_ -= count;
   }
 
   Arrays& arrays_;
   To to_;
   std::size_t most_ = 0;  ///< all numbers; no size in a file may be larger
+  std::size_t left_ = 0;  ///< numbers not read yet
+  std::map<std::string_view, std::size_t> taken_;  ///< numbers read, by array
 };
 
 /// A body's mesh and the last state on it.
@@ -207,29 +201,29 @@ void visit(Archive& archive, Level& level) {
 Arrays emptyArrays() {
   const std::vector<double> real;
   const std::vector<int> whole;
-  return {{"edge", 1, whole},
-          {"degree", 1, whole},
-          {"position", 4, real},
-          {"indicators", adaptivity::sourceCount, real},
-          {"multiplier", 1, real},
-          {"rigid", 1, real},
-          {"contact_state", 1, whole},
-          {"friction_state", 1, whole},
-          {"displacement", 1, real},
-          {"density", 1, real},
-          {"bodies", 6, whole},
-          {"rigid_bodies", 3, real},
-          {"path_t", 1, real},
-          {"path_iterations", 2, whole},
-          {"path_multiplier", 1, real},
-          {"path_rigid", 1, real},
-          {"path_errors", 2, real},
-          {"step_t", 1, real},
-          {"step_displacement", 1, real},
-          {"step_density", 1, real},
-          {"step_contact_state", 1, whole},
-          {"step_friction_state", 1, whole},
-          {"step_rigid_bodies", 3, real}};
+  return {{"edge", whole},
+          {"degree", whole},
+          {"position", real, 4},
+          {"indicators", real, adaptivity::sourceCount},
+          {"multiplier", real},
+          {"rigid", real},
+          {"contact_state", whole},
+          {"friction_state", whole},
+          {"displacement", real},
+          {"density", real},
+          {"bodies", whole, 6},
+          {"rigid_bodies", real, 3},
+          {"path_t", real},
+          {"path_iterations", whole, 2},
+          {"path_multiplier", real},
+          {"path_rigid", real},
+          {"path_errors", real, 2},
+          {"step_t", real},
+          {"step_displacement", real},
+          {"step_density", real},
+          {"step_contact_state", whole},
+          {"step_friction_state", whole},
+          {"step_rigid_bodies", real, 3}};
 }
 
 Arrays arraysOf(Level level) {
@@ -245,9 +239,8 @@ Level levelOf(Arrays arrays) {
   Level level;
   Archive archive(arrays, Archive::To::Level);
   visit(archive, level);
-  for (const Array& array : arrays)
-    if (array.taken != sizeOf(array))
-      throw bem::InputError(apart);
+  if (!archive.tookAll())
+    throw bem::InputError(apart);
   return level;
 }
 
@@ -265,7 +258,7 @@ unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) 
   for (const std::string& text : {level.reason, checkpoint.used, checkpoint.history,
                                   checkpoint.steps, checkpoint.bodies})
     add(text);
-  for (const Array& array : arrays)
+  for (const DataArray& array : arrays)
     std::visit(add, array.numbers);
   return sum.checksum();
 }
@@ -283,12 +276,8 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   number("seconds_total", checkpoint.secondsTotal);
   number("seconds_wall", checkpoint.secondsWall);
   number("checksum", checksum(checkpoint, arrays));
-  for (const auto& array : arrays)
-    std::visit(
-        [&](const auto& all) {
-          writer.array(group + "/" + array.name, all, array.columns);
-        },
-        array.numbers);
+  for (const DataArray& array : arrays)
+    write(group, array, writer);
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);
@@ -303,11 +292,12 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
     throw bem::InputError("is of format ", other, "; this version of Epafi reads format ",
                           format, "; solve the scene again");
   Arrays arrays = emptyArrays();
-  for (Array& array : arrays)
+  for (DataArray& array : arrays)
     std::visit(
         [&](auto& all) {
           using Number = typename std::decay_t<decltype(all)>::value_type;
-          all = reader.array<Number>(group + "/" + array.name, array.columns);
+          all = reader.array<Number>(group + "/" + array.name,
+                                     static_cast<hsize_t>(array.columns));
         },
         array.numbers);
 

@@ -73,14 +73,25 @@ const std::string format =
 
 }  // namespace
 
-void VtkArray::add(bem::Vec2 vector) {
+void DataArray::add(bem::Vec2 vector) {
   auto& all = std::get<std::vector<double>>(numbers);
   all.insert(all.end(), {vector.x, vector.y, 0});
 }
 
-std::size_t VtkGrid::size() const {
-  return std::get<std::vector<double>>(points.numbers).size() / 3;
+std::size_t DataArray::size() const {
+  return std::visit([](const auto& all) { return all.size(); }, numbers);
 }
+
+void write(const std::string& group, const DataArray& array, Hdf5Writer& writer) {
+  std::visit(
+      [&](const auto& numbers) {
+        writer.array(group + "/" + array.name, numbers,
+                     static_cast<hsize_t>(array.columns));
+      },
+      array.numbers);
+}
+
+std::size_t VtkGrid::size() const { return points.size() / 3; }
 
 std::string vtuText(const VtkGrid& grid) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " +
@@ -88,11 +99,11 @@ std::string vtuText(const VtkGrid& grid) {
                      std::to_string(grid.size()) + "\" NumberOfCells=\"" +
                      std::to_string(cellsOf(grid)) + "\">\n<PointData " + grid.shown +
                      ">\n";
-  const auto add = [&](const std::vector<VtkArray>& arrays) {
-    for (const VtkArray& array : arrays)
+  const auto add = [&](const std::vector<DataArray>& arrays) {
+    for (const DataArray& array : arrays)
       std::visit(
           [&](const auto& numbers) {
-            text += dataArray(array.name, numbers, array.components);
+            text += dataArray(array.name, numbers, array.columns);
           },
           array.numbers);
   };
@@ -122,30 +133,20 @@ std::string stepFile(std::size_t step, const std::string& name) {
 void writeVtkHdf(const VtkGrid& grid, Hdf5Writer& writer) {
   writer.attribute("/VTKHDF", "Version", std::vector<int>{1, 0});
   writer.attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  const auto write = [&](const std::string& name, const auto& array, int columns = 1) {
-    writer.array("/VTKHDF/" + name, array, columns);
-  };
-  const auto writeAll = [&](const std::string& group,
-                            const std::vector<VtkArray>& arrays) {
-    for (const VtkArray& array : arrays)
-      std::visit(
-          [&](const auto& numbers) {
-            write(group + array.name, numbers, array.components);
-          },
-          array.numbers);
-  };
-  const auto count = [&](const char* name, std::size_t number) {
-    write(name, Indices{static_cast<long long>(number)});
+  const auto count = [&](const std::string& name, std::size_t number) {
+    writer.array("/VTKHDF/" + name, Indices{static_cast<long long>(number)});
   };
   count("NumberOfPoints", grid.size());
   count("NumberOfCells", cellsOf(grid));
   count("NumberOfConnectivityIds", grid.corners.size());
-  writeAll("", {grid.points});
-  write("Connectivity", grid.corners);
-  write("Offsets", offsetsOf(grid, 0));
-  write("Types", typesOf(grid));
-  writeAll("PointData/", grid.pointData);
-  writeAll("CellData/", grid.cellData);
+  write("/VTKHDF", grid.points, writer);
+  writer.array("/VTKHDF/Connectivity", grid.corners);
+  writer.array("/VTKHDF/Offsets", offsetsOf(grid, 0));
+  writer.array("/VTKHDF/Types", typesOf(grid));
+  for (const DataArray& array : grid.pointData)
+    write("/VTKHDF/PointData", array, writer);
+  for (const DataArray& array : grid.cellData)
+    write("/VTKHDF/CellData", array, writer);
 }
 
 }  // namespace epafi::drivers

@@ -10,11 +10,11 @@ namespace epafi::drivers {
 
 class Hdf5Writer;
 
-/// A field of a grid, point by point or cell by cell.
-struct VtkArray {
+/// Numbers with a name, row by row: a field of a grid, by point or by cell.
+struct DataArray {
   std::string name;
   std::variant<std::vector<double>, std::vector<int>> numbers;
-  int components = 1;
+  int columns = 1;
 
   void add(int value) { std::get<std::vector<int>>(numbers).push_back(value); }
   void add(double value) { std::get<std::vector<double>>(numbers).push_back(value); }
@@ -23,16 +23,19 @@ struct VtkArray {
   Number at(std::size_t k) const {
     return std::get<std::vector<Number>>(numbers)[k];
   }
+  std::size_t size() const;  ///< of all rows
 };
+/// Writes an array into a group.
+void write(const std::string& group, const DataArray& array, Hdf5Writer& writer);
 
 /// Segments or triangles with fields for ParaView, in the user's units: an UnstructuredGrid.
 struct VtkGrid {
   int cornersPerCell;  ///< 2: segments, 3: triangles
   std::string shown;   ///< attributes of PointData: the arrays that ParaView shows first
-  std::vector<VtkArray> pointData;
-  std::vector<VtkArray> cellData{};
-  VtkArray points{"Points", std::vector<double>(), 3};  ///< x, y, 0
-  std::vector<long long> corners{};                     ///< indices of points, by cell
+  std::vector<DataArray> pointData;
+  std::vector<DataArray> cellData{};
+  DataArray points{"Points", std::vector<double>(), 3};  ///< x, y, 0
+  std::vector<long long> corners{};                      ///< indices of points, by cell
 
   std::size_t size() const;  ///< number of points
 };

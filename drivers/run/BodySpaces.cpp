@@ -105,7 +105,7 @@ StepRow BodySpaces::stepRow() const {
   StepRow row;
   std::map<std::string, int> uses;  // of a name
   for (const RigidBody& body : scene_.rigid) {
-    row.rigid.push_back({body.name});
+    row.rigid.emplace_back(body.name, contact::Summary());
     ++uses[body.name];
   }
   std::vector<std::set<std::string>> contacts(size());
@@ -117,8 +117,9 @@ StepRow BodySpaces::stepRow() const {
   }
   for (std::size_t b = 0; b < size(); ++b)
     for (const std::string& name : contacts[b])
-      row.contacts.push_back(
-          {uses[name] > 1 ? bem::message(scene_.bodies[b].name, ":", name) : name});
+      row.contacts.emplace_back(
+          uses[name] > 1 ? bem::message(scene_.bodies[b].name, ":", name) : name,
+          contact::Summary());
   return row;
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace epafi::drivers {
@@ -69,16 +70,10 @@ struct Level {
   double relativeEstimate = 0;
 };
 
-/// A contact or a rigid body in a row of a table, in the user's units; moments on a rigid body
-/// are about its reference point.
-struct PartRow {
-  std::string name;
-  contact::Summary summary{};
-  double dissipated = 0;  ///< friction's work so far
-};
-
 /// A row of steps.csv, in the user's units.  Works are sums over the path, see
 /// contact::PathMemory.  Without a History it has the energies and rigid bodies of the load.
+/// Contacts and rigid bodies stand under their names; moments on a rigid body are about its
+/// reference point.
 struct StepRow {
   int level = 0;
   int step = 0;  ///< 1, 2, ... by History->Times and Steps
@@ -99,8 +94,8 @@ struct StepRow {
   double wornVolumeError = 0;  ///< relative time error of the worn volume; zero as above
   double energyError = 0;      ///< residual: outside - trapezoidal - worn - stored
   double cycles = 0;           ///< ∫ n dt, n: the largest Cycle Jump of wear
-  std::vector<PartRow> contacts{};
-  std::vector<PartRow> rigid{};
+  std::vector<std::pair<std::string, contact::Summary>> contacts{};
+  std::vector<std::pair<std::string, contact::Summary>> rigid{};
 };
 
 /// LevelRow::operators if dense operators replace compressed ones that failed.

@@ -164,8 +164,8 @@ Extent extentOf(const SolvedLevel& level) {
   Extent extent{summary.energyStrain, summary.contactLength};
   for (const auto& step : level.steps) {
     extent.energy = std::max(extent.energy, step->row.energyStrain);
-    for (const PartRow& row : step->row.contacts)
-      extent.contact = std::max(extent.contact, row.summary.contactLength);
+    for (const auto& [name, contact] : step->row.contacts)
+      extent.contact = std::max(extent.contact, contact.contactLength);
   }
   return extent;
 }

@@ -321,7 +321,7 @@ class Follower {
     row_.energySprings = energy * system.energyOfSprings(step.at.state);
     row_.energyOutside += row_.energySprings;
     row_.energyStored += row_.energySprings;
-    step.addRigid(row_.rigid);
+    step.addRigid(row_);
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {
       step.frictionWork.push_back(
@@ -330,10 +330,10 @@ class Follower {
                                                   step.frictionWork[b]);
       for (const auto& [name, summary] : contact::summarizeContacts(step.bodies[b])) {
         const bem::Outline& outline = *scene_.bodies[b].outline;
-        contact->summary = wholeOf(scene_.symmetry, outline, summary);
+        contact->second = wholeOf(scene_.symmetry, outline, summary);
         const double share =
             scene_.symmetry.cuts(outline) ? 1 : 1 / scene_.symmetry.copies();
-        contact->dissipated = share * energy * work[name];
+        contact->second.dissipated = share * energy * work[name];
         ++contact;
       }
     }

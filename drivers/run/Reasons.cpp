@@ -130,8 +130,9 @@ std::string changingPlaces(const contact::Report& report,
           continue;
         const bem::Vec2 place =
             spaces.space(b).mesh().physicalPoint(element.element, at[i]);
-        places.push_back(bem::message("(", place.x, ", ", place.y, ") on ",
-                                      spaces.scene().boundaryName(b, *element.boundary)));
+        places.push_back(
+            bem::message("(", place.x, ", ", place.y, ") on ",
+                         spaces.scene().boundaryName({false, b, *element.boundary})));
       }
     }
   }

@@ -124,7 +124,7 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)
     if (std::none_of(scene.contacts.begin(), scene.contacts.end(),
                      [&](const ContactPair& pair) {
-                       return pair.opposite.rigid && pair.opposite.body == b;
+                       return pair.opposite.isOnBodyOf({true, b});
                      }))
       warnings.push_back("Bodies->" + scene.rigid[b].name +
                          ": is rigid, and no contact names it");
@@ -187,9 +187,8 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
     const auto& [depth, place] = deepest[pair.name];
     if (depth > largestInterference(scene, pair))
       warnings.push_back(message(
-          "Contacts->", pair.name, ": '", scene.nameOf(pair.side), ":",
-          pair.side.boundary, "' lies ", depth, " deep in '", scene.nameOf(pair.opposite),
-          ":", pair.opposite.boundary, "' at (", place.x, ", ", place.y,
+          "Contacts->", pair.name, ": '", scene.labelOf(pair.side), "' lies ", depth,
+          " deep in '", scene.labelOf(pair.opposite), "' at (", place.x, ", ", place.y,
           "), far more than an interference; strains are not small there, and the energy "
           "grows with the depth's square"));
   }
@@ -205,7 +204,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
                   "Bodies->" + body.name + "->Geometry, '" + boundary + "'", warnings);
   std::set<std::string> seen;
   for (const ContactPair& pair : scene.contacts)
-    if (seen.insert(scene.nameOf(pair.opposite) + ":" + pair.opposite.boundary).second)
+    if (seen.insert(scene.labelOf(pair.opposite)).second)
       findPolygon(scene.outlineOf(pair.opposite), pair.opposite.boundary,
                   "Bodies->" + scene.nameOf(pair.opposite) + "->Geometry, '" +
                       pair.opposite.boundary + "'",

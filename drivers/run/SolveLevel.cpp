@@ -221,7 +221,7 @@ void solveOnce(const BodySpaces& spaces,
   row.energyStrain =
       wholeOf(spaces.scene().symmetry, contact::sumOf(solved->summaries())).energyStrain;
   row.energyDissipated = solved->frictionWorkOfStep();
-  solved->addRigid(row.rigid);
+  solved->addRigid(row);
   level.steps.push_back(solved);
 }
 

@@ -120,13 +120,13 @@ double SolvedStep::interfaceEnergy() const {
   return spaces.scene().energy() * system->numbers().surface.energy(at.state.multiplier);
 }
 
-void SolvedStep::addRigid(std::vector<PartRow>& rows) const {
+void SolvedStep::addRigid(StepRow& filled) const {
   const Scene& scene = spaces.scene();
   const bem::Units units = scene.units();
   const double force = units.stress * units.length;
   const auto forces = system->rigidForces(at.state);
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    contact::Summary& summary = rows[k].summary;
+    contact::Summary& summary = filled.rigid[k].second;
     summary.motion = at.rigid[k];
     summary.motion.slide = units.length * summary.motion.slide;
     const double scales[] = {force, force, force * units.length};

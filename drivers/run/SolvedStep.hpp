@@ -47,8 +47,8 @@ struct SolvedStep : SolvedPart {
   double frictionWorkOfStep() const;
   /// Energy stored by contact surfaces, in the user's units.
   double interfaceEnergy() const;
-  /// Fills the rows of rigid bodies.
-  void addRigid(std::vector<PartRow>& rows) const;
+  /// Fills what a row says of rigid bodies.
+  void addRigid(StepRow& filled) const;
 
   const BodySpaces& spaces;
   std::shared_ptr<const SolvedPart> before;

@@ -18,15 +18,6 @@ namespace {
 
 using bem::InputError;
 
-std::vector<std::string> bodyNames(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Body& body : scene.bodies)
-    names.push_back(body.name);
-  for (const RigidBody& body : scene.rigid)
-    names.push_back(body.name);
-  return names;
-}
-
 SideOfBody readSide(const std::string& text, const std::string& path,
                     const Scene& scene) {
   const auto colon = text.find(':');
@@ -35,17 +26,16 @@ SideOfBody readSide(const std::string& text, const std::string& path,
         path, ": '", text,
         R"(' is no side; write body:boundary, as in {"pad:bottom", "plate:top"})");
   const std::string name = text.substr(0, colon);
-  SideOfBody side{false, 0, text.substr(colon + 1)};
-  const std::vector<std::string> names = bodyNames(scene);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw InputError(path, ": there is no body '", name, "'",
-                     bem::suggestion(name, names));
-  const std::size_t index = found - names.begin();
-  side.rigid = index >= scene.bodies.size();
-  side.body = side.rigid ? index - scene.bodies.size() : index;
-  checkNamed(side.boundary, path + ": '" + text + "'", scene.outlineOf(side));
-  return side;
+  std::vector<std::string> names;
+  for (SideOfBody side : scene.everyBody()) {
+    names.push_back(scene.nameOf(side));
+    if (names.back() != name)
+      continue;
+    side.boundary = text.substr(colon + 1);
+    checkNamed(side.boundary, path + ": '" + text + "'", scene.outlineOf(side));
+    return side;
+  }
+  throw InputError(path, ": there is no body '", name, "'", bem::suggestion(name, names));
 }
 
 /// Returns the side that carries λ first.
@@ -59,7 +49,7 @@ std::pair<SideOfBody, SideOfBody> readBetween(const Part& part, const Scene& sce
   SideOfBody second = readSide(between[1], key, scene);
   if (first.rigid && second.rigid)
     throw InputError(key + ": both bodies are rigid; at least one must be elastic");
-  if (first.rigid == second.rigid && first.body == second.body)
+  if (first.isOnBodyOf(second))
     throw InputError(
         key + ": contact of a body with itself is not possible; both sides belong to '" +
         scene.bodies[first.body].name + "'");
@@ -75,13 +65,13 @@ void checkFree(const SideOfBody& side, const std::string& path, const Scene& sce
   const contact::Conditions& conditions = body.conditions;
   const auto contact = conditions.contact.find(side.boundary);
   if (contact != conditions.contact.end() && !contact->second.name.empty())
-    throw InputError(path, "->Between: '", body.name, ":", side.boundary,
+    throw InputError(path, "->Between: '", scene.labelOf(side),
                      "' carries the stresses of Contacts->", contact->second.name,
                      "; give its edges different names");
   if (contact != conditions.contact.end() ||
       conditions.dirichlet.count(side.boundary) != 0 ||
       conditions.neumann.count(side.boundary) != 0)
-    throw InputError(path, "->Between: '", body.name, ":", side.boundary,
+    throw InputError(path, "->Between: '", scene.labelOf(side),
                      "' has a condition under Bodies->", body.name,
                      "->Boundary Conditions->", side.boundary,
                      "; a side in contact has none");
@@ -90,10 +80,9 @@ void checkFree(const SideOfBody& side, const std::string& path, const Scene& sce
 void checkNotOpposite(const SideOfBody& side, const std::string& path,
                       const Scene& scene) {
   for (const ContactPair& pair : scene.contacts)
-    if (pair.opposite.rigid == side.rigid && pair.opposite.body == side.body &&
-        pair.opposite.boundary == side.boundary)
-      throw InputError(path, "->Between: '", scene.bodies[side.body].name, ":",
-                       side.boundary, "' is what Contacts->", pair.name,
+    if (pair.opposite == side)
+      throw InputError(path, "->Between: '", scene.labelOf(side), "' is what Contacts->",
+                       pair.name,
                        " presses on, so it cannot carry the stresses of another "
                        "contact; name the other body first");
 }

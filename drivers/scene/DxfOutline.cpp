@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <sstream>
 
@@ -41,12 +40,10 @@ struct Entity {
 };
 
 double numberOf(const Pair& pair) {
-  char* end = nullptr;
-  const double value = std::strtod(pair.value.c_str(), &end);
-  if (pair.value.empty() || *end != '\0' || !std::isfinite(value))
-    throw InputError("line ", pair.fileLine, ": '", pair.value,
-                     "' is not a finite number (group ", pair.code, ")");
-  return value;
+  if (const auto value = finiteIn(pair.value))
+    return *value;
+  throw InputError("line ", pair.fileLine, ": '", pair.value,
+                   "' is not a finite number (group ", pair.code, ")");
 }
 
 double numberAt(const Entity& entity, int code) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <iomanip>
 #include <sstream>
@@ -91,11 +90,10 @@ class GmshSections {
       return value;
     }
     const std::string text = word(what);
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() + text.size() || !std::isfinite(value))
+    const auto value = finiteIn(text);
+    if (!value)
       fail(bem::message("'", text, "' is not a finite number; ", what, " is expected"));
-    return value;
+    return *value;
   }
 
   bool is(const char* keyword) const {

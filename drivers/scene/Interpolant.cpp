@@ -14,7 +14,6 @@
 #include <boost/math/interpolators/makima.hpp>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 
 namespace epafi::drivers {
 
@@ -104,45 +103,12 @@ void check(const std::vector<double>& x, const std::vector<double>& values,
   }
 }
 
-/// The numbers in a line, in quotes or not; # begins a comment.  `isText`: the line contains
-/// anything else.
-std::vector<double> numbersOf(std::string line, bool& isText) {
-  line.erase(std::find(line.begin(), line.end(), '#'), line.end());
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '"'; },
-      ' ');
-  std::istringstream words(line);
-  std::vector<double> numbers;
-  for (std::string word; words >> word;) {
-    std::istringstream whole(word);
-    double number = 0;
-    if (whole >> number && whole.eof())
-      numbers.push_back(number);
-    else
-      isText = true;
-  }
-  return numbers;
-}
-
 Points readPoints(const std::string& text) {
-  std::vector<double> all;
-  std::istringstream lines(text);
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    bool isText = false;
-    const std::vector<double> numbers = numbersOf(line, isText);
-    const bool isHeading = all.empty() && numbers.empty();
-    if (isHeading || (numbers.empty() && !isText))
-      continue;
-    if (isText || numbers.size() != 2)
-      throw InputError("line ", number, " is not two numbers: '", line, "'");
-    all.insert(all.end(), numbers.begin(), numbers.end());
-  }
-  Points points(static_cast<Points::size_type>(all.size() / 2), 2);
-  for (std::size_t i = 0; i < all.size(); ++i)
+  const auto pairs = pairsIn(text, true);
+  Points points(static_cast<Points::size_type>(pairs.size()), 2);
+  for (std::size_t i = 0; i < 2 * pairs.size(); ++i)
     points(static_cast<Points::size_type>(i / 2), static_cast<Points::size_type>(i % 2)) =
-        all[i];
+        pairs[i / 2][i % 2];
   return points;
 }
 

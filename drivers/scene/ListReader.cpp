@@ -13,8 +13,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
-#include <type_traits>
 
 namespace epafi::drivers {
 
@@ -74,42 +74,61 @@ bool valueOf(const std::string& text) {
 }
 
 template <class T>
-ParameterEntry one(const std::string& text) {
-  return ParameterEntry(
-      valueOf<T>(std::is_same_v<T, std::string> ? text : trimmed(text)));
+ParameterEntry entryOf(const Written& written) {
+  using Shape = Written::Shape;
+  std::vector<T> values;
+  for (const std::string& text : written.texts)
+    within(written.shape == Shape::One
+               ? ""
+               : message("entry ", values.size(), " of the array: "),
+           [&] { values.push_back(valueOf<T>(text)); });
+  if (written.shape == Shape::One)
+    return ParameterEntry(T(values.front()));
+  if (written.shape == Shape::Array)
+    return ParameterEntry(Teuchos::Array<T>(values));
+  Teuchos::TwoDArray<T> table(written.rows, written.columns);
+  for (int k = 0; k < static_cast<int>(values.size()); ++k)
+    table(k / written.columns, k % written.columns) = values[k];
+  return ParameterEntry(table);
 }
 
+ParameterEntry flagOf(const Written& written) {
+  if (written.shape != Written::Shape::One)
+    throw InputError("no key takes an array of true and false");
+  return ParameterEntry(valueOf<bool>(written.texts.front()));
+}
+
+struct Type {
+  const char* name;
+  ParameterEntry (*read)(const Written& written);
+};
+
+constexpr Type types[] = {{"int", entryOf<int>},
+                          {"double", entryOf<double>},
+                          {"string", entryOf<std::string>},
+                          {"bool", flagOf}};
+
 /// {a, b, c}
-template <class T>
-Teuchos::Array<T> entriesOf(const std::string& text) {
+Written arrayIn(const std::string& text, bool ofTexts) {
   if (text.size() < 2 || text.front() != '{' || text.back() != '}')
     throw InputError("'", text, "' is not an array; write {a, b, c}");
   const std::string inner = trimmed(text.substr(1, text.size() - 2));
-  Teuchos::Array<T> result;
+  Written array{Written::Shape::Array, {}};
   if (inner.empty())
-    return result;
-  constexpr bool texts = std::is_same_v<T, std::string>;  // may hold arrays: A={4, 4}
+    return array;
   for (const std::string& piece : pieces(inner)) {
     const std::string entry = trimmed(piece);
     const bool brace = entry.find_first_of("{}") != std::string::npos;
-    if (entry.empty() || (brace && !(texts && isBalanced(entry))))
-      throw InputError("entry ", result.size(), " = '", entry,
+    if (entry.empty() || (brace && !(ofTexts && isBalanced(entry))))  // A={4, 4}
+      throw InputError("entry ", array.texts.size(), " = '", entry,
                        "' of the array is empty or holds a brace; write {a, b, c}");
-    within(message("entry ", result.size(), " of the array: "),
-           [&] { result.push_back(valueOf<T>(shown(entry))); });
+    array.texts.push_back(entry);
   }
-  return result;
-}
-
-template <class T>
-ParameterEntry array(const std::string& text) {
-  return ParameterEntry(entriesOf<T>(trimmed(text)));
+  return array;
 }
 
 /// RxC:{a, b, ...}
-template <class T>
-ParameterEntry table(const std::string& given) {
-  const std::string text = trimmed(given);
+Written tableIn(const std::string& text, bool ofTexts) {
   const std::string size = text.substr(0, text.find(':'));
   const std::string rows = size.substr(0, size.find('x'));
   const std::string columns = size.substr(std::min(rows.size() + 1, size.size()));
@@ -117,36 +136,16 @@ ParameterEntry table(const std::string& given) {
     if (count.empty() || count.find_first_not_of("0123456789") != std::string::npos ||
         size.size() == text.size())
       throw InputError("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row");
-  const int rowCount = valueOf<int>(rows);
-  const int columnCount = valueOf<int>(columns);
-  const long wanted = static_cast<long>(rowCount) * columnCount;
-  const Teuchos::Array<T> entries = entriesOf<T>(trimmed(text.substr(size.size() + 1)));
-  if (entries.size() != wanted)
-    throw InputError("a table ", size, " has ", wanted, " entries; ", entries.size(),
+  Written table = arrayIn(trimmed(text.substr(size.size() + 1)), ofTexts);
+  table.shape = Written::Shape::Table;
+  table.rows = valueOf<int>(rows);
+  table.columns = valueOf<int>(columns);
+  const std::size_t wanted = static_cast<std::size_t>(table.rows) * table.columns;
+  if (table.texts.size() != wanted)
+    throw InputError("a table ", size, " has ", wanted, " entries; ", table.texts.size(),
                      " are given");
-  Teuchos::TwoDArray<T> result(rowCount, columnCount);
-  for (int k = 0; k < wanted; ++k)
-    result(k / columnCount, k % columnCount) = entries[k];
-  return ParameterEntry(result);
+  return table;
 }
-
-struct Type {
-  const char* name;
-  ParameterEntry (*read)(const std::string& text);
-};
-
-constexpr Type types[] = {
-    {"int", one<int>},
-    {"double", one<double>},
-    {"bool", one<bool>},
-    {"string", one<std::string>},
-    {"Array(int)", array<int>},
-    {"Array(double)", array<double>},
-    {"Array(string)", array<std::string>},
-    {"TwoDArray(int)", table<int>},
-    {"TwoDArray(double)", table<double>},
-    {"TwoDArray(string)", table<std::string>},
-};
 
 std::string nameOf(const XMLObject& object, const std::string& path) {
   if (!object.hasAttribute("name") || object.getRequired("name").empty())
@@ -194,12 +193,28 @@ void readInto(ParameterList& result, const XMLObject& list, const std::string& p
 
 }  // namespace
 
+ParameterEntry toEntry(const std::string& type, const Written& written) {
+  const auto* found = std::find_if(std::begin(types), std::end(types),
+                                   [&](const Type& known) { return type == known.name; });
+  return found->read(written);
+}
+
 ParameterEntry readValue(const std::string& type, const std::string& value) {
   std::vector<std::string> names;
-  for (const Type& known : types) {
-    if (type == known.name)
-      return known.read(value);
-    names.emplace_back(known.name);
+  const std::string text = trimmed(value);
+  for (const auto& [name, read] : types) {
+    const bool ofTexts = name == std::string("string");
+    names.emplace_back(name);
+    if (type == name)
+      return read({Written::Shape::One, {ofTexts ? value : text}});
+    if (name == std::string("bool"))
+      continue;
+    const std::string array = message("Array(", name, ")");
+    names.insert(names.end(), {array, "TwoD" + array});
+    if (type == array)
+      return read(arrayIn(text, ofTexts));
+    if (type == "TwoD" + array)
+      return read(tableIn(text, ofTexts));
   }
   throw InputError("unknown type '", type, "'", bem::suggestion(type, names));
 }

@@ -3,12 +3,23 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <string>
+#include <vector>
 
 namespace Teuchos {
 class XMLObject;
 }
 
 namespace epafi::drivers {
+
+/// A value as it is written: one text, those of an array or, row by row, of a table.
+struct Written {
+  enum class Shape { One, Array, Table } shape = Shape::One;
+  std::vector<std::string> texts;
+  int rows = 1;
+  int columns = 1;
+};
+/// As values of the type int, double, string or, of one text, bool.  \throws as readValue.
+Teuchos::ParameterEntry toEntry(const std::string& type, const Written& written);
 
 /// Converts a text to a value of a Teuchos type.  The whole text must be valid and in
 /// range.

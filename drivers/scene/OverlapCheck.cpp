@@ -52,6 +52,7 @@ bool cross(const Stroke& a, const Stroke& b, Vec2& where) {
 }
 
 struct Named {
+  const SideOfBody& body;
   const std::string& name;
   const bem::Outline& outline;
   std::set<std::string> touching;  ///< boundaries in contact with the other of a pair
@@ -175,31 +176,19 @@ double largestInterference(const Scene& scene, const ContactPair& pair) {
 }
 
 void checkOverlaps(const Scene& scene) {
-  std::vector<SideOfBody> all;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    all.push_back({false, b, ""});
-  for (std::size_t b = 0; b < scene.rigid.size(); ++b)
-    all.push_back({true, b, ""});
-  const auto same = [](const SideOfBody& a, const SideOfBody& b) {
-    return a.rigid == b.rigid && a.body == b.body;
-  };
+  const std::vector<SideOfBody> all = scene.everyBody();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      Named a{scene.nameOf(all[i]), scene.outlineOf(all[i]), {}};
-      Named b{scene.nameOf(all[j]), scene.outlineOf(all[j]), {}};
+      Named a{all[i], scene.nameOf(all[i]), scene.outlineOf(all[i]), {}};
+      Named b{all[j], scene.nameOf(all[j]), scene.outlineOf(all[j]), {}};
       double plausible = 0;
-      for (const ContactPair& pair : scene.contacts) {
-        const std::size_t before = a.touching.size() + b.touching.size();
-        if (same(pair.side, all[i]) && same(pair.opposite, all[j])) {
-          a.touching.insert(pair.side.boundary);
-          b.touching.insert(pair.opposite.boundary);
-        } else if (same(pair.side, all[j]) && same(pair.opposite, all[i])) {
-          b.touching.insert(pair.side.boundary);
-          a.touching.insert(pair.opposite.boundary);
-        }
-        if (a.touching.size() + b.touching.size() > before)
-          plausible = largestInterference(scene, pair);
-      }
+      for (const ContactPair& pair : scene.contacts)
+        for (auto [own, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+          if (pair.side.isOnBodyOf(own->body) && pair.opposite.isOnBodyOf(other->body)) {
+            own->touching.insert(pair.side.boundary);
+            other->touching.insert(pair.opposite.boundary);
+            plausible = largestInterference(scene, pair);
+          }
       checkPair(a, b, plausible);
     }
 }

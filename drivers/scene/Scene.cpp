@@ -43,6 +43,15 @@ std::vector<contact::Drive> Scene::drivesAt(double t) const {
   return drives;
 }
 
+std::vector<SideOfBody> Scene::everyBody() const {
+  std::vector<SideOfBody> all;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    all.push_back({false, b});
+  for (std::size_t b = 0; b < rigid.size(); ++b)
+    all.push_back({true, b});
+  return all;
+}
+
 bem::Vec2 Scene::drawn(bem::Vec2 point) const {
   const auto isInside = [&](bem::Vec2 x) { return bodyAt(x) < bodies.size(); };
   if (!symmetry || isInside(point))

@@ -63,7 +63,14 @@ struct RigidBody {
 struct SideOfBody {
   bool rigid = false;
   std::size_t body = 0;  ///< index among the elastic or the rigid bodies
-  std::string boundary;
+  std::string boundary{};
+
+  bool isOnBodyOf(const SideOfBody& other) const {
+    return rigid == other.rigid && body == other.body;
+  }
+  bool operator==(const SideOfBody& other) const {
+    return isOnBodyOf(other) && boundary == other.boundary;
+  }
 };
 
 /// Contact between two bodies: `side` carries λ.
@@ -114,8 +121,8 @@ struct Scene {
     return hasSeveral() || bodies.front().conditions.inside != nullptr;
   }
   /// "base", or "block:base" if there are several bodies.
-  std::string boundaryName(std::size_t b, const std::string& boundary) const {
-    return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
+  std::string boundaryName(const SideOfBody& side) const {
+    return hasSeveral() ? labelOf(side) : side.boundary;
   }
   /// The names of expressions at t = 1 that do not depend on a boundary.
   Names names() const { return {constants, 1, {}, tables}; }
@@ -132,8 +139,14 @@ struct Scene {
   /// The point or its mirror image, whichever lies in a drawn body.  A point on the line
   /// of symmetry is moved to a point beside it.
   bem::Vec2 drawn(bem::Vec2 point) const;
+  /// All bodies, the elastic ones first: sides without boundary.
+  std::vector<SideOfBody> everyBody() const;
   const std::string& nameOf(const SideOfBody& side) const {
     return side.rigid ? rigid[side.body].name : bodies[side.body].name;
+  }
+  /// "block:base"
+  std::string labelOf(const SideOfBody& side) const {
+    return nameOf(side) + ":" + side.boundary;
   }
   const bem::Outline& outlineOf(const SideOfBody& side) const {
     return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;

@@ -87,11 +87,9 @@ XMLObject parsedXml(const std::string& text) {
   return root;
 }
 
-RawScene sceneOf(const XMLObject& root, const std::string& standardTitle) {
-  RawScene scene{standardTitle, readList(root)};
-  if (root.hasAttribute("name") && !root.getRequired("name").empty())
-    scene.title = root.getRequired("name");
-  return scene;
+RawScene readXml(const std::string& text) {
+  const XMLObject root = parsedXml(text);
+  return {root.hasAttribute("name") ? root.getRequired("name") : "", readList(root)};
 }
 
 /// Type and value of an entry in XML: doubles, also in arrays, with the fewest digits
@@ -214,7 +212,10 @@ RawScene rawScene(const std::string& text, const std::string& file) {
   const std::string extension =
       boost::algorithm::to_lower_copy(path.extension().string());
   const bool yaml = extension == ".yaml" || extension == ".yml";
-  return sceneOf(yaml ? xmlOfYaml(text) : parsedXml(text), path.stem().string());
+  RawScene scene = yaml ? readYaml(text) : readXml(text);
+  if (scene.title.empty())
+    scene.title = path.stem().string();
+  return scene;
 }
 
 std::vector<std::string> assignments(const Teuchos::ParameterList& list) {

@@ -38,8 +38,7 @@ bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
   const auto neumann = conditions.neumann.find(boundary);
   const bool isOpposite = std::any_of(
       scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
-        return !pair.opposite.rigid && pair.opposite.body == b &&
-               pair.opposite.boundary == boundary;
+        return pair.opposite == SideOfBody{false, b, boundary};
       });
   return !isOpposite && conditions.dirichlet.count(boundary) == 0 &&
          (neumann == conditions.neumann.end() ||

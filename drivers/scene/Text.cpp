@@ -5,14 +5,13 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/locale/utf.hpp>
 #include <cctype>
-#include <cstring>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
 
 namespace epafi::drivers {
 
 namespace {
-
-constexpr const char* signs = "{},";
-constexpr const char* standIns = "\x01\x02\x03";  // not allowed in XML texts
 
 int change(char c) {
   if (c == '(' || c == '{')
@@ -21,6 +20,38 @@ int change(char c) {
 }
 
 }  // namespace
+
+std::optional<double> finiteIn(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool isWhole = !text.empty() && end == text.c_str() + text.size();
+  return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::array<double, 2>> pairsIn(const std::string& text, bool alone) {
+  std::vector<std::array<double, 2>> pairs;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::string blank = line.substr(0, line.find('#'));
+    std::replace_if(blank.begin(), blank.end(), boost::is_any_of(",;\""), ' ');
+    std::istringstream words(blank);
+    std::vector<std::optional<double>> found;
+    for (std::string word; words >> word;)
+      found.push_back(finiteIn(word));
+    const bool isHeading =
+        pairs.empty() && std::count(found.begin(), found.end(), std::nullopt) ==
+                             static_cast<std::ptrdiff_t>(found.size());
+    if (found.empty() || isHeading)
+      continue;
+    if (found.size() < 2 || !found[0] || !found[1] || (alone && found.size() > 2))
+      throw bem::InputError("line ", number, alone ? " is not" : " does not begin with",
+                            " two numbers: '", line, "'");
+    pairs.push_back({*found[0], *found[1]});
+  }
+  return pairs;
+}
 
 std::string trimmed(const std::string& text) {
   return boost::algorithm::trim_copy_if(text, boost::algorithm::is_any_of(" \t\r\n"));
@@ -88,21 +119,6 @@ std::vector<std::string> pieces(const std::string& text) {
     else
       result.back() += c;
   }
-  return result;
-}
-
-std::string hiddenEntry(std::string entry) {
-  for (char& c : entry)
-    if (const char* sign = std::strchr(signs, c))
-      c = standIns[sign - signs];
-  return entry;
-}
-
-std::string shown(const std::string& entry) {
-  std::string result = entry;
-  for (char& c : result)
-    if (const char* sign = std::strchr(standIns, c))
-      c = signs[sign - standIns];
   return result;
 }
 

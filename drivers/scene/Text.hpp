@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 
+#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -18,6 +19,15 @@ std::optional<Number> numberIn(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
+
+/// Likewise of a finite number, also with a plus sign.
+std::optional<double> finiteIn(const std::string& text);
+
+/// The two numbers that begin each line of a text, with commas, semicolons or blanks between
+/// them, in quotes or not, under headings or none; # begins a comment.
+/// \param alone  nothing may follow them
+/// \throws bem::InputError with the line
+std::vector<std::array<double, 2>> pairsIn(const std::string& text, bool alone);
 
 /// Returns work(); `where` is put before the message of an InputError.
 template <class Work>
@@ -51,10 +61,5 @@ std::vector<std::string> pieces(const std::string& text);
 
 /// Are braces and parentheses balanced?
 bool isBalanced(const std::string& text);
-
-/// Replaces commas and braces of an entry, so that its array does not split there.
-std::string hiddenEntry(std::string entry);
-/// The inverse of hiddenEntry.
-std::string shown(const std::string& entry);
 
 }  // namespace epafi::drivers

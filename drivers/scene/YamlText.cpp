@@ -1,11 +1,12 @@
 #include "drivers/scene/YamlText.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/SchemaRow.hpp"
+#include "drivers/scene/ListReader.hpp"
 #include "drivers/scene/Text.hpp"
 
-#include <Teuchos_XMLObject.hpp>
-
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
@@ -16,7 +17,7 @@ namespace {
 
 using bem::InputError;
 using bem::message;
-using Teuchos::XMLObject;
+using Teuchos::ParameterList;
 
 constexpr int deepest = 250;  // limit of yaml-cpp, which recurses twice for each level
 constexpr const char* tooDeep =
@@ -62,18 +63,23 @@ void checkWhole(const YAML::Node& scalar) {
                      "\"max(x, 0)\", needs quotes");
 }
 
-/// Converts one document to XML.
-class Spelling {
+/// Converts the lists of one document.
+class Reader {
  public:
-  XMLObject list(const std::string& name, const YAML::Node& node, int depth = 0) {
+  void read(const YAML::Node& map, const std::string& path, ParameterList& list,
+            int depth = 0) {
     if (depth > deepest)  // an anchor may contain itself
       throw InputError(tooDeep);
-    XMLObject result("ParameterList");
-    result.addAttribute("name", name);
-    for (const auto& [key, value] : entries(node))
-      result.addChild(value.IsMap() || value.IsNull() ? list(key, value, depth + 1)
-                                                      : parameter(key, value));
-    return result;
+    for (const auto& [key, value] : entries(map)) {
+      const std::string inner = bem::join(path, key);
+      if (list.isParameter(key))
+        throw InputError(inner + ": given twice; keep one");
+      if (value.IsMap() || value.IsNull())
+        read(value, inner, list.sublist(key), depth + 1);
+      else
+        list.setEntry(key, within(message(inner, " (", at(value.Mark()), "): "),
+                                  [&, &node = value] { return valueOf(node); }));
+    }
   }
 
  private:
@@ -87,6 +93,8 @@ class Spelling {
       count(item.first);
       if (!item.first.IsScalar())
         throw InputError(at(item.first.Mark()), ": a key must be a word or a text");
+      if (item.first.Scalar().empty())
+        throw InputError(at(item.first.Mark()), ": a key is empty; it must be a word");
       checkWhole(item.second.IsScalar() ? item.second : item.first);
       if (item.second.IsNull() &&
           item.first.Scalar().find_first_not_of("0123456789") == std::string::npos)
@@ -109,71 +117,46 @@ class Spelling {
     return own;
   }
 
-  XMLObject parameter(const std::string& name, const YAML::Node& node) {
-    XMLObject result("Parameter");
-    result.addAttribute("name", name);
-    within(message(name, " (", at(node.Mark()), "): "), [&] {
-      const auto [type, text] = node.IsScalar() ? scalar(node)
-                                : isTable(node) ? table(node)
-                                                : array(node);
-      result.addAttribute("type", type);
-      result.addAttribute("value", text);
-    });
-    return result;
+  Teuchos::ParameterEntry valueOf(const YAML::Node& node) {
+    using Shape = Written::Shape;
+    if (node.IsScalar()) {
+      count(node);
+      return toEntry(nameOf(typeOf(node)), {Shape::One, {node.Scalar()}});
+    }
+    std::optional<Type> type;
+    Written written{Shape::Array, {}, 0, 0};
+    if (node.size() == 0 || !node.begin()->IsSequence()) {
+      addRow(node, written, type);
+    } else {
+      written.shape = Shape::Table;
+      written.columns = static_cast<int>(node.begin()->size());
+      for (const YAML::Node& row : node)
+        addRow(row, written, type);
+    }
+    return toEntry(nameOf(type.value_or(Type::Text)), written);
   }
 
-  using Spelled = std::pair<std::string, std::string>;  // type and value
-
-  Spelled scalar(const YAML::Node& node) {
-    count(node);
-    return {nameOf(typeOf(node)), node.Scalar()};
-  }
-
-  static bool isTable(const YAML::Node& node) {
-    return node.size() > 0 && node.begin()->IsSequence();
-  }
-
-  /// The entries of an array, separated by commas; widens `type` to include theirs.
-  std::string row(const YAML::Node& array, Type& type, bool& first) {
-    std::string text;
+  /// Adds the entries of an array or a row, and widens `type` to include theirs.
+  void addRow(const YAML::Node& array, Written& written, std::optional<Type>& type) {
+    if (array.IsSequence())
+      for (const YAML::Node& entry : array)
+        if (entry.IsScalar())
+          checkWhole(entry);
+    const bool isRow = written.shape == Written::Shape::Table;
+    if (isRow && (!array.IsSequence() ||
+                  array.size() != static_cast<std::size_t>(written.columns)))
+      throw InputError("entry ", written.rows, " is no array of ", written.columns,
+                       " numbers, as the first one is; a text with a comma needs quotes");
+    ++written.rows;
     for (const YAML::Node& entry : array) {
       if (!entry.IsScalar())
         throw InputError("an array holds numbers or texts, or arrays of as many numbers");
-      checkWhole(entry);
       count(entry);
-      type = first ? typeOf(entry) : joined(type, typeOf(entry));
-      first = false;
-      text += (text.empty() ? "" : ", ") + hiddenEntry(entry.Scalar());
+      type = type ? joined(*type, typeOf(entry)) : typeOf(entry);
+      written.texts.push_back(trimmed(entry.Scalar()));
+      if (written.texts.back().empty())
+        throw InputError("entry ", written.texts.size() - 1, " of the array is empty");
     }
-    return text;
-  }
-
-  Spelled array(const YAML::Node& node) {
-    Type type = Type::Text;
-    bool first = true;
-    const std::string text = row(node, type, first);
-    return {message("Array(", nameOf(type), ")"), "{" + text + "}"};
-  }
-
-  Spelled table(const YAML::Node& node) {
-    Type type = Type::Text;
-    bool first = true;
-    std::string text;
-    const std::size_t columns = node.begin()->size();
-    std::size_t rows = 0;
-    for (const YAML::Node& entry : node) {
-      if (entry.IsSequence())
-        for (const YAML::Node& cell : entry)
-          if (cell.IsScalar())
-            checkWhole(cell);
-      if (!entry.IsSequence() || entry.size() != columns)
-        throw InputError(
-            "entry ", rows, " is no array of ", columns,
-            " numbers, as the first one is; a text with a comma needs quotes");
-      text += (rows++ == 0 ? "" : ", ") + row(entry, type, first);
-    }
-    return {message("TwoDArray(", nameOf(type), ")"),
-            message(rows, "x", columns, ":{", text, "}")};
   }
 
   void count(const YAML::Node& node) {
@@ -218,13 +201,15 @@ YAML::Node documentIn(const std::string& text) {
 
 }  // namespace
 
-XMLObject xmlOfYaml(const std::string& text) {
+RawScene readYaml(const std::string& text) {
   const YAML::Node document = documentIn(text);
   if (!document.IsMap() || document.size() != 1 || !document.begin()->first.IsScalar() ||
       !document.begin()->second.IsMap())
     throw InputError(
         "malformed YAML: everything must stand under one title, 'My scene:'");
-  return Spelling().list(document.begin()->first.Scalar(), document.begin()->second);
+  RawScene scene{document.begin()->first.Scalar(), {}};
+  Reader().read(document.begin()->second, "", scene.list);
+  return scene;
 }
 
 }  // namespace epafi::drivers

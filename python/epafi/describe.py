@@ -133,6 +133,32 @@ def documented(key: Key) -> str:
     return key["meaning"] + (" [%s]" % key["unit"] if key["unit"] else "")
 
 
+def sample_list(keys: list[Key]) -> str:
+    """A list that Teuchos can read: every key, with its default or a sample value."""
+    def sample(key: Key) -> str:
+        if key["default"] not in ("none", "required"):
+            return str(key["default"])
+        if not key["allowed"]:
+            return str(key["sample"])
+        return ("{%s}" if key["type"].startswith("Array") else "%s") % key["allowed"][0]
+
+    def fill(parent: xml.Element, path: str) -> None:
+        for key in children(keys, path):
+            told = [documented(key), key["only"], key["range"],
+                    "" if is_list(key) else "default: " + key["default"]]
+            parent.append(xml.Comment(" %s " % "; ".join(text for text in told if text)))
+            if is_list(key):
+                fill(node(parent, "ParameterList", name=name_of(key)), key["path"])
+            else:
+                node(parent, "Parameter", name=name_of(key), type=key["type"].split(":")[0],
+                     value=sample(key))
+
+    top = xml.Element("ParameterList", {"name": "Parameters"})
+    fill(top, "")
+    xml.indent(top)
+    return xml.tostring(top, encoding="unicode") + "\n"
+
+
 def json_object(keys: list[Key], parent: str = "") -> dict[str, Any]:
     """What a list holds; keys that depend on others (a law's, a condition's) side by side."""
     rules: dict[str, Any] = {"type": "object", "additionalProperties": False}
@@ -284,6 +310,7 @@ def files(epafi: Mapping[str, Any]) -> dict[str, str]:
         result["epafi/schema/%s.json" % name] = json_schema(grammars)
     for name, keys in epafi["keys"].items():
         result["epafi/parameters/" + name + ".md"] = markdown(name, keys)
+        result["epafi/parameters/" + name + ".xml"] = sample_list(keys)
     return result
 
 

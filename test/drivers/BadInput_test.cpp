@@ -147,6 +147,11 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
            {"a:\n  B: [max(x, 0), 1]\n", "a comma"},
            {"a:\n  B: [[1, 2], [max(x, 0), 1]]\n", "a comma"},
            {"a:\n  B: [[0, 0], {c: 1}]\n", "entry 1"},
+           {"a:\n  B: [[], [1]]\n", "entry 1"},
+           {"a:\n  B: [true, false]\n", "true and false"},
+           {"a:\n  B: [1, ' ']\n", "entry 1"},
+           {"a:\n  '': 1\n", "a key is empty"},
+           {"a:\n  B: {C: [0, 1e999]}\n", "B->C (line 2, column 10): entry 1"},
            {",--\na: {}\n", "under one title"}}) {
     out << text << ": ";
     TEST_ASSERT(contains(complaintOf(text, "scene.yaml"), word));
@@ -272,7 +277,7 @@ TEUCHOS_UNIT_TEST(BadInput, commandsRefuseArgumentsTheyDoNotKnow) {
       contains(complaint(check, {file.path(), "--picture", "b.png"}), "--picture"));
   TEST_ASSERT(contains(complaint(check, {file.path(), "--set"}), "--set"));
   const std::string list = "parameters";
-  TEST_EQUALITY(complaint(list, {"--format", "xml"}), "");
+  TEST_EQUALITY(complaint(list, {"--format", "text"}), "");
   TEST_ASSERT(contains(complaint(list, {"--format"}), "--format"));
   TEST_ASSERT(contains(complaint(list, {"--format", "json"}), "json"));
 }

@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(PrintedTable, namesTheContactsWithTheLargestForces) {
   for (const double force : {1., 5., 2., 4., 3.}) {
     contact::Summary summary;
     summary.forceNormal = force;
-    row.contacts.push_back({bem::message("c", force), summary, 0});
+    row.contacts.emplace_back(bem::message("c", force), summary);
   }
   const std::string line = tableLine(row);
   out << line;

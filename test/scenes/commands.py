@@ -1,9 +1,11 @@
 """Commands, options and schemas: one table says what the parser, the help, the man page, the
 completion and editors know."""
+import json
 import os
 import re
 import shutil
 import subprocess
+import xml.etree.ElementTree as xml
 
 from runs import SCENES, WORK, claim, epafi, fails, finish, fresh, raises, read, scene, table, write
 
@@ -110,6 +112,14 @@ code, tables = epafi("parameters", "--format", "markdown")
 claim(code == 0 and len(keys) > 100 and
       all("\n| %s |" % key.replace("<", "&lt;").replace(">", "&gt;") in tables for key in keys),
       "%d keys stand in its tables" % len(keys))
+described = json.loads(epafi("help", "--format", "json")[1])["keys"]["scene"]
+code, text = epafi("parameters", "--format", "xml")
+claim(code == 0 and sorted(entry.get("name") for entry in xml.fromstring(text).iter()
+                           if entry.get("name") and entry.get("name") != "Parameters")
+      == sorted(key["path"].rpartition("->")[2] for key in described), "and in a list")
+samples = os.path.join(WORK, "samples.xml")
+write(samples, text)
+fails("which can be read, if not solved", ["Tables-><table>: is no name"], "check", samples)
 rng = os.path.join(WORK, "epafi.rng")
 write(rng, epafi("schema")[1])
 xmllint = shutil.which("xmllint")

@@ -32,6 +32,7 @@ struct Summary {
   double slipLength = 0;     ///< where |λₜ| reaches its bound
   double pressureMax = 0;    ///< largest λₙ [stress]
   double wornVolume = 0;     ///< ∫ w [length²]
+  double dissipated = 0;     ///< friction's work so far on a path, of one contact
 };
 
 /// Reactions are computed from the residual of the discrete equations at constrained unknowns
