@@ -162,7 +162,7 @@ def entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
         wanted = rules.get("items", {}).get("type", "number")
         if wanted == "string" or any(isinstance(cell, str) for cell in cells):
             type_, words = "string", map(str, cells)
-        elif "integer" in wanted:
+        elif "integer" in wanted or not rules and all(isinstance(cell, int) for cell in cells):
             type_, words = "int", map(str, cells)
         else:
             type_, words = "double", (repr(float(cell)) for cell in cells)

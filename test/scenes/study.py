@@ -146,10 +146,13 @@ os.makedirs(os.path.join(fresh("undrawn"), "sweep.png"))
 fails("pictures that fail", ["cannot be drawn"], "study", sweep, "--output", os.path.join(WORK, "undrawn"))
 
 # solutions of a sweep, if asked for
-sweep = study("kept", {"sweep": sweep_of("1e-6", "1e-3")}, Keep_Solutions=True)
+sweep = study("kept", {"sweep": {**sweep_of("1e-6", "1e-3"), "Override": {"Discretization": {
+    "Elements per Edge": [4, 2, 4, 2], "Degree": 2}}}}, Keep_Solutions=True)
 kept = fresh("kept")
 code, text = epafi("study", sweep, "--output", kept, "--quiet", "--no-plot")
-value = os.path.join(kept, table(os.path.join(kept, "study.csv"))[-1]["folder"])
+last = table(os.path.join(kept, "study.csv"))[-1]
+claim((last["elements"], last["degree_min"]) == (12, 2), "an Override has an array: " + text)
+value = os.path.join(kept, last["folder"])
 code, text = epafi("fields", value, "--grid", "3,3")
 claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
       "fields of a value of a sweep: " + text.strip())
