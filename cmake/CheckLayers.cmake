@@ -13,7 +13,7 @@ set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel s
 set(contact_floors law conditions multiplier problem stabilization opposite body compressed system
   results equation path newton solve nox)
 set(adaptivity_floors singular refine mark estimate)
-set(drivers_floors triangulate process scene run output study commands bench)
+set(drivers_floors triangulate process scene run output commands bench)
 set(border "^(packages/bem/tpetra/|packages/contact/nox/|drivers/)")
 set(foreign "Tpetra|Belos|Thyra|NOX|LOCA|Stratimikos|Kokkos|Xpetra|Epetra|Piro|Amesos|mpi\\.h|hdf5|H5|muParser|Teuchos_[A-Za-z]*(Mpi|MPI)")
 

@@ -245,6 +245,10 @@ std::string checkScene(const Scene& scene) {
 
 int checkCommand(const Given& given, std::ostream& out) {
   const Scene scene = readScene(given.argument, given.values("--set"));
+  if (given.has("--used")) {
+    out << usedXml(scene);
+    return 0;
+  }
   out << checkScene(scene);
   return given.has("--plot")
              ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"), Words::All)

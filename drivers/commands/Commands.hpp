@@ -24,16 +24,12 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 int versionCommand(const Given& given, std::ostream& out);
 
 /// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--no-plot] [--quiet]`:
-/// solves every variant of every scene of a study and compares them.
-///
-/// Writes study.csv after every level, a folder per variant with the files of a run (for
-/// sweeps in sweep/, only contact.csv and steps.csv), reference-<scene>.hdf, and
-/// pictures.  A variant that fails is listed with the reason; the study continues.
-/// --force keeps valid references.  Returns 0, 3 if a variant failed or did not converge,
-/// or 1 if only the pictures failed.
-/// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
-/// solved; Interrupted.
+/// reads the study and becomes python/epafi/study.py, which solves its variants by `epafi run`.
+/// Does not return.
+/// \throws bem::InputError for wrong arguments and studies.
 int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks);
+/// All parameters of a study; parameters() has those of a scene.
+const std::vector<Parameter>& studyParameters();
 
 /// `epafi fields DIR`: displacement and stress inside a body, after a run.
 ///
@@ -57,24 +53,17 @@ void checkWindow(const std::string& window);
 
 /// Options for how pictures look.
 std::vector<Option> looks();
-/// `epafi plot DIR`
+/// `epafi plot DIR`: pictures of a run or a study by the Python package python/epafi/plot.
+/// Returns 0, or 1 if matplotlib or files of the folder are missing.
+/// \throws bem::InputError if the package or Python is not there.
 int plotCommand(const Given& given, std::ostream& out);
 /// `epafi report DIR`: a page of HTML with the scene, the numbers and the pictures of a run.
 /// \throws bem::InputError for a folder without a run.
 int reportCommand(const Given& given, std::ostream& out);
 /// What the plotting program may print.
 enum class Words { All, Errors };
-/// Draws the pictures of a run's or a study's folder by the Python package python/epafi/plot,
-/// which lies in ../lib/python3.<n>/dist-packages seen from this program.
-///
-/// It inherits the standard streams.  Returns its exit code: 0, or 1 if matplotlib or
-/// files of the folder are missing.
-/// \throws bem::InputError if the program or Python is not there.
-///
-/// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window, looks.
-int drawPictures(const std::string& folder, Words words,
-                 const std::vector<std::string>& more = {});
-/// Draws a scene, given as csv, into a file.  Returns the exit code.
+/// Draws a scene, given as csv, into a file by the Python package, which lies in
+/// ../lib/python3.<n>/dist-packages seen from this program.  Returns the exit code.
 int drawScene(const std::string& csv, const std::string& title, const std::string& file,
               Words words);
 

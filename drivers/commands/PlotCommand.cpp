@@ -15,19 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Debian installs matplotlib for this Python; PATH may begin with another one.
-constexpr const char* python = "/usr/bin/python3";
-
 /// Runs the plotting program; returns 0 or 1.
-int callPlot(std::vector<std::string> arguments) {
-  const std::string program = besideProgram(EPAFI_PYTHON "/epafi/plot/__main__.py");
-  if (!fs::exists(program))
-    throw bem::InputError(
-        "plot: '", program,
-        "' is missing; it is built and installed along with this program");
-  arguments.insert(arguments.begin(), program);
-  std::cout << std::flush;
-  return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
+int callPlot(const std::vector<std::string>& arguments) {
+  return runPackage("plot/__main__.py", arguments, "plot") ? 0 : 1;
 }
 
 /// The given options of `looks`.
@@ -39,16 +29,13 @@ std::vector<std::string> looksOf(const Given& given) {
   return texts;
 }
 
-}  // namespace
-
-int drawPictures(const std::string& folder, Words words,
-                 const std::vector<std::string>& more) {
-  std::vector<std::string> texts = {folder};
-  if (words == Words::Errors)
-    texts.emplace_back("--quiet");
-  texts.insert(texts.end(), more.begin(), more.end());
-  return callPlot(texts);
+/// Draws the pictures of a run's or a study's folder.
+int drawPictures(const std::string& folder, std::vector<std::string> more) {
+  more.insert(more.begin(), folder);
+  return callPlot(more);
 }
+
+}  // namespace
 
 int drawScene(const std::string& csv, const std::string& title, const std::string& file,
               Words words) {
@@ -89,7 +76,7 @@ int plotCommand(const Given& given, std::ostream&) {
   } else if (window) {
     checkWindow(given.value("--window"));
   }
-  return drawPictures(given.argument, Words::All, more);
+  return drawPictures(given.argument, std::move(more));
 }
 
 int reportCommand(const Given& given, std::ostream&) {
@@ -107,7 +94,7 @@ int reportCommand(const Given& given, std::ostream&) {
   more.push_back("--report=" + given.value("--output", folder + "/report.html"));
   for (const std::string& warning : warningsOf(scene))
     more.push_back("--warning=" + warning);
-  return drawPictures(folder, Words::All, more);
+  return drawPictures(folder, std::move(more));
 }
 
 }  // namespace epafi::drivers

@@ -4,7 +4,6 @@
 #include "drivers/process/ChildProgram.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
-#include "drivers/study/Study.hpp"
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <filesystem>

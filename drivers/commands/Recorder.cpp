@@ -39,18 +39,22 @@ std::function<std::string()> made(std::string text) {
 
 Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
                    std::optional<OutputFolder>& folder, const ProgressLine& progress,
-                   std::ostream& table, std::function<void(const Level&)> written)
+                   std::ostream& table, std::function<void(const Level&)> written,
+                   MoreColumns more)
     : scene_(scene),
       earlier_(earlier),
       folder_(folder),
       progress_(progress),
       table_(table),
       written_(std::move(written)),
+      more_(std::move(more)),
       tables_(Checkpoint::before(scene, earlier)) {
   if (!folder_)
     return;
-  if (earlier_)  // without rows of levels that did not make it
-    folder_->write("history.csv", tables_.history);
+  if (earlier_) {  // without rows of levels that did not make it
+    added_.assign(rowsOf(tables_.history).size(), more_(nullptr, {}));
+    folder_->write("history.csv", history());
+  }
   folder_->write("used.xml", tables_.used);
   folder_->drop("interior.csv");  // of an earlier level
 }
@@ -77,9 +81,11 @@ void Recorder::take(const SolvedLevel& level) {
   if (!folder_)
     return;
   const LevelRow row = rowOf(level);
+  const double begin = cpuSeconds();
   const bool onPath = level.level.onPath();
   tables_.addLevel(level, row);
-  files_ = {{"history.csv", made(tables_.history)}};
+  added_.push_back(more_(&level, row));
+  files_ = {{"history.csv", made(history())}};
   std::move(stepFiles_.begin(), stepFiles_.end(), std::back_inserter(files_));
   stepFiles_.clear();
   if (scene_.output.fields) {
@@ -99,21 +105,24 @@ void Recorder::take(const SolvedLevel& level) {
   contact_ = {};
   stages_ +=
       bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
-  progress_.clear();
-  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
-         << operatorsNote(row) << worstStepNote(row) << std::flush;
   warnings_ = warningsOf(level);
   if (row.operators == denseInstead)
     told_.push_back(bem::message("level ", row.level, ": ", row.note));
   warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
   tables_.take(level, row);
   isTaken_ = true;
-  writeIfDue();
+  writeIfDue();  // who reads the line may look for its row in the file
+  progress_.clear();
+  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
+         << operatorsNote(row) << worstStepNote(row) << std::flush;
+  apart_ += cpuSeconds() - begin;
 }
 
 void Recorder::takeStep(const SolvedLevel& level) {
   if (!folder_)
     return;
+  const LevelRow row = rowOf(level);
+  const double begin = cpuSeconds();
   const SolvedStep& step = level.last();
   tables_.addStep(step);
   times_.push_back(step.row.t);
@@ -127,14 +136,15 @@ void Recorder::takeStep(const SolvedLevel& level) {
     stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
                             made(vtuText(*grid)));
   }
-  if (isKnown(level.level))
-    return;
-  grid_ = grid;
-  tables_.take(level, rowOf(level));
-  isTaken_ = true;
-  writeIfDue();
-  progress_.clear();
-  table_ << tableLine(step.row) << std::flush;
+  if (!isKnown(level.level)) {
+    grid_ = grid;
+    tables_.take(level, row);
+    isTaken_ = true;
+    writeIfDue();
+    progress_.clear();
+    table_ << tableLine(step.row) << std::flush;
+  }
+  apart_ += cpuSeconds() - begin;
 }
 
 void Recorder::writeIfDue() {
@@ -182,8 +192,21 @@ void Recorder::writeTimings(PhaseTimer& timer) {
     folder_->write("timings.txt", timer.report() + stages_);
 }
 
+std::string Recorder::history() const {
+  std::vector<CsvRow> rows = rowsOf(tables_.history);
+  if (added_.empty() || added_.front().empty())
+    return tables_.history;
+  std::string text;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    append(rows[k], added_[k]);
+    addRow(rows[k], text);
+  }
+  return text;
+}
+
 LevelRow Recorder::rowOf(const SolvedLevel& level) const {
   LevelRow row = level.row;
+  row.secondsTotal -= apart_;
   if (earlier_) {
     row.secondsTotal += earlier_->secondsTotal;
     row.secondsWall += earlier_->secondsWall;

@@ -3,6 +3,7 @@
 #include "drivers/output/ContactTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
+#include "drivers/output/TrueError.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/process/ProgressLine.hpp"
@@ -18,12 +19,13 @@ namespace epafi::drivers {
 
 /// Records the levels of a run: prints table rows, and writes the files of the folder
 /// (first process only).  `written` is called with the level or step whose files were
-/// written.
+/// written; history.csv, not solution.hdf, gets the columns that `more` adds.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table, std::function<void(const Level&)> written);
+           std::ostream& table, std::function<void(const Level&)> written,
+           MoreColumns more);
 
   /// What is written until a level is taken: the files of the level that the earlier run has left
   /// in another folder.
@@ -49,7 +51,8 @@ class Recorder {
   /// the operators are gone.
   using File = std::pair<std::string, std::function<std::string()>>;
 
-  /// With the times of the earlier run.
+  std::string history() const;
+  /// With the times of the earlier run, without those of files and errors.
   LevelRow rowOf(const SolvedLevel& level) const;
   /// Does the earlier run have a later step?  Then its files must not be replaced.
   bool isKnown(const Level& level) const;
@@ -61,7 +64,9 @@ class Recorder {
   const ProgressLine& progress_;
   std::ostream& table_;
   std::function<void(const Level&)> written_;
-  Checkpoint tables_;  ///< with the last level or a step behind it
+  MoreColumns more_;
+  std::vector<CsvRow> added_;  ///< by it, to each level
+  Checkpoint tables_;          ///< with the last level or a step behind it
   // of the level that is solved now
   std::vector<File> stepFiles_;
   std::vector<double> times_;
@@ -73,7 +78,8 @@ class Recorder {
   std::string restored_;     ///< folder whose solution.hdf stands for that of tables_
   bool isTaken_ = false;     ///< has that of tables_ to be written?
   std::shared_ptr<const VtkGrid> grid_;  ///< of it; without Fields empty
-  double writtenAt_ = cpuSeconds();
+  double apart_ = cpuSeconds();          ///< what is not the solution's
+  double writtenAt_ = apart_;
   double writingTook_ = 0;
   std::vector<std::string> warnings_;
   std::vector<std::string> told_;  ///< likewise, of all levels

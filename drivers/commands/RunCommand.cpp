@@ -1,4 +1,6 @@
 #include "bem/base/Error.hpp"
+#include "contact/body/DenseBody.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/Recorder.hpp"
 #include "drivers/output/OutputFolder.hpp"
@@ -110,6 +112,8 @@ std::string advice(const Given& given, const Scene& scene, const std::string& fo
   std::string command = "epafi run " + fileWord(given.argument);
   for (const std::string& assignment : given.values("--set"))
     command += " --set " + shellWord(assignment);
+  if (given.has("--reference"))
+    command += " --reference " + fileWord(given.value("--reference"));
   return bem::message("interrupted ", placeOf(*level), "; to go on from it: ", command,
                       " --restart ", fileWord(folder));
 }
@@ -119,6 +123,36 @@ void warn(const std::vector<std::string>& warnings, bool quiet) {
   if (!quiet)
     for (const std::string& warning : warnings)
       std::cerr << "epafi: warning: " << warning << "\n";
+}
+
+/// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
+double smallestEigenvalue(const SolvedLevel& level) {
+  const Scene& scene = level.last().spaces.scene();
+  double smallest = 1;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const contact::Solved& solved = level.last().bodies[b];
+    const double limit = contact::limitGamma0(
+        {solved.space, level.stiffness[b], scene.lame(b), solved.units,
+         scene.bodies[b].conditions, contact::multiplierBasis(scene.multiplier),
+         scene.stabilization});
+    smallest = std::min(smallest, 1 - solved.problem.coupling().gamma0 / limit);
+  }
+  return smallest;
+}
+
+/// Columns that the options add to history.csv.
+MoreColumns moreColumns(const Given& given, const Scene& scene) {
+  MoreColumns errors;
+  if (given.has("--reference"))
+    errors = errorsAgainst(given.value("--reference"), scene);
+  const bool eigenvalue = given.has("--smallest-eigenvalue");
+  return [=](const SolvedLevel* level, const LevelRow& row) {
+    CsvRow cells = errors ? errors(level, row) : CsvRow();
+    if (eigenvalue)
+      cells.emplace_back("smallest_eigenvalue",
+                         level == nullptr ? "" : number(smallestEigenvalue(*level)));
+    return cells;
+  };
 }
 
 /// The last level and timings.txt are written also if a later one fails or is interrupted.
@@ -148,18 +182,23 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const Scene scene = readScene(given.argument, given.values("--set"));
   const Beginning beginning = begin(given, scene);
   std::optional<OutputFolder> folder;  // the first rank's
-  if (ranks.isFirst())
+  MoreColumns more;
+  if (ranks.isFirst()) {
+    more = moreColumns(given, scene);
     folder.emplace(beginning.folder, beginning.earlierRun);
+  }
   ranks.listenToSignals();
   adviseOnInterrupt(advice(given, scene, restart,
                            beginning.earlier ? &beginning.earlier->level : nullptr));
   std::ostream silence(nullptr);
   std::ostream& table = quiet ? silence : out;
   const ProgressLine progress(ranks.isFirst() && !quiet);
-  Recorder recorder(scene, beginning.earlier, folder, progress, table,
-                    [&](const Level& level) {
-                      adviseOnInterrupt(advice(given, scene, beginning.folder, &level));
-                    });
+  Recorder recorder(
+      scene, beginning.earlier, folder, progress, table,
+      [&](const Level& level) {
+        adviseOnInterrupt(advice(given, scene, beginning.folder, &level));
+      },
+      more);
   if (beginning.earlier && beginning.earlierRun != EarlierRun::Continue)
     recorder.beginWith(restart);
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore

@@ -178,11 +178,12 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
       bem::message("--output: '", file.string(), "' cannot be written: ", cause));
 }
 
-/// Locks a folder against other runs, also of other processes, while the result exists.
+/// Locks a folder against other runs, also of other processes, while the result exists, or
+/// what this process becomes.
 /// Does nothing on a file system without locks.
 /// \throws bem::InputError if another run has locked the folder.
 std::shared_ptr<const void> locked(const std::string& path) {
-  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY);
   if (folder < 0)
     return nullptr;
   const std::shared_ptr<const int> lock(new int(folder), [](const int* open) {

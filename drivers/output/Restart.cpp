@@ -151,24 +151,4 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   });
 }
 
-std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path) {
-  try {
-    Checkpoint checkpoint = readSolution(path);
-    ParameterList then = sceneOf(checkpoint);
-    ParameterList now = *scene.used;
-    for (ParameterList* list : {&then, &now})
-      for (const char* section : {"Output", "Versions"})
-        list->remove(section, false);
-    if (!difference(then, now, "").empty())
-      return std::nullopt;
-    checkMeaning(checkpoint, scene);
-    if (!checkpoint.level.complete)
-      return std::nullopt;
-    checkpoint.history = historyBehind(checkpoint);
-    return checkpoint;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace epafi::drivers

@@ -3,8 +3,6 @@
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/scene/Scene.hpp"
 
-#include <optional>
-
 namespace epafi::drivers {
 
 /// Reads the last level of the run in a folder, from which `scene` is continued.
@@ -16,9 +14,5 @@ namespace epafi::drivers {
 /// \throws bem::InputError with the file and its defect, or with the first key that
 ///   differs.
 Checkpoint readRestart(const std::string& folder, const Scene& scene);
-
-/// The level in a file; nothing if the file is missing, damaged, of another format,
-/// incomplete, or if its scene differs in more than Output and Versions.
-std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path);
 
 }  // namespace epafi::drivers

@@ -122,16 +122,6 @@ Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
   return {xml.getRequired("type"), xml.getRequired("value")};
 }
 
-void collect(const Teuchos::ParameterList& list, const std::string& prefix,
-             std::vector<std::string>& result) {
-  for (const auto& item : list)
-    if (item.second.isList())
-      collect(Teuchos::getValue<Teuchos::ParameterList>(item.second),
-              prefix + item.first + "->", result);
-    else
-      result.push_back(prefix + item.first + "=" + spell(item.second, item.first).value);
-}
-
 void write(const Teuchos::ParameterList& list, const std::string& name,
            const std::string& indent, std::ostream& out) {
   out << indent << "<ParameterList name=\"" << xmlText(name) << "\">\n";
@@ -216,12 +206,6 @@ RawScene rawScene(const std::string& text, const std::string& file) {
   if (scene.title.empty())
     scene.title = path.stem().string();
   return scene;
-}
-
-std::vector<std::string> assignments(const Teuchos::ParameterList& list) {
-  std::vector<std::string> result;
-  collect(list, "", result);
-  return result;
 }
 
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title) {

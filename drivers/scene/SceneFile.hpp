@@ -29,9 +29,6 @@ std::string readText(const std::string& file);
 ///   their type; without the name of the file.
 RawScene rawScene(const std::string& text, const std::string& file);
 
-/// The values of a list as assignments "A->B->Key=value" for --set.
-std::vector<std::string> assignments(const Teuchos::ParameterList& list);
-
 /// The list as XML; reading it gives the same list, numbers to the last bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
 

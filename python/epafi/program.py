@@ -27,6 +27,7 @@ class EpafiError(RuntimeError):
     def __init__(self, message: str, code: int) -> None:
         super().__init__(message)
         self.code = code
+        self.words = message  # the program's own, with its options
 
 
 class InputError(EpafiError, ValueError):
@@ -75,10 +76,12 @@ def failure(code: int, complaint: str) -> EpafiError:
     """The exception for an exit code, with the program's own sentence, its options by the names
     of the arguments here: "--restart DIR" is restart, "--force" force=True."""
     kinds: dict[int, type[EpafiError]] = {1: InputError, 2: NumericalError, 3: NotConverged}
-    message = complaint.strip().removeprefix("epafi: ") or "exit code %d" % code
+    words = complaint.strip().removeprefix("epafi: ") or "exit code %d" % code
     message = re.sub(r"(?<![^\s(])(?:fields: |epafi run )?--([a-z]+)(?: [A-Z][A-Z:,]*\b)?",
-                     r"\1", message.replace("--force", "force=True"))
-    return kinds.get(code, EpafiError)(message, code)
+                     r"\1", words.replace("--force", "force=True"))
+    error = kinds.get(code, EpafiError)(message, code)
+    error.words = words
+    return error
 
 
 # What mpirun tells the processes it starts: epafi run by one of these would wait for its ranks.

@@ -42,7 +42,7 @@ class Scene(dict[str, Any]):
             root = xml.parse(name).getroot()
         except (OSError, xml.ParseError) as error:
             raise InputError("%s: %s" % (name, error)) from None
-        return cls(_tree(root), root.get("name") or stem, folder)
+        return cls(tree_of(root), root.get("name") or stem, folder)
 
     @classmethod
     def _read_yaml(cls, name: str, folder: str) -> Scene:
@@ -150,7 +150,7 @@ def _check(value: Any, rules: Mapping[str, Any], path: str) -> None:
         _check(entry, rule, here)
 
 
-def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
+def entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
     """Teuchos' type and text of a value; without rules by what it is."""
     value = _plain(value)
     kinds = rules.get("type")
@@ -162,7 +162,7 @@ def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
         wanted = rules.get("items", {}).get("type", "number")
         if wanted == "string" or any(isinstance(cell, str) for cell in cells):
             type_, words = "string", map(str, cells)
-        elif "integer" in wanted:
+        elif "integer" in wanted or not rules and all(isinstance(cell, int) for cell in cells):
             type_, words = "int", map(str, cells)
         else:
             type_, words = "double", (repr(float(cell)) for cell in cells)
@@ -189,18 +189,31 @@ def _list(name: str, tree: Mapping[str, Any], rules: Mapping[str, Any],
             continue
         if key == "File" and (name == "Geometry" or parent == "Tables"):
             value = os.path.join(folder, value)
-        kind, text = _entry(value, rule)
+        kind, text = entry(value, rule)
         xml.SubElement(element, "Parameter", name=key, type=kind, value=text)
     return element
 
 
-def _tree(element: xml.Element) -> dict[str, Any]:
+def tree_of(element: xml.Element) -> dict[str, Any]:
+    """What a list in XML holds."""
     tree: dict[str, Any] = {}
     for child in element:
         name = child.get("name", "")
-        tree[name] = (_tree(child) if child.tag == "ParameterList"
+        tree[name] = (tree_of(child) if child.tag == "ParameterList"
                       else _value(child.get("type", "string"), child.get("value", "")))
     return tree
+
+
+def _pieces(text: str) -> list[str]:
+    """Splits "a, f(b, c), {d, e}" at commas outside of parentheses and braces."""
+    pieces, depth = [""], 0
+    for sign in text:
+        depth += (sign in "({") - (sign in ")}")
+        if sign == "," and depth == 0:
+            pieces.append("")
+        else:
+            pieces[-1] += sign
+    return pieces
 
 
 def _value(kind: str, text: str) -> Any:
@@ -210,7 +223,7 @@ def _value(kind: str, text: str) -> Any:
         return read[kind](text)
     inner = kind[kind.index("(") + 1:-1]
     body = text[text.index("{") + 1:text.rindex("}")]
-    entries = [read[inner](entry.strip()) for entry in body.split(",")] if body.strip() else []
+    entries = [read[inner](text.strip()) for text in _pieces(body)] if body.strip() else []
     if not kind.startswith("TwoD"):
         return entries
     columns = int(text[:text.index(":")].split("x")[1])

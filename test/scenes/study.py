@@ -146,10 +146,13 @@ os.makedirs(os.path.join(fresh("undrawn"), "sweep.png"))
 fails("pictures that fail", ["cannot be drawn"], "study", sweep, "--output", os.path.join(WORK, "undrawn"))
 
 # solutions of a sweep, if asked for
-sweep = study("kept", {"sweep": sweep_of("1e-6", "1e-3")}, Keep_Solutions=True)
+sweep = study("kept", {"sweep": {**sweep_of("1e-6", "1e-3"), "Override": {"Discretization": {
+    "Elements per Edge": [4, 2, 4, 2], "Degree": 2}}}}, Keep_Solutions=True)
 kept = fresh("kept")
 code, text = epafi("study", sweep, "--output", kept, "--quiet", "--no-plot")
-value = os.path.join(kept, table(os.path.join(kept, "study.csv"))[-1]["folder"])
+last = table(os.path.join(kept, "study.csv"))[-1]
+claim((last["elements"], last["degree_min"]) == (12, 2), "an Override has an array: " + text)
+value = os.path.join(kept, last["folder"])
 code, text = epafi("fields", value, "--grid", "3,3")
 claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
       "fields of a value of a sweep: " + text.strip())
@@ -194,6 +197,31 @@ code, text = epafi("study", again, "--output", folder, "--force", "--no-plot")
 claim(code == 0 and "kept from before" in text, "the reference is kept")
 claim([row["error"] for row in table(os.path.join(folder, "study.csv"))[1:]] ==
       [row["error"] for row in uniform], "and gives the same errors")
+# a run adds the same errors to its history.csv, and goes on with them, not with those before
+coulomb, solution = os.path.join(SCENES, "coulomb.xml"), os.path.join(folder, "reference-coulomb.hdf")
+alone = fresh("alone run")
+two, three = (options(uniform_to(count)["uniform h"]["Set"]) for count in (2, 3))
+against = ("--reference", solution, "--smallest-eigenvalue")
+code, text = epafi("run", coulomb, *two, "--output", alone, *against)
+rows = table(os.path.join(alone, "history.csv"))
+claim(code == 0 and [[row[name] for name in ("error", "error_multiplier", "error_energy", "counted",
+                                             "effectivity", "error_path_step")] for row in rows] ==
+      [[row[name] for name in ("error", "error_multiplier", "error_energy", "counted", "effectivity",
+                               "worst_step")] for row in uniform[:2]], "a run has the same errors: " + text)
+claim(all(0.9 < row["smallest_eigenvalue"] <= 1 for row in rows), "S^ is small: %s" % [
+    row["smallest_eigenvalue"] for row in rows])
+code, text = epafi("run", coulomb, *three, "--restart", alone, *against)
+rows = table(os.path.join(alone, "history.csv"))
+claim(code == 0 and [row["error"] for row in rows] == ["", "", uniform[2]["error"]],
+      "and one that goes on: " + text)
+for what, scene, reference, words in (
+        ("of other bodies", "tresca.xml", os.path.join(few, "solution.hdf"), "other bodies"),
+        ("that is none", "coulomb.xml", coulomb, coulomb)):
+    fails("a reference " + what, ["--reference: ", words], "run", os.path.join(SCENES, scene),
+          "--output", fresh("no reference"), "--reference", reference)
+fails("a reference at another time", ["ends at t = 2, the scene at 1"], "run", os.path.join(SCENES, "fretting.xml"),
+      "--set", "History->Times={1}", "--set", "History->Steps={1}", "--output", fresh("no reference"),
+      "--reference", os.path.join(paths, "coarse", "solution.hdf"))
 # but not one of another scene, nor a damaged one
 changed = study("changed", uniform_to(2), up_to(300))
 code, text = epafi("study", changed, "--output", folder, "--force", "--no-plot")
