@@ -73,9 +73,38 @@ void checkHead(const std::string& table, const std::string& head) {
         "scene again");
 }
 
-/// Checks that sizes, indices and columns fit the meshes; the checksum cannot.
+/// Checks that sizes, indices and columns fit the meshes.
 void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
-  const Level& level = checkpoint.level;
+  checkLevel(checkpoint.level, scene);
+  if (!checkpoint.steps.empty())
+    checkHead(checkpoint.steps,
+              headOf(cellsOf(BodySpaces(scene, checkpoint.level).stepRow())));
+}
+
+/// history.csv without a last level that has not converged: it is solved again.
+std::string historyBehind(const Checkpoint& checkpoint) {
+  const std::string& text = checkpoint.history;
+  checkHead(text, headOf(cellsOf(LevelRow())));
+  const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
+  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
+    throw InputError("has not one row of history.csv per level");
+  if (checkpoint.level.status == contact::Status::Converged || !checkpoint.level.complete)
+    return text;
+  return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+}
+
+/// The same for a table whose rows begin with the level; drops all rows of a level that
+/// is solved again.
+std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
+  if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
+    return text;
+  const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
+  return row == std::string::npos ? text : text.substr(0, row + 1);
+}
+
+}  // namespace
+
+void checkLevel(const Level& level, const Scene& scene) {
   if (level.meshes.size() != scene.bodies.size())
     throw InputError("has not as many bodies as the scene");
   for (std::size_t b = 0; b < level.meshes.size(); ++b) {
@@ -103,32 +132,7 @@ void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-  if (!checkpoint.steps.empty())
-    checkHead(checkpoint.steps, headOf(cellsOf(spaces.stepRow())));
 }
-
-/// history.csv without a last level that has not converged: it is solved again.
-std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.history;
-  checkHead(text, headOf(cellsOf(LevelRow())));
-  const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
-  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
-    throw InputError("has not one row of history.csv per level");
-  if (checkpoint.level.status == contact::Status::Converged || !checkpoint.level.complete)
-    return text;
-  return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
-}
-
-/// The same for a table whose rows begin with the level; drops all rows of a level that
-/// is solved again.
-std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
-  if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
-    return text;
-  const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
-  return row == std::string::npos ? text : text.substr(0, row + 1);
-}
-
-}  // namespace
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   const std::string path = folder + "/solution.hdf";

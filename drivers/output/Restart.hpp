@@ -17,6 +17,11 @@ namespace epafi::drivers {
 ///   differs.
 Checkpoint readRestart(const std::string& folder, const Scene& scene);
 
+/// Checks that the sizes and indices of a level that was read fit the scene and its own
+/// meshes; the checksum of the file cannot.
+/// \throws bem::InputError with the defect.
+void checkLevel(const Level& level, const Scene& scene);
+
 /// The level in a file; nothing if the file is missing, damaged, of another format,
 /// incomplete, or if its scene differs in more than Output and Versions.
 std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path);

@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import zlib
 
 import h5py
 import numpy
@@ -192,6 +193,29 @@ with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
 refused("another format", ["format 4", "reads format 7", SOLUTION], "run", scene("tresca.xml"),
         "--restart", other_format)
+
+# a file whose checksum is right, but not its meaning
+def checksum(group):
+    """As drivers/output/SolutionFile.cpp forms it where there is no path."""
+    head = [numpy.int32(group.attrs[name]) for name in ("level", "converged", "complete")]
+    head += [group.attrs[name] for name in ("seconds_total", "seconds_wall")]
+    texts = [bytes(group[name][()]) for name in (
+        "reason", "used", "history", "steps", "resultants")]
+    numbers = [group[name][()] for name in (
+        "edge", "degree", "position", "indicators", "multiplier", "rigid", "contact_state",
+        "friction_state", "displacement", "density", "bodies", "rigid_bodies")]
+    return zlib.crc32(b"".join([one.tobytes() for one in head] + texts +
+                               [one.tobytes() for one in numbers]))
+
+
+foreign_edge = copy(base, "edge")
+with h5py.File(os.path.join(foreign_edge, SOLUTION), "r+") as data:
+    group = data["Epafi"]
+    claim(checksum(group) == group.attrs["checksum"], "the checksum is that of the file")
+    group["edge"][-1] = 100
+    group.attrs.modify("checksum", numpy.uint64(checksum(group)))
+for command in (["run", scene("tresca.xml"), "--restart", foreign_edge], ["fields", foreign_edge]):
+    refused(command[0] + ": an edge that the outline has not", ["on edge 100", SOLUTION], *command)
 
 # a folder or disk that takes nothing
 refused("a folder that cannot be made", ["cannot be made"], "run", scene("tresca.xml"),
