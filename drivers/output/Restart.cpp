@@ -102,6 +102,14 @@ std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
   return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
+bem::Index freeMotions(const std::vector<RigidBody>& bodies) {
+  bem::Index count = 0;
+  for (const RigidBody& body : bodies)
+    count += std::count_if(body.components.begin(), body.components.end(),
+                           [](const auto& component) { return component.free; });
+  return count;
+}
+
 }  // namespace
 
 void checkLevel(const Level& level, const Scene& scene) {
@@ -121,8 +129,12 @@ void checkLevel(const Level& level, const Scene& scene) {
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());
   };
+  bem::Index multipliers = 0;
+  bem::Index motions = freeMotions(scene.rigid);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    multipliers += multiplier.size();
+    motions += size(last.own[b].rigid);
     if (level.number < 0 ||
         size(last.displacement[b]) != spaces.space(b).displacements() ||
         size(last.density[b]) != spaces.space(b).densities() ||
@@ -132,6 +144,12 @@ void checkLevel(const Level& level, const Scene& scene) {
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
+  for (const PathPoint& point : level.path)
+    if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
+      throw InputError("has a path that does not fit its own mesh");
+  if (scene.history && level.complete && level.path.empty() &&
+      level.status == contact::Status::Converged)
+    throw InputError("has no path");
 }
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
