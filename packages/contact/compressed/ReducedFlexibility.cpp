@@ -9,8 +9,6 @@
 
 namespace epafi::contact {
 
-using bem::axpy;
-
 ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, System system)
     : whole_(whole),
       system_(std::move(system)),
