@@ -64,6 +64,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
 /// Throws what a run would throw on the first mesh, at all times of a path (from 0 on).
 void evaluateAll(const Scene& scene) {
   const BodySpaces spaces(scene, firstLevel(scene));
+  aboveCap(0, spaces.levelRow(), scene);
   if (scene.history)
     evaluateAt(scene, spaces, spaces.conditionsAt(0), 0);
   for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
@@ -71,7 +72,6 @@ void evaluateAll(const Scene& scene) {
                scene.history.times[k]);
   const std::vector<contact::Conditions> last = spaces.conditionsAt(scene.endOfPath());
   evaluateAt(scene, spaces, last, scene.endOfPath());
-  aboveCap(0, spaces.levelRow(), scene);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
     const std::vector<double> places = outputPlaces(scene, scene.bodies[b].degree);

@@ -3,7 +3,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/InsideVtu.hpp"
-#include "drivers/output/SolutionFile.hpp"
+#include "drivers/output/Restart.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -33,7 +33,9 @@ class SavedRun {
   explicit SavedRun(std::string folder)
       : folder_(std::move(folder)),
         checkpoint_(read(folder_)),
-        scene_(sceneOf(checkpoint_.used, folder_ + "/used.xml", {})) {}
+        scene_(sceneOf(checkpoint_.used, folder_ + "/used.xml", {})) {
+    within("'" + fileIn(folder_) + "' ", [&] { checkLevel(checkpoint_.level, scene_); });
+  }
 
   /// `step`: as --step gives it; empty: the last one.
   BodyInsides insides(const std::string& step) const {
@@ -49,12 +51,15 @@ class SavedRun {
   }
 
  private:
+  static std::string fileIn(const std::string& folder) {
+    return folder + "/solution.hdf";
+  }
   static Checkpoint read(const std::string& folder) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
       throw InputError("there is no folder '", folder,
                        "'; the folder of a finished run is needed");
-    return readSolution(folder + "/solution.hdf");
+    return readSolution(fileIn(folder));
   }
 
   const StepFields& stepOf(const std::string& text) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace epafi::drivers {
 
@@ -168,19 +169,54 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
   return all;
 }
 
+namespace {
+
+/// The deformed boundary of a body as closed polygons.
+class DeformedBody {
+ public:
+  void add(bem::Vec2 from, bem::Vec2 to) {
+    lines_.emplace_back(from, to);
+    low_ = {std::min(low_.x, from.x), std::min(low_.y, from.y)};
+    high_ = {std::max(high_.x, from.x), std::max(high_.y, from.y)};
+  }
+
+  /// A point of this body at a depth below its boundary that is inside of the other one, too.
+  std::optional<bem::Vec2> insideOf(const DeformedBody& other, double depth) const {
+    for (const auto& [from, to] : lines_) {
+      const bem::Vec2 along = to - from;
+      const bem::Vec2 x = from + 0.5 * along + depth / norm(along) * turnLeft(along);
+      if (other.contains(x))
+        return x;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool contains(bem::Vec2 x) const {
+    if (!(low_.x < x.x && x.x < high_.x && low_.y < x.y && x.y < high_.y))
+      return false;
+    bool inside = false;
+    for (const auto& [p, q] : lines_)
+      if ((p.y > x.y) != (q.y > x.y) && (cross(q - p, x - p) > 0) == (q.y > p.y))
+        inside = !inside;
+    return inside;
+  }
+
+  std::vector<std::pair<bem::Vec2, bem::Vec2>> lines_;
+  bem::Vec2 low_{std::numeric_limits<double>::infinity(),
+                 std::numeric_limits<double>::infinity()};
+  bem::Vec2 high_ = -1.0 * low_;
+};
+
+}  // namespace
+
 void findOverlap(const Scene& scene, const VtkGrid& grid,
                  std::vector<std::string>& warnings) {
   using bem::Vec2;
   constexpr double share = 0.1;
   const std::size_t elastic = scene.bodies.size();
   const std::vector<SideOfBody> all = scene.everyBody();
-  struct Deformed {
-    std::vector<std::pair<Vec2, Vec2>> lines{};
-    Vec2 low{std::numeric_limits<double>::infinity(),
-             std::numeric_limits<double>::infinity()};
-    Vec2 high = -1.0 * low;
-  };
-  std::vector<Deformed> bodies(all.size());
+  std::vector<DeformedBody> bodies(all.size());
   double depth = 0;
   const auto moved = [&](long long k) {
     const DataArray& motion = grid.pointData[Displacement];
@@ -188,13 +224,11 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
     depth = std::max(depth, share * norm(u));
     return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
   };
-  for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k) {
-    auto& [lines, low, high] = bodies[grid.cellData[OfBody].at<int>(k)];
-    lines.emplace_back(moved(grid.corners[2 * k]), moved(grid.corners[2 * k + 1]));
-    const Vec2 end = lines.back().first;
-    low = {std::min(low.x, end.x), std::min(low.y, end.y)};
-    high = {std::max(high.x, end.x), std::max(high.y, end.y)};
-  }
+  for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
+    bodies[grid.cellData[OfBody].at<int>(k)].add(moved(grid.corners[2 * k]),
+                                                 moved(grid.corners[2 * k + 1]));
+  if (!(depth > 0))
+    return;
   const auto touch = [&](const SideOfBody& a, const SideOfBody& b) {
     return std::any_of(scene.contacts.begin(), scene.contacts.end(),
                        [&](const ContactPair& pair) {
@@ -206,22 +240,11 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
       if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]) ||
           touch(all[b], all[a]))
         continue;
-      const auto& [lines, low, high] = bodies[b];
-      for (const auto& [from, to] : bodies[a].lines) {
-        const Vec2 along = to - from;
-        const Vec2 x = from + 0.5 * along + depth / norm(along) * turnLeft(along);
-        if (!(low.x < x.x && x.x < high.x && low.y < x.y && x.y < high.y))
-          continue;
-        bool isInside = false;
-        for (const auto& [p, q] : lines)
-          if ((p.y > x.y) != (q.y > x.y) && (cross(q - p, x - p) > 0) == (q.y > p.y))
-            isInside = !isInside;
-        if (isInside && depth > 0)
-          return warnings.push_back(bem::message(
-              "Bodies: '", scene.nameOf(all[a]), "' and '", scene.nameOf(all[b]),
-              "', deformed, overlap by more than ", depth, " at (", x.x, ", ", x.y,
-              "), and no contact between them is drawn: add one to Contacts"));
-      }
+      if (const auto x = bodies[a].insideOf(bodies[b], depth))
+        return warnings.push_back(bem::message(
+            "Bodies: '", scene.nameOf(all[a]), "' and '", scene.nameOf(all[b]),
+            "', deformed, overlap by more than ", depth, " at (", x->x, ", ", x->y,
+            "), and no contact between them is drawn: add one to Contacts"));
     }
 }
 

@@ -73,38 +73,12 @@ void checkHead(const std::string& table, const std::string& head) {
         "scene again");
 }
 
-/// Checks that sizes, indices and columns fit the meshes; the checksum cannot.
+/// Checks that sizes, indices and columns fit the meshes.
 void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
-  const Level& level = checkpoint.level;
-  if (level.meshes.size() != scene.bodies.size())
-    throw InputError("has not as many bodies as the scene");
-  for (std::size_t b = 0; b < level.meshes.size(); ++b) {
-    const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
-    for (const bem::Piece& piece : level.meshes[b])
-      if (piece.edge < 0 || piece.edge >= edges)
-        throw InputError("has an element on edge ", piece.edge, "; the outline has ",
-                         edges, " edges");
-  }
-  const StepFields& last = level.last();
-  if (last.rigid.size() != scene.rigid.size())
-    throw InputError("has not the motions of the scene's rigid bodies");
-  const BodySpaces spaces(scene, level);
-  const auto size = [](const auto& numbers) {
-    return static_cast<bem::Index>(numbers.size());
-  };
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    if (level.number < 0 ||
-        size(last.displacement[b]) != spaces.space(b).displacements() ||
-        size(last.density[b]) != spaces.space(b).densities() ||
-        size(last.own[b].multiplier) != multiplier.size() ||
-        size(last.states[b].normal) != multiplier.normals() ||
-        size(last.states[b].tangential) != multiplier.size() - multiplier.normals() ||
-        size(level.indicators[b].squares) != spaces.space(b).mesh().size())
-      throw InputError("does not fit its own mesh");
-  }
+  checkLevel(checkpoint.level, scene);
   if (!checkpoint.steps.empty())
-    checkHead(checkpoint.steps, headOf(cellsOf(spaces.stepRow())));
+    checkHead(checkpoint.steps,
+              headOf(cellsOf(BodySpaces(scene, checkpoint.level).stepRow())));
 }
 
 /// history.csv without a last level that has not converged: it is solved again.
@@ -128,7 +102,55 @@ std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
   return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
+bem::Index freeMotions(const std::vector<RigidBody>& bodies) {
+  bem::Index count = 0;
+  for (const RigidBody& body : bodies)
+    count += std::count_if(body.components.begin(), body.components.end(),
+                           [](const auto& component) { return component.free; });
+  return count;
+}
+
 }  // namespace
+
+void checkLevel(const Level& level, const Scene& scene) {
+  if (level.meshes.size() != scene.bodies.size())
+    throw InputError("has not as many bodies as the scene");
+  for (std::size_t b = 0; b < level.meshes.size(); ++b) {
+    const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
+    for (const bem::Piece& piece : level.meshes[b])
+      if (piece.edge < 0 || piece.edge >= edges)
+        throw InputError("has an element on edge ", piece.edge, "; the outline has ",
+                         edges, " edges");
+  }
+  const StepFields& last = level.last();
+  if (last.rigid.size() != scene.rigid.size())
+    throw InputError("has not the motions of the scene's rigid bodies");
+  const BodySpaces spaces(scene, level);
+  const auto size = [](const auto& numbers) {
+    return static_cast<bem::Index>(numbers.size());
+  };
+  bem::Index multipliers = 0;
+  bem::Index motions = freeMotions(scene.rigid);
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    multipliers += multiplier.size();
+    motions += size(last.own[b].rigid);
+    if (level.number < 0 ||
+        size(last.displacement[b]) != spaces.space(b).displacements() ||
+        size(last.density[b]) != spaces.space(b).densities() ||
+        size(last.own[b].multiplier) != multiplier.size() ||
+        size(last.states[b].normal) != multiplier.normals() ||
+        size(last.states[b].tangential) != multiplier.size() - multiplier.normals() ||
+        size(level.indicators[b].squares) != spaces.space(b).mesh().size())
+      throw InputError("does not fit its own mesh");
+  }
+  for (const PathPoint& point : level.path)
+    if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
+      throw InputError("has a path that does not fit its own mesh");
+  if (scene.history && level.complete && level.path.empty() &&
+      level.status == contact::Status::Converged)
+    throw InputError("has no path");
+}
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   const std::string path = folder + "/solution.hdf";

@@ -15,4 +15,9 @@ namespace epafi::drivers {
 ///   differs.
 Checkpoint readRestart(const std::string& folder, const Scene& scene);
 
+/// Checks that the sizes and indices of a level that was read fit the scene and its own
+/// meshes; the checksum of the file cannot.
+/// \throws bem::InputError with the defect.
+void checkLevel(const Level& level, const Scene& scene);
+
 }  // namespace epafi::drivers

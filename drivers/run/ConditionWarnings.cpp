@@ -72,13 +72,24 @@ std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
   }
 }
 
-/// A jump of a prescribed displacement on a side: from samples whose difference departs most from
-/// those beside it, and from these, always the half with the larger difference, of which a
-/// continuous function leaves nothing.
+/// The half of an interval with the larger difference, and again of that.
+template <class F>
+std::pair<double, double> steepest(double low, double high, const F& at) {
+  constexpr int halvings = 40;
+  for (int halved = 0; halved < halvings; ++halved) {
+    const double middle = (low + high) / 2;
+    const double value = at(middle);
+    (std::abs(value - at(low)) > std::abs(at(high) - value) ? high : low) = middle;
+  }
+  return {low, high};
+}
+
+/// A jump of a prescribed displacement on a side: between samples whose difference departs most
+/// from those beside it, or beside these, where it is steepest; a continuous function leaves
+/// nothing of it.
 void findJump(const Body& body, const std::string& boundary, const char* axis,
               const bem::Function& given, Warnings& warn) {
   constexpr int samples = 400;
-  constexpr int halvings = 40;
   constexpr double share = 0.2;
   for (const bem::Edge& edge : body.outline->edges()) {
     if (!given || edge.boundary != boundary)
@@ -98,13 +109,7 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
         largest = k;
       }
     for (const int k : {largest - 1, largest, largest + 1}) {
-      double low = place(k);
-      double high = place(k + 1);
-      for (int halved = 0; halved < halvings; ++halved) {
-        const double middle = (low + high) / 2;
-        const double value = at(middle);
-        (std::abs(value - at(low)) > std::abs(at(high) - value) ? high : low) = middle;
-      }
+      const auto [low, high] = steepest(place(k), place(k + 1), at);
       const double before = at(low);
       const double jump = at(high) - before;
       const bem::Vec2 x = body.outline->physical(edge.curve.point(low));

@@ -126,7 +126,7 @@ AdaptivityOptions readAdaptivity(const ParameterList& list) {
 }
 
 OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
-  OutputOptions output = bem::parsed<OutputOptions>(list);
+  auto output = bem::parsed<OutputOptions>(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
     if (scene.bodyAt(scene.drawn(output.interiorPoints[i])) == scene.bodies.size())
       throw InputError("Output->Interior Points: point ", i, " = (",

@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import zlib
 
 import h5py
 import numpy
@@ -125,6 +126,7 @@ claim(code == 0 and same(rows(stuck, CONTACT),
 path = UNIFORM + ["History->Times={1, 2}"]
 early = fresh("early")
 claim(solve("coulomb.xml", early, 1, path)[0] == 0, "a path of two steps")
+pathed = copy(early, "pathed")
 code, text = solve("coulomb.xml", None, 2, path + [
     "Solver->Coulomb Iteration=Fixed Point", "Solver->Coulomb Maximum Iterations=1"],
                    "--restart", early)
@@ -192,6 +194,55 @@ with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
 refused("another format", ["format 4", "reads format 7", SOLUTION], "run", scene("tresca.xml"),
         "--restart", other_format)
+
+# a file whose checksum is right, but not its meaning
+def seal(group):
+    """Writes the checksum, as drivers/output/SolutionFile.cpp forms it."""
+    head = [numpy.int32(group.attrs[name]) for name in ("level", "converged", "complete")]
+    head += [group.attrs[name] for name in ("seconds_total", "seconds_wall")]
+    texts = [bytes(group[name][()]) for name in (
+        "reason", "used", "history", "steps", "resultants")]
+    numbers = [group[name][()] for name in (
+        "edge", "degree", "position", "indicators", "multiplier", "rigid", "contact_state",
+        "friction_state", "displacement", "density", "bodies", "rigid_bodies", "path_t",
+        "path_iterations", "path_multiplier", "path_rigid", "path_errors", "step_t",
+        "step_displacement", "step_density", "step_contact_state", "step_friction_state",
+        "step_rigid_bodies")]
+    group.attrs.modify("checksum", numpy.uint64(zlib.crc32(b"".join(
+        [one.tobytes() for one in head] + texts + [one.tobytes() for one in numbers]))))
+
+
+def foreign_edge(group):
+    group["edge"][-1] = 100
+
+
+def no_path(group):
+    for name in [name for name in group if name.startswith("path_")]:
+        none = group[name][:0]
+        del group[name]
+        group[name] = none
+
+
+def short_path(group):
+    short = group["path_multiplier"][:2]
+    del group["path_multiplier"]
+    group["path_multiplier"] = short
+
+
+more = ["--set", "Adaptivity->Maximum Levels=2"]
+for of, rest, change, words in (
+        (base, [scene("tresca.xml"), *more], foreign_edge, "on edge 100"),
+        (pathed, [scene("coulomb.xml"), *options(path), *more], no_path, "has no path"),
+        (pathed, [scene("coulomb.xml"), *options(path), *more], short_path, "a path that does")):
+    changed = copy(of, "changed")
+    with h5py.File(os.path.join(changed, SOLUTION), "r+") as data:
+        before_seal = data["Epafi"].attrs["checksum"]
+        seal(data["Epafi"])
+        claim(data["Epafi"].attrs["checksum"] == before_seal, "the checksum is as it was")
+        change(data["Epafi"])
+        seal(data["Epafi"])
+    refused(words, [words, SOLUTION], "run", *rest, "--restart", changed)
+    refused(words + ", of fields", [words, SOLUTION], "fields", changed)
 
 # a folder or disk that takes nothing
 refused("a folder that cannot be made", ["cannot be made"], "run", scene("tresca.xml"),

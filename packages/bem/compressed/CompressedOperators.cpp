@@ -67,6 +67,7 @@ struct AllUnknowns {
 
   std::vector<Link> linksOf(const std::vector<Entry>& between) const {
     std::vector<Link> links;
+    links.reserve(between.size());
     for (const Entry& entry : between)
       links.push_back({elementOf(std::max(entry.row, entry.column)),
                        elementOf(std::min(entry.row, entry.column)),

@@ -115,7 +115,8 @@ class ElementRows {
     const Element& y = mesh_[f];
     const bool areNodesFar[] = {isFar(f, 0), isFar(f, 1)};
     for (int row = 0; row < 2 * moments_; ++row) {
-      const double scale = std::sqrt((row / 2 + 0.5) / mesh_[element_].half);
+      const int moment = row / 2;
+      const double scale = std::sqrt((moment + 0.5) / mesh_[element_].half);
       double* column = out.rows.column(first + row);
       double* densities = column + space_.displacements() + space_.density(f, 0, 0);
       const auto value = [&](int b) { return scale * blocks.lane(row, b)[lane]; };
@@ -198,7 +199,7 @@ class ElementRows {
         source.evaluate(seen[k]);
         dispatch(largestInstructionSet(),
                  Sampling{lame_, source, from, to, tests[k], values.data()});
-        const Index first = asInt(k) * lanes;
+        const Index first = static_cast<Index>(k) * lanes;
         for (const Component* of = from; of != to; ++of) {
           const Index column = of - components_.data();
           const ComplexLanes& value = values[static_cast<std::size_t>(of - from)];
@@ -319,7 +320,8 @@ TractionRows kernelRows(const Space& space, const Lame& lame,
   constexpr double ofNearSources = 5e4;  // ns
   constexpr double ofFarSource = 100;
   Rows rows(elements.size());
-  parallelFor({count, ofNearSources * count}, [&](Index k) {
+  const auto targets = static_cast<double>(count);
+  parallelFor({count, ofNearSources * targets}, [&](Index k) {
     rows[at(k)] = std::make_unique<const ElementRows>(space, lame, runs, elements[at(k)],
                                                       moments[at(k)], form);
   });
@@ -329,7 +331,7 @@ TractionRows kernelRows(const Space& space, const Lame& lame,
     out.start.push_back(out.start.back() + of->columns());
   out.rows = Matrix(space.displacements() + space.densities(), out.start.back());
   parallelFor(
-      {(count + lanes - 1) / lanes, ofFarSource * count * mesh.size()},
+      {(count + lanes - 1) / lanes, ofFarSource * targets * mesh.size()},
       [&] { return FarBlocks(space, lame); },
       [&](FarBlocks& blocks, Index group) {
         const std::size_t first = at(group * lanes);
@@ -346,6 +348,7 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
                                                  const std::vector<int>& elements,
                                                  TractionForm form) {
   std::vector<int> moments;
+  moments.reserve(elements.size());
   for (const int e : elements)
     moments.push_back(space.mesh()[e].degree + 1);
   TractionRows tractions = kernelRows(space, lame, elements, moments, form);

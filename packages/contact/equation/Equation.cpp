@@ -200,8 +200,9 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
       projection = std::clamp(trial, -bound, bound);
     }
     const bool above = i < problem_.normals ? trial > 0 : trial >= bound;
-    const bool below = i >= problem_.normals && trial <= -bound;
-    e.set.push_back(static_cast<signed char>(above ? 1 : (below ? -1 : 0)));
+    const bool below = !above && i >= problem_.normals && trial <= -bound;
+    e.set.push_back(
+        static_cast<signed char>(static_cast<int>(above) - static_cast<int>(below)));
     const double natural =
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
     e.natural.push_back(natural);

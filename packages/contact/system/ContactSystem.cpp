@@ -120,6 +120,17 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
   return bodies;
 }
 
+namespace {
+
+/// D - v vᵀ
+void subtractSquare(const Vector& v, Matrix& d) {
+  for (Index j = 0; j < d.columns(); ++j)
+    for (Index i = 0; i < d.rows(); ++i)
+      d(i, j) -= v[at(i)] * v[at(j)];
+}
+
+}  // namespace
+
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
 void ContactSystem::condense(Index formedUpTo) {
   Matrix d;
@@ -136,9 +147,7 @@ void ContactSystem::condense(Index formedUpTo) {
     std::vector<Vector> motions = motionsOnContacts(
         body(b).holding(), 0, numbering_, b, body(b).coupling().trace, (*opposite_)[b]);
     for (const Vector& moved : motions)
-      for (Index j = 0; j < d.columns(); ++j)
-        for (Index i = 0; i < d.rows(); ++i)
-          d(i, j) -= moved[at(i)] * moved[at(j)];
+      subtractSquare(moved, d);
     std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
               std::back_inserter(columns));
     if (dense != nullptr)
