@@ -295,4 +295,12 @@ for where, words, times in (("contakt", "'contakt'; contacts: contact", (2, 6)),
                             ("contact", "two steps", (2, 2))):
     with raises(epafi.InputError, "%s, %s is refused" % (where, times), words):
         fretting.fatigue(where, first=times[0], last=times[1], alpha=ALPHA)
+own = pressed().changed({
+    "Bodies->block->Material->Thermal Expansion": 1e-5, "Body Loads": {"Temperature": "t"},
+    "Bodies->block->Body Loads": {"Force Y": "-0.01"}, "History": {"Times": [1], "Steps": [2]}})
+claim(np.isfinite(epafi.run(own, threads=1).fatigue("foot", alpha=ALPHA)["swt"]).all(),
+      "a list of a body's own replaces the temperature at the root: it is not warm")
+warm = epafi.run(own.changed({"Bodies->block->Body Loads": None}), threads=1)
+with raises(epafi.InputError, "a warm body has no fatigue on its contact", "warm body"):
+    warm.fatigue("foot", alpha=ALPHA)
 finish()
