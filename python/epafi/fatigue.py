@@ -153,9 +153,9 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *, al
         if where not in names:
             raise InputError("there is no contact %r; contacts: %s" % (where, ", ".join(names)))
         places, stresses = on_contact(run, where, steps)
-        warm = [body for body in set(places["body"]) if any("Temperature" in rules for rules in (
-            scene.get("Body Loads", {}), scene["Bodies"][body].get("Body Loads", {})))
-                or scene["Bodies"][body].get("Thermal Conditions")]
+        warm = [body for body, keys in scene["Bodies"].items() if body in places["body"] and (
+            "Temperature" in (keys.get("Body Loads") or scene.get("Body Loads", {}))
+            or keys.get("Thermal Conditions"))]
         if warm:
             raise InputError("%s: the stress across the plane of a warm body is not in contact.csv; "
                              "give points, or a boundary and a depth" % ", ".join(warm))

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 SMOOTH = math.radians(1)  # less is no corner
 NEAR = 1e-12  # of all outlines' size: the same node; bodies may be drawn APART
 APART = 1e-6
+SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
 
 
@@ -85,7 +86,7 @@ class Element:
 class Face:
     """How a side of a body is held close to one of its nodes."""
 
-    kind: str  # free, clamp, contact, bond
+    kind: str  # free, symmetry, clamp, contact, bond
     rows: Rows = FREE  # what vanishes, if nothing elastic is opposite
     joint: Optional[float] = None  # if something elastic is: as in Corner
     opposite: str = ""  # that body
@@ -118,6 +119,7 @@ class Outlines:
 
     def __init__(self, run: Run) -> None:
         self.scene, table = run.scene, run.boundary
+        self.line = self.scene.get("Geometry", {}).get("Symmetry")
         bodies = self.scene["Bodies"]
         touch = self.scene.get("Contacts") or any(
             rules.get("Type") == "Contact" for body in bodies.values()
@@ -177,18 +179,19 @@ class Outlines:
         """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a
         singular stress they are free."""
         rules = self.conditions(element)
-        if rules.get("Type") == "Dirichlet":
-            given = [axis for axis in "XY" if "Displacement " + axis in rules]
+        axes = [axis for axis in "XY" if "Displacement " + axis in rules]
+        halved = element.name == SYMMETRY and self.line in ("X", "Y")
+        if rules.get("Type") == "Dirichlet" or halved:
             ray = element.direction(at_end) * (-1 if at_end else 1)
-            return Face("clamp", CLAMPED if len(given) == 2 else held(
-                float((math.pi / 2 if given == ["Y"] else 0) - np.angle(ray))))
+            return Face(SYMMETRY if halved else "clamp", CLAMPED if len(axes) == 2 else held(
+                float((math.pi / 2 if (axes or [self.line]) == ["Y"] else 0) - np.angle(ray))))
         for name, rules, opposite in self.contacts(element):
             rows, friction = self.touching(element, name), rules.get("Friction", {})
             law = friction.get("Law", "None")
             if (len(rows) == 0 or rules.get("Normal", {}).get("Law", "Rigid") != "Rigid"
                     or law != "Tied" and self.samples["contact"][rows].mean() < 0.5):
                 continue
-            shears = number(self.scene, friction.get("Compliance", 0)) == 0
+            shears = self.is_zero(friction.get("Compliance", 0))
             if shears and (law == "Tied" or np.mean(self.samples["friction"][rows] == 1) > 0.5):
                 return Face("bond" if law == "Tied" else "contact", CLAMPED, None, opposite)
             ratio = 0.0
@@ -199,6 +202,13 @@ class Outlines:
                     np.sign(normal @ shear))
             return Face("contact", sliding(ratio), ratio, opposite)
         return Face("free")
+
+    def is_zero(self, value: Any) -> bool:
+        """Not so of a function of the place."""
+        try:
+            return number(self.scene, value) == 0
+        except InputError:
+            return False
 
     def angle(self, before: Element) -> float:
         """Inside the body at an element's end; 2 pi between the faces of a crack."""

@@ -171,6 +171,51 @@ claim(np.allclose(coarse, fine, rtol=1e-2) and (np.abs(np.subtract(fine, coarse)
 other, _ = at_corner(solved(angled(1000, 0.7), 300))
 claim(np.allclose(other, np.array(coarse) * [1000 ** (1 - opening), 1000 ** (1 - sheared)], rtol=2e-3),
       "turned, and as length^(1 - lambda) with the size")
+
+
+def notched(line):
+    """A strip with a notch of 90 degrees, pulled; given a line its half on one side of that."""
+    half = [[0, 0.5], [0.5, 0], [1, 0], [1, 2], [0, 2]]
+    names = ["notch", "foot", "end", "top"]
+    corners, edges, fix = half + [[-x, y] for x, y in half[-2:0:-1]], names + names[::-1], "XY"
+    if line:
+        corners, edges, fix = half, names + ["any"], "Y"
+    if line == "Y":
+        corners, fix = [[-y, x] for x, y in corners], "X"
+    along = "Y" if line == "Y" else "X"
+    return epafi.Scene({"Bodies": {"strip": {
+        "Material": {"Young's Modulus": 100.0, "Poisson's Ratio": NU},
+        "Geometry": {"Vertices": corners, "Edges": edges},
+        "Boundary Conditions": {"end": {"Type": "Neumann", "Traction " + along: "n" + along.lower()}},
+        "Rigid Motions": {"Fix": list(fix) + ["Rotation"] * (not line)}}},
+        **({"Geometry": {"Symmetry": line}} if line else {}), "Discretization": {"Mesh Size": 0.5}})
+
+
+notch = solved(notched(None), 500)
+for line in "XY":
+    half = solved(notched(line), 500)
+    claim(list(half["kind"]) == ["corner"] and near(half["exponent"], [opening - 1]) and
+          abs(half["k_normal"][0] / notch["k_normal"][0] - 1) < 3e-3 and half["k_shear"][0] == 0,
+          "a notch on the line of symmetry %s: K = %s, of the whole %s" % (
+              line, half["k_normal"], notch["k_normal"]))
+
+
+def pressed(**friction):
+    """Half of a block on a curved obstacle: nothing is singular but the end of contact."""
+    return epafi.Scene({"Bodies": {"block": {
+        "Material": {"Young's Modulus": 100.0, "Poisson's Ratio": NU},
+        "Geometry": {"Vertices": [[0, 0], [2, 0], [2, 1], [0, 1]],
+                     "Edges": ["foot", "side", "top", "any"]},
+        "Boundary Conditions": {"top": {"Type": "Neumann", "Traction Y": -1}, "foot": {
+            "Type": "Contact", "Gap": "x^2/100",
+            "Friction": {"Law": "Coulomb", "Coefficient": 0.5, **friction}}}}},
+        "Geometry": {"Symmetry": "X"}, "Discretization": {"Mesh Size": 0.25}})
+
+
+claim(list(solved(pressed(), 300)["kind"]) == ["end of contact"],
+      "where contact meets the line of symmetry nothing is singular")
+claim(list(solved(pressed(Compliance="0.001*(1 + x^2)"), 200)["kind"]) == ["end of contact"],
+      "a compliance that varies is none of a rigid surface")
 run = epafi.run(angled(1, 0), os.path.join(WORK, "L"))
 claim("<h2>Stress intensities</h2>" in read(run.report()), "a report has them")
 claim(number({"Constants": {"a": 2, "b": "a^2"}}, "sqrt(b)/2") == 1, "numbers may be expressions")
@@ -250,4 +295,12 @@ for where, words, times in (("contakt", "'contakt'; contacts: contact", (2, 6)),
                             ("contact", "two steps", (2, 2))):
     with raises(epafi.InputError, "%s, %s is refused" % (where, times), words):
         fretting.fatigue(where, first=times[0], last=times[1], alpha=ALPHA)
+own = pressed().changed({
+    "Bodies->block->Material->Thermal Expansion": 1e-5, "Body Loads": {"Temperature": "t"},
+    "Bodies->block->Body Loads": {"Force Y": "-0.01"}, "History": {"Times": [1], "Steps": [2]}})
+claim(np.isfinite(epafi.run(own, threads=1).fatigue("foot", alpha=ALPHA)["swt"]).all(),
+      "a list of a body's own replaces the temperature at the root: it is not warm")
+warm = epafi.run(own.changed({"Bodies->block->Body Loads": None}), threads=1)
+with raises(epafi.InputError, "a warm body has no fatigue on its contact", "warm body"):
+    warm.fatigue("foot", alpha=ALPHA)
 finish()
