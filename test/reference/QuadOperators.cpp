@@ -248,6 +248,16 @@ QuadVec nodeOf(const bem::Mesh& mesh, int e) {
   return {line.to.x - piece.start.toEnd * tau.x, line.to.y - piece.start.toEnd * tau.y};
 }
 
+/// Of all entries, or of those on and below the diagonal.
+double largestError(const bem::Matrix& matrix, const QuadMatrix& exact, bool lower) {
+  Quad largest = 0;
+  for (Index j = 0; j < exact.columns(); ++j)
+    for (Index i = lower ? j : 0; i < exact.rows(); ++i)
+      largest =
+          std::max<Quad>(largest, abs(matrix(i, j) - exact(i, j)) / exact.scale(i, j));
+  return static_cast<double>(largest);
+}
+
 }  // namespace
 
 QuadMatrix::QuadMatrix(Index rows, Index columns)
@@ -332,6 +342,13 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
     }
   }
   return result;
+}
+
+OperatorErrors operatorErrors(const bem::Operators& operators,
+                              const QuadOperators& exact) {
+  return {largestError(operators.singleLayer, exact.singleLayer, true),
+          largestError(operators.doubleLayer, exact.doubleLayer, false),
+          largestError(operators.hypersingular, exact.hypersingular, true)};
 }
 
 }  // namespace epafi::reference

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "bem/space/Space.hpp"
 #include "reference/QuadMoments.hpp"
 
@@ -50,6 +51,17 @@ struct QuadOperators {
 /// `tolerance` is the relative error that the quadrature rules are chosen for.
 QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
                             double tolerance = 1e-22);
+
+/// The largest error of an entry, relative to the norms of the element pair blocks that
+/// make it up.
+struct OperatorErrors {
+  double singleLayer = 0;
+  double doubleLayer = 0;
+  double hypersingular = 0;
+};
+
+OperatorErrors operatorErrors(const bem::Operators& operators,
+                              const QuadOperators& exact);
 
 /// Elements of a mesh in 33 digits: neighbours share their common node exactly.
 std::vector<Segment> segments(const bem::Mesh& mesh);

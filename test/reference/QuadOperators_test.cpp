@@ -118,25 +118,6 @@ TEUCHOS_UNIT_TEST(QuadMoments, orientationOfTouchingSegmentsOnlyChangesSigns) {
   TEST_COMPARE(difference(turned, integrator()(a, 3, b, 4, Meeting::FromFrom)), <, 1e-28);
 }
 
-// Choosing every rule for 1e-28 instead of 1e-22 (a third more points) changes nothing.
-TEUCHOS_UNIT_TEST(QuadMoments, moreQuadraturePointsChangeNothing) {
-  const PairIntegrator finer(degree, 1e-28);
-  const Segment unit = fromVertex(0, 1);
-  for (double angle : {180.0, 90.0, 5.0})
-    for (double ratio : {1.0, 1e-3}) {
-      const Segment other = fromVertex(angle, ratio);
-      TEST_COMPARE(
-          difference(integrator()(unit, degree, other, degree, Meeting::FromFrom),
-                     finer(unit, degree, other, degree, Meeting::FromFrom)),
-          <, 1e-22);
-    }
-  for (const Segment& other : {Segment{{1.2, 0.1}, {0.2, 0.1}},
-                               Segment{{1.001, 0}, {1.002, 0}}, Segment{{5, 4}, {5, 5}}})
-    TEST_COMPARE(difference(integrator()(unit, degree, other, degree, Meeting::Apart),
-                            finer(unit, degree, other, degree, Meeting::Apart)),
-                 <, 1e-22);
-}
-
 // Couples all pairs of a polygon, self and touching and separated, with the mass matrix.
 TEUCHOS_UNIT_TEST(QuadOperators, annihilateRigidMotionsTo20Digits) {
   for (const Sample& sample : quickSamples()) {
