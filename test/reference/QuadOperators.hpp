@@ -64,7 +64,7 @@ OperatorErrors operatorErrors(const bem::Operators& operators,
                               const QuadOperators& exact);
 
 /// Elements of a mesh in 33 digits: neighbours share their common node exactly.
-std::vector<Segment> segments(const bem::Mesh& mesh);
+std::vector<QuadCurve> segments(const bem::Mesh& mesh);
 
 /// (1,0), (0,1), (-y,x) as coefficients of the displacement space.
 std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space);
