@@ -1,5 +1,5 @@
-// The two scenes of [P] sec. 8: rates of the estimate, and the estimate beside true
-// errors.
+// The two scenes of [P] sec. 8: rates of the estimate, the estimate beside true errors, and
+// Newton's steps.
 #include "bem/operators/EnergyNorm.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/Levels.hpp"
@@ -7,8 +7,11 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace epafi {
 
@@ -17,6 +20,7 @@ namespace {
 struct Level {
   double dof = 0;
   double estimate = 0;
+  int steps = 0;  ///< linear systems solved; -1: not converged
   bem::CauchyData solution;
 };
 
@@ -32,7 +36,9 @@ std::vector<Level> solveScene(const std::string& name,
   drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
   const auto keep = [&](const drivers::SolvedLevel& level) {
+    const contact::Report& report = level.row.report;
     levels.push_back({static_cast<double>(level.row.dof()), level.row.estimate,
+                      report.converged() ? report.newtonIterations : -1,
                       bem::makeCauchyData(level.last().bodies[0].space,
                                           level.last().bodies[0].displacement,
                                           level.last().densities[0])});
@@ -57,9 +63,11 @@ const std::vector<std::string> paper = {
     "Discretization->Stabilization->Scaling=Absolute"};
 
 const std::vector<std::string> quadratic = {"Discretization->Degree=2"};
-const std::vector<std::string> stabilised = {
-    "Discretization->Degree=2", "Discretization->Stabilization->Scaling=Stiffness",
+const std::vector<std::string> ownStabilization = {
+    "Discretization->Stabilization->Scaling=Stiffness",
     "Discretization->Stabilization->Gamma0=0.1"};
+const std::vector<std::string> stabilised = {"Discretization->Degree=2",
+                                             ownStabilization[0], ownStabilization[1]};
 const std::vector<std::string> biorthogonal = {
     "Discretization->Degree=2", "Discretization->Multiplier=Biorthogonal",
     "Discretization->Stabilization->Form=None"};
@@ -195,6 +203,41 @@ TEUCHOS_UNIT_TEST(GradedHp, convergesExponentiallyInTheRootOfDof) {
       bound *= 0.1;
     }
   }
+}
+
+// Newton's steps on all levels but the first, each started from the state carried over.
+TEUCHOS_UNIT_TEST(WarmStart, needsFewStepsInTheMedianAndBoundedOnesAtMost) {
+  for (const auto& [multiplier, most] :
+       std::vector<std::pair<std::string, int>>{{"Gauss-Legendre-Lagrange", 8},
+                                                {"Gauss-Lobatto-Lagrange", 20},
+                                                {"Bernstein", 20}})
+    for (const char* scene : {"tresca", "coulomb"}) {
+      std::vector<int> all;
+      for (const char* strategy : {"Graded hp", "Adaptive h", "Adaptive hp"})
+        for (const bool own : {false, true}) {
+          std::vector<std::string> settings = {"Discretization->Multiplier=" +
+                                               multiplier};
+          if (own)
+            settings.insert(settings.end(), ownStabilization.begin(),
+                            ownStabilization.end());
+          const auto levels = solveScene(scene, with(settings, strategy, 100, 1500));
+          int largest = 0;
+          for (std::size_t k = 1; k < levels.size(); ++k) {
+            TEST_COMPARE(levels[k].steps, >=, 0);
+            largest = std::max(largest, levels[k].steps);
+            all.push_back(levels[k].steps);
+          }
+          out << multiplier << ", " << scene << ", " << strategy
+              << (own ? ", own" : ", the paper's") << " stabilisation: " << levels.size()
+              << " levels, at most " << largest << " steps\n";
+          TEST_COMPARE(largest, <=, most);
+        }
+      const auto middle =
+          std::next(all.begin(), static_cast<std::ptrdiff_t>(all.size() / 2));
+      std::nth_element(all.begin(), middle, all.end());
+      out << scene << ", median " << *middle << "\n";
+      TEST_COMPARE(*middle, <=, 3);
+    }
 }
 
 }  // namespace epafi

@@ -4,7 +4,6 @@
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/space/CauchyData.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -241,27 +240,6 @@ TEUCHOS_UNIT_TEST(OtherNodes, nothingIsCarriedToWhereNoContactWas) {
   TEST_THROW(carry(oneSide, twoSides), bem::NumericalError);
   TEST_THROW(carry(oneSide, otherSide), bem::NumericalError);
   TEST_EQUALITY(carry(oneSide, oneSide).size(), static_cast<std::size_t>(oneSide.size()));
-}
-
-// Errors against a reference with other nodes rest on this.
-TEUCHOS_UNIT_TEST(OtherNodes, aUnionHoldsTheNodesOfBothMeshes) {
-  const bem::Mesh a = layeredAt(0.3);
-  const bem::Mesh b = layeredAt(0.2937);
-  const bem::UnionMesh both = bem::unite(a, b);
-  // the middle and the two layers on either side of it differ
-  TEST_EQUALITY(both.mesh.size(), a.size() + 5);
-  for (int e = 0; e < both.mesh.size(); ++e) {
-    for (const double t : {-1.0, 0.3, 1.0}) {
-      const bem::Vec2 place = both.mesh.scaledPoint(e, t);
-      const bem::Origin& inA = both.first[e];
-      const bem::Origin& inB = both.second[e];
-      const double ta = inA.middle + inA.scale * t;
-      const double tb = inB.middle + inB.scale * t;
-      TEST_COMPARE(norm(place - a.scaledPoint(inA.element, ta)), <, 1e-14);
-      TEST_COMPARE(norm(place - b.scaledPoint(inB.element, tb)), <, 1e-14);
-      TEST_COMPARE(std::max(std::abs(ta), std::abs(tb)), <, 1 + 1e-9);
-    }
-  }
 }
 
 }  // namespace epafi

@@ -1,6 +1,5 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
-#include "Message.hpp"
 #include "Processes.hpp"
 #include "Rectangle.hpp"
 #include "adaptivity/estimate/Weights.hpp"
@@ -219,12 +218,6 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, residualFactorScalesTheThreeResidualsOnly) 
   const Contributions tenth = estimate(scene, "Paper", 0.1).sums();
   for (std::size_t k = 0; k < one.size(); ++k)
     TEST_FLOATING_EQUALITY(tenth[k] + 1, (k < 3 ? 0.1 : 1.0) * one[k] + 1, 1e-14);
-}
-
-TEUCHOS_UNIT_TEST(Weights, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
-  const std::string told = test::messageOf([] { adaptivity::weightings().at("Heavy"); });
-  for (const adaptivity::Weights& known : adaptivity::weightings())
-    TEST_ASSERT(test::contains(told, known.name));
 }
 
 }  // namespace epafi

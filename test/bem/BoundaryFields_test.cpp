@@ -1,13 +1,11 @@
-// Pointwise residuals of the two integral equations: exact solutions, limits from inside,
+// Pointwise residuals of the two integral equations: exact solutions,
 // and the Galerkin matrices, which are integrals of the same fields.
 #include "bem/fields/BoundaryFields.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/fields/Interior.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/operators/Assembly.hpp"
-#include "bem/space/DisplacementField.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -34,8 +32,6 @@ Vector anyVector(bem::Index size, double seed) {
     v.push_back(std::sin(seed + 1.7 * static_cast<double>(i)));
   return v;
 }
-
-bem::EndPoint inside(double t) { return {t, 1 + t, 1 - t}; }
 
 struct Errors {
   double traction = 0;  ///< L² norms relative to the traction's
@@ -97,49 +93,18 @@ TEUCHOS_UNIT_TEST(BoundaryFields, ofAPointForceConvergeExponentiallyInP) {
   }
 }
 
-// U = V psi - K u inside has the trace  V psi - (K - 1/2) u  and the traction
-// W u + (K' + 1/2) psi, for whatever u and psi.
-TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
-  const bem::Lame lame = lameOf(0.3);
-  for (const Sample& sample : hardSamples()) {
-    const bem::Mesh& mesh = sample.mesh;
-    const bem::Space space(mesh);
-    const Vector u = anyVector(space.displacements(), 0.3);
-    const Vector psi = anyVector(space.densities(), 1.1);
-    const bem::BoundaryFields fields(space, lame, {{u, psi}});
-    double tractionError = 0;
-    double mismatchError = 0;
-    double tractionSize = 0;
-    double mismatchSize = 0;
-    for (int e = 0; e < mesh.size(); ++e) {
-      const double depth = 1e-10 * mesh[e].half;
-      const double step = 2e-3;
-      const auto trace = [&](double t) {
-        const Vec2 x = mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t);
-        return bem::Interior(space, lame, u, psi).at(x).displacement -
-               bem::DisplacementField(space, u).at(e, t);
-      };
-      const auto values = fields.at(e, {inside(-0.6), inside(0.3)}).front();
-      for (const bem::BoundaryValue& value : values) {
-        const double t = value.place.t;
-        const auto inner =
-            bem::Interior(space, lame, u, psi)
-                .at(mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t));
-        const Vec2 traction =
-            PlaneStressTensor{inner.xx, inner.yy, inner.xy} * mesh[e].curve.normal(t);
-        const Vec2 slope = (1 / (12 * step * mesh[e].half)) *
-                           (8.0 * (trace(t + step) - trace(t - step)) -
-                            (trace(t + 2 * step) - trace(t - 2 * step)));
-        tractionError = std::max(tractionError, norm(value.traction - traction));
-        mismatchError = std::max(mismatchError, norm(value.mismatch - slope));
-        tractionSize = std::max(tractionSize, norm(traction));
-        mismatchSize = std::max(mismatchSize, norm(slope));
-      }
-    }
-    out << sample.name << ": ";
-    TEST_COMPARE(tractionError, <, 1e-6 * tractionSize);
-    TEST_COMPARE(mismatchError, <, 1e-6 * mismatchSize);
-  }
+// Beside elements 1e-9 times as long as the one that is tested; t has an ulp of 1e-16 there.
+TEUCHOS_UNIT_TEST(GradedRule, takesAsManyPointsADecadeAtTheEndsAsElsewhere) {
+  const double next = std::nextafter(-1.0, 0.0);
+  const std::vector<bem::Feature> features = {{-1, 0}, {next, 0}, {1, 0}, {-next, 1e-20}};
+  const bem::GradedRule rule = bem::gradedRule(features, 17, 1e-20);
+  const int sides = 6;  // of features, from which intervals grow: 25 points a decade
+  TEST_COMPARE(rule.size(), <, sides * 25 * 20);
+  double sum = 0;
+  for (int q = 0; q < rule.size(); ++q)
+    sum += rule.weights[q] *
+           (std::log(rule.points[q].fromStart) - 2 * std::log(rule.points[q].toEnd));
+  TEST_FLOATING_EQUALITY(sum, 2 - 2 * std::log(2), 1e-13);
 }
 
 TEUCHOS_UNIT_TEST(SoftenedRule, integratesWhatJumpsAtItsCuts) {

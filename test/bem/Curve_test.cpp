@@ -2,8 +2,6 @@
 #include "bem/geometry/Curve.hpp"
 
 #include "bem/moments/LegendreLanes.hpp"
-#include "bem/quadrature/Gauss.hpp"
-#include "bem/quadrature/Graded.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -187,43 +185,6 @@ TEUCHOS_UNIT_TEST(Curve, isSeenFromFarAndNearPlacesTogether) {
         if (std::abs(leading) > 1e-290)
           TEST_FLOATING_EQUALITY(moments.c[0][j][lane], leading, error);
         TEST_ASSERT(std::isfinite(moments.cubic(targets, j - 1).im[lane]));
-      }
-    }
-  }
-}
-
-// ∫ P_j log|w| dt = L_j(z) + ∫ P_j log|g| dt: closed forms of segments serve arcs.
-TEUCHOS_UNIT_TEST(Curve, isASegmentSeenFromAComplexPlace) {
-  const bem::Rule& gauss = bem::gaussLegendre(24);
-  for (const double bulge : {0.05, -0.2}) {
-    const Curve curve(from, to, bulge);
-    for (const double depth : {1e-8, -1e-3, 0.1}) {
-      const double foot = 0.3;
-      const Vec2 x = beside(curve, foot, depth);
-      const auto z = curve.seen(x);
-      bem::RelativeTarget targets[bem::lanes];
-      std::fill_n(targets, bem::lanes, z);
-      bem::LegendreLanes<2> moments{};
-      moments.evaluate(bem::packed(targets), 4);
-      const bem::GradedRule graded = bem::gradedRule(
-          {{foot, std::abs(depth) / curve.half()}}, 20, 1e-6 * std::abs(depth));
-      for (int j = 0; j <= 3; ++j) {
-        double legendre[4];
-        double closed = moments.l[j][0];
-        for (int q = 0; q < gauss.size(); ++q) {
-          bem::legendreValues(3, gauss.points[q], legendre);
-          closed += gauss.weights[q] * legendre[j] *
-                    std::log(std::abs(curve.factor(z, gauss.points[q])));
-        }
-        double sum = 0;
-        for (int q = 0; q < graded.size(); ++q) {
-          const double t = graded.points[q].t;
-          bem::legendreValues(3, t, legendre);
-          const Vec2 w = depth * curve.normal(foot) -
-                         curve.chord(placeOf(curve, foot), 0, placeOf(curve, t), 0);
-          sum += graded.weights[q] * legendre[j] * std::log(norm(w));
-        }
-        TEST_COMPARE(std::abs(sum - closed), <, 1e-13);
       }
     }
   }

@@ -1,90 +1,19 @@
-// Every instruction set that this processor has gives the same moments and sums.
-#include "MomentErrors.hpp"
+// Every instruction set that this processor has gives the same angles and sums of sources;
+// moments: TileBlocks.
 #include "bem/fields/PointSources.hpp"
-#include "bem/moments/FarPairs.hpp"
-#include "bem/moments/NearPairs.hpp"
 #include "bem/simd/Dispatch.hpp"
-#include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
-#include <memory>
 
 namespace epafi {
 
 namespace {
 
-using epafi::reference::polygon;
-
 TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
   TEST_ASSERT(bem::instructionSets().front() == bem::InstructionSet::Baseline);
   TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
-}
-
-bem::ElementLanes anyLanes(int densities, bem::Nearness order) {
-  bem::ElementLanes all{};
-  all.densities = densities;
-  all.smooth = order;
-  for (int lane = 0; lane < bem::lanes; ++lane) {
-    bem::Element f;
-    f.half = 0.1 + 0.02 * lane;
-    const bem::Vec2 half{f.half * std::cos(0.7 * lane), f.half * std::sin(0.7 * lane)};
-    f.curve = bem::Curve(-half, half);
-    all.set(lane, {1.5 + 0.3 * lane, 0.2 * lane - 1}, f);
-  }
-  return all;
-}
-
-double difference(const bem::Tile& a, const bem::Tile& b, int degree) {
-  test::MomentErrors errors;
-  for (int lane = 0; lane < bem::lanes; ++lane)
-    errors.take(a, lane, b, lane, degree, degree);
-  return errors.difference.size();
-}
-
-TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
-  const auto outline = std::make_shared<const bem::Outline>(
-      polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
-  const auto baseline = std::make_unique<bem::Tile>();
-  const auto other = std::make_unique<bem::Tile>();
-  for (const int degree : {1, 2, 3, 8, 20}) {
-    const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
-    const bem::ElementLanes lanes = anyLanes(degree, {degree + 5, degree + 7});
-    bem::farMoments(mesh[1], lanes, *baseline, bem::InstructionSet::Baseline);
-    for (const bem::InstructionSet set : bem::instructionSets()) {
-      bem::farMoments(mesh[1], lanes, *other, set);
-      TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
-    }
-  }
-}
-
-/// Touching on an edge and at a corner, beside each other, with itself; degrees so high
-/// that both recurrences are there.
-TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
-  const auto outline = std::make_shared<const bem::Outline>(
-      polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.4, 0.1}}));
-  const auto baseline = std::make_unique<bem::Tile>();
-  const auto other = std::make_unique<bem::Tile>();
-  for (const int degree : {1, 2, 8, 20}) {
-    const bem::Mesh mesh = bem::makeMesh(outline, {4, 2, 3, 2}, degree);
-    for (const int e : {0, 1, 2, 4, 6, 7}) {
-      bem::nearMoments(mesh, e, 2, *baseline, 0, bem::InstructionSet::Baseline);
-      for (const bem::InstructionSet set : bem::instructionSets()) {
-        bem::nearMoments(mesh, e, 2, *other, 0, set);
-        for (int lane = 1; lane < bem::lanes; ++lane)
-          for (int i = 0; i <= degree; ++i)
-            for (int j = 0; j <= degree; ++j) {
-              const int at = i * bem::Tile::stride + j;
-              for (const auto table :
-                   {&bem::Tile::log, &bem::Tile::along, &bem::Tile::across,
-                    &bem::Tile::direct, &bem::Tile::reverse})
-                ((*baseline).*table)[at][lane] = ((*other).*table)[at][lane] = 0;
-            }
-        TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
-      }
-    }
-  }
 }
 
 struct Angles {

@@ -1,6 +1,6 @@
 // Every entry of V, K + 1/2 and W on all hard meshes against 33 digits.
 #include "bem/operators/Assembly.hpp"
-#include "reference/OperatorErrors.hpp"
+#include "reference/QuadOperators.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,6 +1,5 @@
 #include "bem/base/Schema.hpp"
 
-#include "Message.hpp"
 #include "bem/base/Keys.hpp"
 #include "bem/base/Suggestion.hpp"
 
@@ -13,27 +12,7 @@ namespace epafi {
 
 namespace {
 
-using test::contains;
 using Teuchos::ParameterList;
-
-const bem::SchemaRows& rows() {
-  using bem::Kind;
-  using bem::Row;
-  static const bem::SchemaRows table = {
-      Row("Tolerance", Kind::Real, "", {0, 1, true, true}, "accuracy").defaultValue(1e-6),
-      Row("Steps", Kind::Whole, "", bem::from(1), "how many").defaultValue(10),
-      Row("Values", Kind::Names, "texts").defaultValue("{}"),
-      Row("Inner", Kind::List, "of its own"),
-      Row("Inner->Law", Kind::Text, "law")
-          .defaultValue("None")
-          .allowed({"None", "Tresca"}),
-  };
-  return table;
-}
-
-std::string complaint(const ParameterList& list) {
-  return test::messageOf([&] { bem::complete(rows(), list, "list"); });
-}
 
 template <class T>
 ParameterList with(const std::string& name, const T& value) {
@@ -63,33 +42,11 @@ TEUCHOS_UNIT_TEST(Schema, editDistanceCountsTheFewestChanges) {
   TEST_EQUALITY(bem::meant("Mesh Size", {"Bodies", "Contacts"}), "");
 }
 
-TEUCHOS_UNIT_TEST(Schema, validationFillsInDefaultsOnAllLevels) {
-  const ParameterList list = bem::complete(rows(), {}, "list");
-  TEST_EQUALITY(list.get<int>("Steps"), 10);
-  TEST_EQUALITY(list.sublist("Inner").get<std::string>("Law"), "None");
-}
-
-TEUCHOS_UNIT_TEST(Schema, validationNamesTheNearestKeyTypeAndRange) {
-  TEST_ASSERT(contains(complaint(with("Tolerence", 0.5)), "'Tolerance'"));
-  const std::string type = complaint(with("Steps", 0.5));
-  TEST_ASSERT(contains(type, "Steps") && contains(type, "int") &&
-              contains(type, "double"));
-  for (const double outside : {1.0, std::nan("")}) {
-    const std::string range = complaint(with("Tolerance", outside));
-    TEST_ASSERT(contains(range, "Tolerance") && contains(range, "(0, 1)"));
-  }
-  const std::string least = complaint(with("Steps", 0));
-  TEST_ASSERT(contains(least, "Steps") && contains(least, ">= 1"));
-  ParameterList list;
-  list.sublist("Inner").set<std::string>("Law", "Tersca");
-  const std::string text = complaint(list);
-  TEST_ASSERT(contains(text, "Inner->Law") && contains(text, "'Tresca'"));
-}
-
 TEUCHOS_UNIT_TEST(Schema, takesNumbersForTexts) {
   const std::vector<double> numbers = {0.25, 120000};
+  const bem::SchemaRows rows = {bem::Row("Values", bem::Kind::Names, "texts")};
   const ParameterList all =
-      bem::complete(rows(), with("Values", Teuchos::Array<double>(numbers)), "list");
+      bem::complete(rows, with("Values", Teuchos::Array<double>(numbers)), "list");
   const auto& texts = all.get<Teuchos::Array<std::string>>("Values");
   TEST_EQUALITY(texts.size(), 2);
   TEST_EQUALITY(texts[0], "0.25");

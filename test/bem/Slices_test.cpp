@@ -2,12 +2,12 @@
 #include "bem/compressed/Slices.hpp"
 
 #include "bem/compressed/ClusterOrder.hpp"
+#include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,9 +20,7 @@ using bem::Vec2;
 
 /// [0, length] x [below, below + 1], so many elements on long sides, four on short ones.
 bem::Space beam(double length, double below, int elements) {
-  const bem::Loop loop{{{0, below}, {length, below}, {length, below + 1}, {0, below + 1}},
-                       {"bottom", "right", "top", "left"}};
-  return bem::Space(bem::makeMesh(std::make_shared<const bem::Outline>(loop),
+  return bem::Space(bem::makeMesh(test::outlineOf(test::rectangle({0, below}, length, 1)),
                                   {elements, 4, elements, 4}, 1));
 }
 
@@ -38,10 +36,7 @@ TEUCHOS_UNIT_TEST(Slices, slendernessIsPerimeterSquaredOverArea) {
   TEST_COMPARE(std::abs(bem::slenderness(beam(1, 0, 4).mesh()) - 16), <, 1e-12);
   TEST_COMPARE(std::abs(bem::slenderness(beam(50, 3, 9).mesh()) - 102 * 102 / 50.0), <,
                1e-10);
-  bem::Loop disc{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, {"a", "a", "a", "a"}};
-  disc.bulges.assign(4, std::tan(std::acos(-1.0) / 8));
-  const bem::Mesh mesh =
-      bem::makeMesh(std::make_shared<const bem::Outline>(disc), {40, 40, 40, 40}, 1);
+  const bem::Mesh mesh = reference::meshOf(reference::disc(4, 1), 40, 1);
   TEST_COMPARE(std::abs(bem::slenderness(mesh) - 4 * std::acos(-1.0)), <, 1e-2);
 }
 

@@ -125,20 +125,24 @@ TEUCHOS_UNIT_TEST(ProjectedTractions, areRefusedWithFurtherDensities) {
 
 TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {
   const bem::Lame lame(bem::Material{1, 0.3, false});
-  const bem::Space space(reference::quickSamples().front().mesh);
-  const std::vector<int> elements = allElements(space.mesh());
-  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
-  const auto projected =
-      bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Projected);
-  const auto exact =
-      bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Exact);
-  double error = 0;
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    for (Index c = 0; c < projected->start[k + 1] - projected->start[k]; ++c)
-      for (Index i = 0; i < projected->rows.rows(); ++i)
-        error = std::max(error, std::abs(projected->rows(i, projected->start[k] + c) -
-                                         exact->rows(i, exact->start[k] + c)));
-  TEST_COMPARE(error, <, 1e-12 * largest(projected->rows));
+  for (const auto& sample : reference::hardSamples()) {
+    const bem::Space space(sample.mesh);
+    const std::vector<int> elements = allElements(space.mesh());
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
+    const auto rowsOf = [&](bem::TractionForm form) {
+      return bem::tractionRows(space, lame, stiffness, elements, form);
+    };
+    const auto projected = rowsOf(bem::TractionForm::Projected);
+    const auto exact = rowsOf(bem::TractionForm::Exact);
+    double error = 0;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      for (Index c = 0; c < projected->start[k + 1] - projected->start[k]; ++c)
+        for (Index i = 0; i < projected->rows.rows(); ++i)
+          error = std::max(error, std::abs(projected->rows(i, projected->start[k] + c) -
+                                           exact->rows(i, exact->start[k] + c)));
+    out << sample.name << ": ";
+    TEST_COMPARE(error, <, 1e-12 * largest(projected->rows));
+  }
 }
 
 /// Points inside the unit square at 1e-1 to 1e-9 element lengths from its boundary,

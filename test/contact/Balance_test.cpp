@@ -2,6 +2,7 @@
 // on any number of ranks.
 #include "Largest.hpp"
 #include "Rectangle.hpp"
+#include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/body/IterativeRefinement.hpp"
@@ -22,18 +23,6 @@ using bem::Index;
 using bem::Vector;
 using Form = contact::Stabilization::Form;
 
-struct Body {
-  bem::Lame lame;
-  bem::Space space;
-  bem::SteklovPoincare stiffness;
-
-  Body(double length, double nu, const std::vector<int>& elements)
-      : lame({1, nu, false}),
-        space(bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, length, 1)), elements,
-                            2)),
-        stiffness(bem::assembleOperators(space, lame)) {}
-};
-
 double zero(bem::Vec2) { return 0; }
 
 /// Held at the left, sheared at the right, bent and pressed from above, far from a floor.
@@ -46,56 +35,55 @@ contact::Conditions cantilever(double load) {
   return conditions;
 }
 
-contact::ContactBody problemOf(const Body& body, const contact::Conditions& conditions) {
-  return contact::ContactBody(
-      {body.space, body.stiffness, body.lame,
-       bem::Units{body.space.mesh().outline().diameter(), 1}, conditions,
-       contact::multiplierBasis("Gauss-Legendre-Lagrange"), test::projected()});
+/// A beam of height one, or a block.
+test::BodyScene body(double length, double nu, const std::vector<int>& elements,
+                     double load, const contact::Stabilization& stabilization) {
+  return test::BodyScene(
+      {bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, length, 1)), elements, 2),
+       {1, nu, false},
+       cantilever(load),
+       "Gauss-Legendre-Lagrange",
+       stabilization});
 }
 
-std::unique_ptr<const contact::DenseBody> denseBody(
-    const Body& body, const contact::Conditions& conditions,
-    const contact::MultiplierSpace& multiplier, bem::Units units,
-    const contact::Stabilization& stabilization) {
-  return contact::makeDenseBody({body.space, body.stiffness, body.lame, units, conditions,
-                                 multiplier.basis(), stabilization},
-                                multiplier,
+std::unique_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
+                                                  const bem::SteklovPoincare& stiffness) {
+  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier,
                                 std::make_shared<const contact::Holding>(
-                                    contact::makeHolding(body.space, conditions)));
+                                    makeHolding(scene.space, scene.conditions)));
 }
 
-double worstImbalance(const Body& body, double load) {
-  const contact::Conditions conditions = cantilever(load);
-  const contact::ContactBody problem = problemOf(body, conditions);
+double worstImbalance(const test::BodyScene& scene) {
+  const bem::SteklovPoincare stiffness = scene.dense();
+  const contact::ContactBody problem(scene.input(stiffness));
   contact::State state;
   state.multiplier.assign(problem.multiplier().size(), 0.0);
   const Vector u = problem.displacement(state);
-  const double length = body.space.mesh().outline().diameter();
   const contact::Summary summary =
-      contact::summarize({body.space, problem, conditions, {length, 1}, state, u});
+      contact::summarize({scene.space, problem, scene.conditions, scene.units, state, u});
   const double force = std::hypot(summary.load.x, summary.load.y);
-  return std::max(
-      {std::abs(summary.load.x + summary.reaction.x) / force,
-       std::abs(summary.load.y + summary.reaction.y) / force,
-       std::abs(summary.load.moment + summary.reaction.moment) / (force * length)});
+  return std::max({std::abs(summary.load.x + summary.reaction.x) / force,
+                   std::abs(summary.load.y + summary.reaction.y) / force,
+                   std::abs(summary.load.moment + summary.reaction.moment) /
+                       (force * scene.units.length)});
 }
 
 TEUCHOS_UNIT_TEST(Balance, slenderAndNearlyIncompressibleBodiesAreInEquilibrium) {
-  TEST_COMPARE(worstImbalance(Body(100, 0.3, {100, 2, 100, 2}), 1e-6), <, 1e-13);
-  TEST_COMPARE(worstImbalance(Body(2, 0.4999999, {8, 4, 8, 4}), 1e-3), <, 1e-13);
+  TEST_COMPARE(worstImbalance(body(100, 0.3, {100, 2, 100, 2}, 1e-6, test::projected())),
+               <, 1e-13);
+  TEST_COMPARE(worstImbalance(body(2, 0.4999999, {8, 4, 8, 4}, 1e-3, test::projected())),
+               <, 1e-13);
 }
 
 TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
-  const Body body(100, 0.3, {50, 2, 50, 2});
-  const contact::Conditions conditions = cantilever(1);
-  const contact::MultiplierSpace multiplier(
-      body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const auto dense = denseBody(body, conditions, multiplier, {100, 1}, test::projected());
-  const bem::Matrix motions = body.space.rigidMotions();
-  Vector u(body.space.displacements());
+  const test::BodyScene scene = body(100, 0.3, {50, 2, 50, 2}, 1, test::projected());
+  const bem::SteklovPoincare stiffness = scene.dense();
+  const auto sprung = coupled(scene, stiffness);
+  const bem::Matrix motions = scene.space.rigidMotions();
+  Vector u(scene.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::sin(1.0 + static_cast<double>(i * i % 101));
-  const Vector forces = dense->residual(Vector(u.size(), 0.0), u);
+  const Vector forces = sprung->residual(Vector(u.size(), 0.0), u);
   const double size =
       std::sqrt(std::inner_product(forces.begin(), forces.end(), forces.begin(), 0.0));
   TEST_COMPARE(size, >, 0.1);
@@ -104,23 +92,18 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
     TEST_COMPARE(std::abs(std::inner_product(forces.begin(), forces.end(), motion, 0.0)),
                  <, 1e-15 * size);
     const Vector none =
-        dense->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
+        sprung->residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
     TEST_COMPARE(test::largest(none), <, 1e-16);
   }
 }
 
 TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
-  const Body body(2, 0.3, {8, 4, 8, 4});
-  const contact::Conditions conditions = cantilever(1);
-  const contact::MultiplierSpace multiplier(
-      body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const auto dense =
-      denseBody(body, conditions, multiplier, {2, 1}, test::ofForm(Form::None));
-  Vector u(body.space.displacements());
+  const test::BodyScene scene = body(2, 0.3, {8, 4, 8, 4}, 1, test::ofForm(Form::None));
+  const bem::SteklovPoincare stiffness = scene.dense();
+  Vector u(scene.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
-  const Vector left = dense->residual(body.stiffness.apply(u), u);
-  for (const double rest : left)
+  for (const double rest : coupled(scene, stiffness)->residual(stiffness.apply(u), u))
     TEST_COMPARE(std::abs(rest), <, 1e-13);
 }
 
@@ -165,20 +148,19 @@ TEUCHOS_UNIT_TEST(Refinement, endsWhereCorrectionsDoNotShrink) {
 
 /// A wedge of 5 degrees in contact up to its tip.
 TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused) {
-  const bem::Lame lame({1, 0.3, false});
   const bem::Loop wedge{{{0, 0}, {1, 0}, {1, 0.0875}}, {"bottom", "left", "top"}};
-  const bem::Space space(bem::makeMesh(test::outlineOf(wedge), {8, 2, 8}, 1));
-  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
   contact::Conditions conditions;
   conditions.dirichlet["left"] = {zero, zero};
   conditions.contact["bottom"] = {zero, nullptr, {}};
   contact::Stabilization stabilization = test::projected();
   const auto used = [&] {
-    return contact::ContactBody({space, stiffness, lame, bem::Units{1, 1}, conditions,
-                                 contact::multiplierBasis("Gauss-Legendre-Lagrange"),
-                                 stabilization})
-        .coupling()
-        .gamma0;
+    const test::BodyScene scene({bem::makeMesh(test::outlineOf(wedge), {8, 2, 8}, 1),
+                                 {1, 0.3, false},
+                                 conditions,
+                                 "Gauss-Legendre-Lagrange",
+                                 stabilization});
+    const bem::SteklovPoincare stiffness = scene.dense();
+    return contact::ContactBody(scene.input(stiffness)).coupling().gamma0;
   };
   const double first = stabilization.firstGamma0();
   const double weakened = used();

@@ -16,7 +16,6 @@ namespace {
 using bem::Index;
 using bem::Vec2;
 using contact::Vector;
-using ContactElement = contact::MultiplierSpace::ContactElement;
 
 constexpr bem::Units units{1.4142135623730951, 1};
 
@@ -32,51 +31,14 @@ struct Block {
         stiffness(bem::assembleOperators(space, lame)) {}
 };
 
-/// The upper side of a block that lies under the contact side, however it is cut.
-class BlockBelow final : public contact::Opposite {
- public:
-  BlockBelow(const bem::Mesh& side, const bem::Mesh& below)
-      : Opposite(side, units.length), below_(below), elements_(below.elementsOf("top")) {}
-
-  Point at(const ContactElement& element, double t) const override {
-    const double x = mesh_.physicalPoint(element.element, t).x;
-    for (const int e : elements_) {
-      const double a = below_.physicalPoint(e, -1).x;
-      const double b = below_.physicalPoint(e, 1).x;
-      const double s = (2 * x - a - b) / (b - a);
-      if (std::abs(s) <= 1 + 1e-12)
-        return {0, e, s, 1};
-    }
-    return {};
-  }
-
-  Vector breaks(const ContactElement& element) const override {
-    const double a = mesh_.physicalPoint(element.element, -1).x;
-    const double b = mesh_.physicalPoint(element.element, 1).x;
-    Vector result;
-    for (const int e : elements_) {
-      const double s = (2 * below_.physicalPoint(e, 1).x - a - b) / (b - a);
-      if (std::abs(s) < 1 - 1e-9)
-        result.push_back(s);
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  std::vector<int> bodies() const override { return {1}; }
-
- private:
-  const bem::Mesh& below_;
-  std::vector<int> elements_;
-};
-
 double zero(Vec2) { return 0; }
 
 /// The upper block in contact from above, with friction; `held`: clamped at its top.
 contact::Conditions upper(bool held) {
   contact::Conditions conditions;
-  conditions.contact["bottom"] = {
-      zero, contact::makeFriction("Tresca", {[](Vec2) { return 1.0; }})};
+  contact::Conditions::Contact& side = conditions.contact["bottom"];
+  side = {zero, contact::makeFriction("Tresca", {[](Vec2) { return 1.0; }}), "blocks"};
+  side.parts = {{0, 0, 1}};
   if (held)
     conditions.dirichlet["top"] = {zero, zero};
   conditions.neumann["right"] = {[](Vec2 x) { return 0.01 * x.y; }, zero};
@@ -88,6 +50,23 @@ contact::Conditions lower(bool held) {
   if (held)
     conditions.dirichlet["bottom"] = {zero, zero};
   return conditions;
+}
+
+/// The upper side of a block that lies under another, however it is cut.
+contact::OppositeSide upperSide(const Block& below, const Block& above) {
+  const bem::Mesh& mesh = below.space.mesh();
+  contact::OppositeSide side;
+  side.body = 1;
+  side.reach = 0.1;
+  side.shift =
+      1 / units.length *
+      (above.space.mesh().outline().scaling().origin - mesh.outline().scaling().origin);
+  for (const int e : mesh.elementsOf("top")) {
+    side.curves.push_back(mesh[e].curve);
+    side.elements.push_back(e);
+    side.degrees.push_back(mesh[e].degree);
+  }
+  return side;
 }
 
 struct Two {
@@ -104,8 +83,10 @@ Two problems(const Block& above, const Block& below, bool held) {
   const contact::BodyInput plane{above.space, above.stiffness, above.lame, units,
                                  top,         basis,           none};
   contact::BodyInput upon = plane;
-  upon.opposite =
-      std::make_shared<const BlockBelow>(above.space.mesh(), below.space.mesh());
+  const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
+  upon.opposite = std::make_shared<const contact::Opposite>(
+      above.space.mesh(), multiplier, units.length,
+      std::map<std::string, contact::OppositeSide>{{"blocks", upperSide(below, above)}});
   const contact::BodyInput carrier{below.space, below.stiffness, below.lame, units,
                                    bottom,      basis,           none};
   return {contact::ContactSystem({plane}).numbers().copy(),

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace epafi {
 
@@ -144,62 +143,6 @@ TEUCHOS_UNIT_TEST(PressureBound, productsAreMetToSecondOrder) {
       TEST_COMPARE(std::log2(productErrorOn(x, q, 0.1, smooth) /
                              productErrorOn(x, q, 0.05, smooth)),
                    >, 1.8);
-}
-
-TEUCHOS_UNIT_TEST(PressureBound, productsWithAConstantAreMetToFullOrder) {
-  const auto constant = [](double) { return 0.4; };
-  for (const int q : {1, 2, 3, 4, 5})
-    TEST_COMPARE(std::log2(productErrorOn(0.3, q, 0.1, constant) /
-                           productErrorOn(0.3, q, 0.05, constant)),
-                 >, q + 0.8);
-  TEST_COMPARE(productErrorOn(0.3, 14, 0.3, constant), <, 1e-12);
-}
-
-Vector somePressure(int degree, std::mt19937& random) {
-  Vector pressure;
-  for (int i = 0; i <= degree; ++i)
-    pressure.push_back(
-        std::max(0.0, std::uniform_real_distribution<double>(-0.5, 1)(random)));
-  return pressure;
-}
-
-TEUCHOS_UNIT_TEST(PressureBound, jumpsAreNeitherOvershotNorUndershot) {
-  std::mt19937 random(45);
-  for (int q = 1; q <= 12; ++q)
-    for (int n = 0; n < 45; ++n) {
-      const double place = -0.99 + 0.045 * n;
-      const auto factor = [place](double t) { return t < place ? 0.5 : 2.0; };
-      const auto bound = coulomb(bernstein(), q, factor);
-      for (int k = 0; k < 10; ++k) {
-        const Vector pressure = somePressure(q, random);
-        const Vector s = limited(bound, pressure);
-        for (std::size_t i = 0; i < s.size(); ++i) {
-          TEST_COMPARE(s[i], >=, 0.5 * pressure[i]);
-          TEST_COMPARE(s[i], <=, 2 * pressure[i]);
-        }
-      }
-    }
-}
-
-TEUCHOS_UNIT_TEST(PressureBound, isNeverNegativeAndZeroWithoutPressure) {
-  std::mt19937 random(46);
-  for (int q = 1; q <= 12; ++q)
-    for (int n = -4; n <= 4; ++n)
-      for (int power = 1; power <= 2; ++power) {
-        const double zero = n / 4.0;
-        const auto bound = coulomb(bernstein(), q, [&](double t) {
-          return std::pow(std::max(0.0, power == 1 ? t - zero : std::abs(t - zero)),
-                          power);
-        });
-        for (int k = 0; k < 10; ++k) {
-          const Vector pressure = somePressure(q, random);
-          const Vector s = limited(bound, pressure);
-          for (std::size_t i = 0; i < s.size(); ++i) {
-            TEST_COMPARE(s[i], >=, 0.0);
-            TEST_ASSERT(pressure[i] > 0 || s[i] == 0);
-          }
-        }
-      }
 }
 
 }  // namespace

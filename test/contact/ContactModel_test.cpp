@@ -136,23 +136,6 @@ TEUCHOS_UNIT_TEST(ContactModel, residualVanishesAtTheSolutionOfTheScaledProblem)
     }
 }
 
-/// Tractions grow, the gap does not: with all gaps closed beforehand a linear problem
-/// would answer in proportion, with gaps left it must not.
-TEUCHOS_UNIT_TEST(ContactModel, loadFactorScalesLoadsButNotTheGap) {
-  std::mt19937 random(73);
-  const ModelSample s = modelSample("Tresca", 1, 1, random);
-  const contact::ProblemFamily family(s.problem, s.gap);
-  const Problem unloaded = family.at({0, 1});
-  const Problem doubled = family.at({2, 1});
-  for (Index i = 0; i < s.problem.size(); ++i) {
-    const double gap = i < s.problem.normals ? s.gap[i] : 0;
-    TEST_COMPARE(std::abs(unloaded.offset[i] + gap), <, 1e-15);
-    TEST_COMPARE(std::abs(doubled.offset[i] - (2 * s.problem.offset[i] + gap)), <, 1e-14);
-  }
-  TEST_COMPARE(std::abs(doubled.rigidLoad[0] - 2 * s.problem.rigidLoad[0]), <, 1e-15);
-  TEST_EQUALITY(unloaded.rigidLoad[0], 0.0);
-}
-
 TEUCHOS_UNIT_TEST(ContactModel, jacobianIsTheDerivativeAwayFromKinks) {
   forAll([&](const ModelSample&, const ContactModel& model, const Factors& factors,
              std::mt19937& random) {

@@ -1,9 +1,9 @@
 // Contact on circular arcs: normals turn along an element, sides close, and a rotation is no
 // polynomial.  On any number of ranks.
-#include "Rectangle.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/Form.hpp"
 #include "contact/SolvedScene.hpp"
+#include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -18,14 +18,10 @@ using bem::Vec2;
 
 constexpr double radius = 2;
 
-/// A circle about the origin by equal arcs, the first starts at the right.
+/// The first arc starts at the right.
 bem::Loop disc(const std::vector<std::string>& names) {
-  const double angle = 2 * std::acos(-1.0) / static_cast<double>(names.size());
-  bem::Loop loop{{}, names};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    loop.vertices.push_back({radius * std::cos(angle * static_cast<double>(k)),
-                             radius * std::sin(angle * static_cast<double>(k))});
-  loop.bulges.assign(names.size(), std::tan(angle / 4));
+  bem::Loop loop = reference::disc(static_cast<int>(names.size()), radius);
+  loop.edges = names;
   return loop;
 }
 
@@ -34,7 +30,7 @@ test::SolvedScene solvedDisc(const std::vector<std::string>& names, int elements
                              const std::string& basis,
                              contact::Stabilization::Form form) {
   return test::SolvedScene(
-      {bem::makeMesh(test::outlineOf(disc(names)),
+      {bem::makeMesh(reference::outlineOf(disc(names)),
                      std::vector<int>(names.size(), elementsPerEdge), degree),
        bem::Material{1, 0.3, false}, conditions, basis, test::ofForm(form)});
 }
@@ -111,7 +107,7 @@ TEUCHOS_UNIT_TEST(Disc, isPressedEvenlyAllAround) {
 TEUCHOS_UNIT_TEST(Disc, sharesAllNodesOfAClosedSide) {
   contact::Conditions ring;
   ring.contact["all"] = {[](Vec2) { return 0.0; }, nullptr, {}};
-  const auto outline = test::outlineOf(disc({"all", "all", "all"}));
+  const auto outline = reference::outlineOf(disc({"all", "all", "all"}));
   for (const int degree : {1, 2, 5}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2}, degree);
     const contact::MultiplierSpace space(mesh, contact::multiplierBasis("Biorthogonal"),

@@ -2,7 +2,7 @@
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "reference/ProjectedSor.hpp"
+#include "reference/Violation.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -55,34 +55,21 @@ TEUCHOS_UNIT_TEST(Fallbacks, aCantileverIsSolvedHoweverFineItsMesh) {
   }
 }
 
-/// Two points on a plane, pressed down by N = 2 and sideways by T, held by friction 0.5:
-/// balance needs T <= 1.
-Problem block(double tangentialLoad) {
-  Problem problem;
-  problem.normals = 2;
-  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})},
-                         {1, test::pointLaw("Coulomb", {0.5})}};
-  problem.flexibility = test::identity(4);
-  problem.offset = {0, 0, 0, 0};
-  problem.rigid = contact::Matrix(4, 2);
-  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
-  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
-  problem.rigidLoad = {2, tangentialLoad};
-  return problem;
-}
+/// Pressed down by N = 2 and sideways by T: balance needs T <= 1.
+Problem pushed(double tangentialLoad) { return test::block(0.5, {2, tangentialLoad}); }
 
 TEUCHOS_UNIT_TEST(Fallbacks, globalSlidingIsProvedFromTheFrictionCone) {
   for (const double sign : {-1.0, 1.0}) {
-    TEST_NOTHROW(requireEquilibrium(block(sign * 0.3)));
-    TEST_NOTHROW(requireEquilibrium(block(sign * (1 - 1e-7))));
-    TEST_NOTHROW(requireEquilibrium(block(sign)));
-    TEST_THROW(requireEquilibrium(block(sign * (1 + 1e-7))), bem::NumericalError);
-    TEST_THROW(requireEquilibrium(block(sign * 10)), bem::NumericalError);
+    TEST_NOTHROW(requireEquilibrium(pushed(sign * 0.3)));
+    TEST_NOTHROW(requireEquilibrium(pushed(sign * (1 - 1e-7))));
+    TEST_NOTHROW(requireEquilibrium(pushed(sign)));
+    TEST_THROW(requireEquilibrium(pushed(sign * (1 + 1e-7))), bem::NumericalError);
+    TEST_THROW(requireEquilibrium(pushed(sign * 10)), bem::NumericalError);
   }
-  Problem lifted = block(0);
+  Problem lifted = pushed(0);
   lifted.rigidLoad[0] = -2;
   TEST_THROW(requireEquilibrium(lifted), bem::NumericalError);
-  Problem unloaded = block(0);
+  Problem unloaded = pushed(0);
   unloaded.rigidLoad = {0, 0};
   TEST_NOTHROW(requireEquilibrium(unloaded));
 }

@@ -1,6 +1,5 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
-#include "Message.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
@@ -150,11 +149,6 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, biorthogonalIsDualToLagrangeAtLobattosPoints)
         TEST_COMPARE(std::abs(products[i][j] - (i == j ? integrals[i] : 0.0)), <, 1e-13);
     }
   }
-}
-
-TEUCHOS_UNIT_TEST(MultiplierBasis, anUnknownNameIsAnErrorThatNamesTheKnown) {
-  TEST_ASSERT(test::contains(
-      test::messageOf([] { contact::multiplierBasis("Legendre"); }), "'Bernstein'"));
 }
 
 }  // namespace

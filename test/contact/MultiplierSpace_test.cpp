@@ -77,21 +77,6 @@ TEUCHOS_UNIT_TEST(MultiplierSpace,
     }
 }
 
-TEUCHOS_UNIT_TEST(MultiplierSpace, withSharedNodesStillHoldsConstants) {
-  Conditions conditions;
-  conditions.contact["bottom"] = frictional();
-  conditions.dirichlet["left"] = {zero, zero};
-  for (int p : {1, 2, 5}) {
-    const MultiplierSpace space(squareMesh(p), dual(), conditions);
-    bem::Vector ones(space.size(), 1.0);
-    for (const auto& element : space.elements())
-      for (double t : {-1.0, -0.3, 0.8}) {
-        TEST_COMPARE(std::abs(space.at(ones, element, t).normal - 1), <, 1e-13);
-        TEST_COMPARE(std::abs(space.at(ones, element, t).tangential - 1), <, 1e-13);
-      }
-  }
-}
-
 /// ∫ f θ_i dt of the displacement's Lagrange functions at the Gauss-Lobatto points.
 template <class Function>
 bem::Vector momentsOf(int degree, const Function& f) {

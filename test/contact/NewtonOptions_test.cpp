@@ -4,7 +4,7 @@
 #include "contact/Solve.hpp"
 #include "contact/equation/SmoothMerit.hpp"
 #include "contact/newton/NewtonSystem.hpp"
-#include "reference/ProjectedSor.hpp"
+#include "reference/Violation.hpp"
 
 #include <NOX_Abstract_Group.H>
 #include <NOX_LineSearch_Generic.H>

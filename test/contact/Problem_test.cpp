@@ -69,23 +69,6 @@ TEUCHOS_UNIT_TEST(Path, stepsOfOneDirectionAreOneStep) {
                <, 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(Path, frictionDoesNoNegativeWork) {
-  std::mt19937 random(3);
-  const Problem problem = test::randomProblem({12, "Coulomb", 0.4}, random);
-  Vector before(problem.tangentials.size(), 0.0);
-  State state;
-  for (const double factor : {1.0, 0.4, -0.7, 0.9}) {
-    Problem total = problem.copy();
-    for (std::size_t i = 0; i < before.size(); ++i)
-      total.offset[12 + i] *= factor;
-    state = solve(withSlipBefore(total, before), state, {}).state;
-    const Vector after = test::slip(total, state);
-    for (std::size_t t = 0; t < before.size(); ++t)
-      TEST_COMPARE(state.multiplier[12 + t] * (after[t] - before[t]), >=, -1e-12);
-    before = after;
-  }
-}
-
 TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
   std::mt19937 random(5);
   const Problem problem = test::randomProblem({7, "Tresca"}, random);

@@ -127,6 +127,20 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   return problem;
 }
 
+Problem block(double coefficient, const Vector& load) {
+  Problem problem;
+  problem.normals = 2;
+  for (const Index i : {0, 1})
+    problem.tangentials.emplace_back(i, pointLaw("Coulomb", {coefficient}));
+  problem.flexibility = identity(4);
+  problem.offset = {0, 0, 0, 0};
+  problem.rigid = Matrix(4, 2);
+  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
+  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
+  problem.rigidLoad = load;
+  return problem;
+}
+
 contact::PointClosing pointClosing(const std::string& law, double slope) {
   Teuchos::ParameterList list;
   list.set("Law", law == "Root" || law == "Square" ? "Power" : law);

@@ -30,6 +30,10 @@ struct Recipe {
 /// can be balanced.
 contact::Problem randomProblem(const Recipe& recipe, std::mt19937& random);
 
+/// Two points of a block on a plane, on springs of flexibility one, held by Coulomb's
+/// friction: free to move down and along, which the load does.
+contact::Problem block(double coefficient, const contact::Vector& load);
+
 /// A law whose fields have these values, in units of stress.
 contact::PointLaw pointLaw(const std::string& law, const contact::Vector& fields);
 

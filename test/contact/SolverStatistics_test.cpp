@@ -2,7 +2,7 @@
 // steps.
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "reference/ProjectedSor.hpp"
+#include "reference/Violation.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

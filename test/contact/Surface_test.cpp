@@ -3,7 +3,7 @@
 #include "contact/Solve.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/newton/NewtonSystem.hpp"
-#include "reference/ProjectedSor.hpp"
+#include "reference/Violation.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>

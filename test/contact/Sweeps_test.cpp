@@ -1,9 +1,9 @@
 #include "contact/newton/Sweeps.hpp"
 
-#include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "reference/ProjectedSor.hpp"
+#include "contact/newton/NewtonSystem.hpp"
+#include "reference/Violation.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -25,11 +25,27 @@ Equation equationOf(const Problem& problem) {
   return {problem, Equation::Bound::Differentiated, 1e-12};
 }
 
+/// The classical frictionless problem on which full steps from zero visit three active
+/// sets for ever.
+Problem cyclingProblem() {
+  const double d[3][3] = {{9, -4, -5}, {-4, 5, 7}, {-5, 7, 10}};
+  Problem problem;
+  problem.normals = 3;
+  contact::Matrix flexibility(3, 3);
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j)
+      flexibility(i, j) = d[i][j];
+  problem.flexibility = std::move(flexibility);
+  problem.offset = {8, -3, -2};
+  problem.rigid = contact::Matrix(3, 0);
+  return problem;
+}
+
 /// Copies of the cycling problem for the normal coefficients, random tangential ones, and
 /// a little random flexibility that couples them all.
 Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  const Problem block = test::cyclingProblem();
+  const Problem block = cyclingProblem();
   Problem problem;
   problem.normals = 3 * copies;
   const Index tangentials = law == std::string("None") ? 0 : problem.normals;
@@ -55,6 +71,26 @@ Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
   problem.flexibility = std::move(flexibility);
   problem.rigid = contact::Matrix(size, 0);
   return problem;
+}
+
+TEUCHOS_UNIT_TEST(ActiveSets, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
+  const Problem problem = cyclingProblem();
+  const Equation equation = equationOf(problem);
+  auto e = equation.at({0, 0, 0});
+  std::vector<contact::ActiveSet> sets;
+  for (int step = 0; step < 9; ++step) {
+    Vector x = e.unknowns;
+    const Vector d = contact::NewtonSystem(equation, e).solve(e.residual);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] -= d[i];
+    e = equation.at(x);
+    sets.push_back(e.set);
+    TEST_ASSERT(!e.converged);
+  }
+  for (std::size_t k = 3; k < sets.size(); ++k) {
+    TEST_ASSERT(sets[k] == sets[k - 3]);
+    TEST_ASSERT(sets[k] != sets[k - 1]);
+  }
 }
 
 /// Full steps from zero visit the same sets for ever on every third of these, about.

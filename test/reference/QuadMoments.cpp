@@ -21,17 +21,18 @@ std::vector<Quad> legendre(int degree, const Quad& t) {
 
 namespace {
 
+/// What touches is bisected to 2^-deepest.
+constexpr int deepest = 48;
+
 Quad cross(const QuadVec& a, const QuadVec& b) { return a.x * b.y - a.y * b.x; }
 Quad norm(const QuadVec& a) { return sqrt(dot(a, a)); }
 
-/// All fields at d.
-std::array<Quad, fields> fieldsAt(const QuadVec& d) {
-  const Quad inverse = 1 / dot(d, d);
-  const Quad gx = d.x * inverse;
-  const Quad gy = d.y * inverse;
-  const Quad xx = d.x * gx;
-  const Quad yy = d.y * gy;
-  return {-log(inverse) / 2, xx, d.x * gy, xx * gx, xx * gy, yy * gx, yy * gy};
+QuadVec turned(const QuadVec& a, const Quad& angle) {
+  if (angle == 0)
+    return a;
+  const Quad c = cos(angle);
+  const Quad s = sin(angle);
+  return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
 /// Where a graded rule for a function with a singular point at distance `height` from
@@ -50,27 +51,28 @@ void bisect(const Quad& from, const Quad& to, const Quad& foot, const Quad& heig
   bisect(middle, to, foot, height, intervals);
 }
 
-Quad distanceToPoint(const QuadVec& from, const QuadVec& to, const QuadVec& p) {
-  const QuadVec along = to - from;
-  const Quad t =
-      std::max(Quad(0), std::min(Quad(1), dot(p - from, along) / dot(along, along)));
-  return norm(p - from - t * along);
-}
-
-/// Distance of two segments that do not cross.
-Quad distance(const QuadVec& a, const QuadVec& b, const QuadVec& c, const QuadVec& d) {
-  return std::min(std::min(distanceToPoint(a, b, c), distanceToPoint(a, b, d)),
-                  std::min(distanceToPoint(c, d, a), distanceToPoint(c, d, b)));
-}
-
-QuadVec pointAt(const Segment& segment, const Quad& t) {
-  return ((1 - t) / 2) * segment.from + ((1 + t) / 2) * segment.to;
-}
-
 }  // namespace
 
-Quad Segment::length() const { return norm(to - from); }
-QuadVec Segment::tangent() const { return (1 / length()) * (to - from); }
+QuadVec QuadCurve::tangent(const Quad& t) const {
+  return turned(middleTangent, alpha * t);
+}
+
+QuadVec QuadCurve::normal(const Quad& t) const {
+  const QuadVec tau = tangent(t);
+  return {tau.y, -tau.x};
+}
+
+// chords from the start have the direction of the tangent half way
+QuadVec QuadCurve::point(const Quad& t) const {
+  const Quad s = alpha * (1 + t) / 2;
+  const Quad sinc = s == 0 ? Quad(1) : Quad(sin(s) / s);
+  return from + (half * (1 + t) * sinc) * tangent((t - 1) / 2);
+}
+
+QuadCurve segment(const QuadVec& from, const QuadVec& to) {
+  const Quad length = norm(to - from);
+  return {from, (1 / length) * (to - from), length / 2};
+}
 
 PairMoments::PairMoments(int firstDegree, int secondDegree)
     : firstDegree_(firstDegree),
@@ -81,12 +83,25 @@ PairMoments PairMoments::transposed() const {
   PairMoments result(secondDegree_, firstDegree_);
   for (int f = 0; f < fields; ++f) {
     const auto field = static_cast<Field>(f);
-    const int sign = field >= Field::Xxx ? -1 : 1;
+    const auto exchanged = field == Field::Direct    ? Field::Reverse
+                           : field == Field::Reverse ? Field::Direct
+                                                     : field;
+    const int sign = field >= Field::Xxx && exchanged == field ? -1 : 1;
     for (int i = 0; i <= firstDegree_; ++i)
       for (int j = 0; j <= secondDegree_; ++j)
-        result(field, j, i) = sign * (*this)(field, i, j);
+        result(exchanged, j, i) = sign * (*this)(field, i, j);
   }
   return result;
+}
+
+void PairMoments::add(const std::array<Quad, fields>& values,
+                      const std::vector<Quad>& outer, const std::vector<Quad>& inner) {
+  for (int i = 0; i <= firstDegree_; ++i)
+    for (int j = 0; j <= secondDegree_; ++j) {
+      const Quad product = outer[i] * inner[j];
+      for (int f = 0; f < fields; ++f)
+        (*this)(static_cast<Field>(f), i, j) += values[f] * product;
+    }
 }
 
 QuadRule quadGauss(int n) {
@@ -203,24 +218,72 @@ int PairIntegrator::points(const Quad& distance, const Quad& length, int degree)
       std::ceil(-std::log(tolerance_) / (2 * rate) + 0.5 * degree + 1));
 }
 
-PairMoments PairIntegrator::operator()(const Segment& first, int firstDegree,
-                                       const Segment& second, int secondDegree,
+std::array<Quad, fields> PairIntegrator::fieldsAt(const QuadVec& d,
+                                                  const Normals& normals) {
+  const Quad inverse = 1 / dot(d, d);
+  const Quad gx = d.x * inverse;
+  const Quad gy = d.y * inverse;
+  const Quad xx = d.x * gx;
+  const Quad yy = d.y * gy;
+  return {-log(inverse) / 2,
+          xx,
+          d.x * gy,
+          xx * gx,
+          xx * gy,
+          yy * gx,
+          yy * gy,
+          gx * normals.second.x + gy * normals.second.y,
+          -gx * normals.first.x - gy * normals.first.y};
+}
+
+PairMoments PairIntegrator::operator()(const QuadCurve& first, int firstDegree,
+                                       const QuadCurve& second, int secondDegree,
                                        Meeting meeting) const {
   assert(firstDegree <= degree_ && secondDegree <= degree_);
-  if (meeting == Meeting::Same)
+  const bool straight = first.alpha == 0 && second.alpha == 0;
+  if (meeting == Meeting::Same && straight)
     return same(first, firstDegree, secondDegree);
-  if (meeting != Meeting::Apart)
+  if (meeting != Meeting::Apart && straight)
     return touching(first, firstDegree, second, secondDegree, meeting);
   PairMoments sum(firstDegree, secondDegree);
-  addApart(sum, first, {-1, 1}, second, {-1, 1});
+  if (meeting == Meeting::Same)
+    addSelf(sum, first);
+  else
+    addApart(sum, first, {-1, 1}, second, {-1, 1});
   return sum;
 }
 
-PairMoments PairIntegrator::same(const Segment& segment, int firstDegree,
+void PairIntegrator::addSelf(PairMoments& sum, const QuadCurve& arc) const {
+  const QuadRule& gauss = rule(points(1, 1, degree_));
+  const auto add = [&](const Quad& s, const Quad& t, const Quad& weight) {
+    auto values = fieldsAt(arc.point(s) - arc.point(t), {arc.normal(s), arc.normal(t)});
+    for (Quad& v : values)
+      v *= weight;
+    sum.add(values, legendre(sum.firstDegree(), s), legendre(sum.secondDegree(), t));
+  };
+  Quad to = 2;
+  for (int level = 0; level < 2 * deepest; ++level) {
+    const Quad from = to / 2;
+    for (std::size_t q = 0; q < gauss.points.size(); ++q) {
+      const Quad r = (from + to) / 2 + (to - from) / 2 * gauss.points[q];
+      const Quad scale = (2 - r) / 2;
+      for (std::size_t k = 0; k < gauss.points.size(); ++k) {
+        const Quad t = -1 + scale * (1 + gauss.points[k]);
+        const Quad weight = arc.half * arc.half * (to - from) / 2 * gauss.weights[q] *
+                            scale * gauss.weights[k];
+        add(t + r, t, weight);
+        add(t, t + r, weight);
+      }
+    }
+    to = from;
+  }
+}
+
+PairMoments PairIntegrator::same(const QuadCurve& segment, int firstDegree,
                                  int secondDegree) const {
   PairMoments result(firstDegree, secondDegree);
-  const Quad half = segment.length() / 2;
-  const QuadVec tau = segment.tangent();
+  const Quad half = segment.half;
+  const QuadVec tau = segment.middleTangent;
   for (int i = 0; i <= firstDegree; ++i)
     for (int j = 0; j <= secondDegree; ++j) {
       const Quad one = i == 0 && j == 0 ? Quad(4) : Quad(0);
@@ -236,17 +299,18 @@ PairMoments PairIntegrator::same(const Segment& segment, int firstDegree,
   return result;
 }
 
-PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
-                                     const Segment& second, int secondDegree,
+PairMoments PairIntegrator::touching(const QuadCurve& first, int firstDegree,
+                                     const QuadCurve& second, int secondDegree,
                                      Meeting meeting) const {
   const bool firstAtStart = meeting == Meeting::FromFrom || meeting == Meeting::FromTo;
   const bool secondAtStart = meeting == Meeting::FromFrom || meeting == Meeting::ToFrom;
-  const QuadVec a = (firstAtStart ? 1 : -1) * (first.to - first.from);
-  const QuadVec b = (secondAtStart ? 1 : -1) * (second.to - second.from);
+  const QuadVec a = ((firstAtStart ? 2 : -2) * first.half) * first.middleTangent;
+  const QuadVec b = ((secondAtStart ? 2 : -2) * second.half) * second.middleTangent;
+  const Normals normals{first.normal(0), second.normal(0)};
 
   PairMoments sum(firstDegree, secondDegree);
-  addTriangle(sum, a, b, Leader::First);
-  addTriangle(sum, a, b, Leader::Second);
+  addTriangle(sum, a, b, normals, Leader::First);
+  addTriangle(sum, a, b, normals, Leader::Second);
   const Quad area = norm(a) * norm(b);
   for (int i = 0; i <= firstDegree; ++i)
     for (int j = 0; j <= secondDegree; ++j) {
@@ -262,7 +326,8 @@ PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
 // x = s first, y = t second from the common point, {s, t} = {rho, rho eta}, d = rho D:
 // a field is rho⁰ or rho⁻¹ times its value at D(eta), and ds dt = rho drho deta.
 void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
-                                 const QuadVec& second, Leader leader) const {
+                                 const QuadVec& second, const Normals& normals,
+                                 Leader leader) const {
   const QuadVec& lead = leader == Leader::First ? first : second;
   const QuadVec& follow = leader == Leader::First ? second : first;
   const int m = sum.firstDegree();
@@ -281,38 +346,35 @@ void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
       const Quad eta = from + (to - from) * (1 + angular.points[q]) / 2;
       const QuadVec d =
           leader == Leader::First ? first - eta * second : eta * first - second;
-      auto value = fieldsAt(d);
+      auto value = fieldsAt(d, normals);
       for (Quad& v : value)
         v *= angular.weights[q] * (to - from) / 2;
       for (std::size_t r = 0; r < radial.points.size(); ++r) {
         const Quad rho = (1 + radial.points[r]) / 2;
         const Quad s = leader == Leader::First ? rho : rho * eta;
         const Quad t = leader == Leader::First ? rho * eta : rho;
-        const std::vector<Quad> pi = legendre(m, 2 * s - 1);
-        const std::vector<Quad> pj = legendre(n, 2 * t - 1);
         std::array<Quad, fields> weighted = value;
         for (int f = 0; f < fields; ++f)
           weighted[f] *= radial.weights[r] / 2 *
                          (static_cast<Field>(f) >= Field::Xxx ? Quad(1) : rho);
-        for (int i = 0; i <= m; ++i)
-          for (int j = 0; j <= n; ++j) {
-            const Quad product = pi[i] * pj[j];
-            for (int f = 0; f < fields; ++f)
-              sum(static_cast<Field>(f), i, j) += weighted[f] * product;
-          }
+        sum.add(weighted, legendre(m, 2 * s - 1), legendre(n, 2 * t - 1));
       }
     }
   }
 }
 
-void PairIntegrator::addApart(PairMoments& sum, const Segment& first,
-                              std::array<Quad, 2> s, const Segment& second,
+void PairIntegrator::addApart(PairMoments& sum, const QuadCurve& first,
+                              std::array<Quad, 2> s, const QuadCurve& second,
                               std::array<Quad, 2> t) const {
-  const Quad firstLength = first.length() * (s[1] - s[0]) / 2;
-  const Quad secondLength = second.length() * (t[1] - t[0]) / 2;
-  const Quad gap = distance(pointAt(first, s[0]), pointAt(first, s[1]),
-                            pointAt(second, t[0]), pointAt(second, t[1]));
-  if (gap < std::max(firstLength, secondLength)) {
+  const Quad firstLength = first.half * (s[1] - s[0]);
+  const Quad secondLength = second.half * (t[1] - t[0]);
+  const Quad longer = std::max(firstLength, secondLength);
+  const Quad gap =
+      norm(first.point((s[0] + s[1]) / 2) - second.point((t[0] + t[1]) / 2)) -
+      (firstLength + secondLength) / 2;
+  if (gap < longer) {
+    if (longer < ldexp(std::min(first.half, second.half), -deepest))
+      return;
     const bool halveFirst = firstLength >= secondLength;
     const std::array<Quad, 2>& range = halveFirst ? s : t;
     const Quad middle = (range[0] + range[1]) / 2;
@@ -327,24 +389,23 @@ void PairIntegrator::addApart(PairMoments& sum, const Segment& first,
   const QuadRule& outer = rule(points(gap, firstLength, m));
   const QuadRule& inner = rule(points(gap, secondLength, n));
   std::vector<QuadVec> y;
+  std::vector<QuadVec> normals;
   std::vector<std::vector<Quad>> weightedLegendre;
   for (std::size_t r = 0; r < inner.points.size(); ++r) {
     const Quad tau = t[0] + (t[1] - t[0]) * (1 + inner.points[r]) / 2;
-    y.push_back(pointAt(second, tau));
+    y.push_back(second.point(tau));
+    normals.push_back(second.normal(tau));
     weightedLegendre.push_back(legendre(n, tau));
     for (Quad& p : weightedLegendre.back())
       p *= inner.weights[r] * secondLength / 2;
   }
   for (std::size_t q = 0; q < outer.points.size(); ++q) {
     const Quad sigma = s[0] + (s[1] - s[0]) * (1 + outer.points[q]) / 2;
-    const QuadVec x = pointAt(first, sigma);
+    const QuadVec x = first.point(sigma);
+    const QuadVec normal = first.normal(sigma);
     PairMoments line(0, n);
-    for (std::size_t r = 0; r < y.size(); ++r) {
-      const auto value = fieldsAt(x - y[r]);
-      for (int f = 0; f < fields; ++f)
-        for (int j = 0; j <= n; ++j)
-          line(static_cast<Field>(f), 0, j) += value[f] * weightedLegendre[r][j];
-    }
+    for (std::size_t r = 0; r < y.size(); ++r)
+      line.add(fieldsAt(x - y[r], {normal, normals[r]}), {1}, weightedLegendre[r]);
     const std::vector<Quad> p = legendre(m, sigma);
     for (int i = 0; i <= m; ++i) {
       const Quad w = p[i] * outer.weights[q] * firstLength / 2;

@@ -21,25 +21,31 @@ Quad dot(const QuadVec& a, const QuadVec& b);
 /// P_0 to P_degree.
 std::vector<Quad> legendre(int degree, const Quad& t);
 
-/// A straight element, from t = -1 to t = 1.
-struct Segment {
+/// A segment or an arc, from t = -1 to t = 1.
+struct QuadCurve {
   QuadVec from;
-  QuadVec to;
+  QuadVec middleTangent;
+  Quad half;       ///< of its length
+  Quad alpha = 0;  ///< half of the angle by which it turns
 
-  Quad length() const;
-  QuadVec tangent() const;
+  QuadVec point(const Quad& t) const;
+  QuadVec tangent(const Quad& t) const;
+  QuadVec normal(const Quad& t) const;
 };
 
-/// How the second of two segments meets the first, which is known from the mesh and need
+QuadCurve segment(const QuadVec& from, const QuadVec& to);
+
+/// How the second of two curves meets the first, which is known from the mesh and need
 /// not be guessed from coordinates.  `FromFrom`: the starts of both are one point.
 enum class Meeting { Apart, Same, FromFrom, FromTo, ToFrom, ToTo };
 
-/// Seven fields of d = x - y, r = |d|, of which all kernels of plane elasticity are made.
-enum class Field { LogR, Xx, Xy, Xxx, Xxy, Xyy, Yyy };
-constexpr int fields = 7;
+/// Seven fields of d = x - y, r = |d|, of which all kernels of plane elasticity are made, and
+/// d.n(y)/r², -d.n(x)/r².
+enum class Field { LogR, Xx, Xy, Xxx, Xxy, Xyy, Yyy, Direct, Reverse };
+constexpr int fields = 9;
 
-/// The double integrals  ∫∫ P_i(x) P_j(y) field(x - y) ds_y ds_x  over two segments:
-/// log r,  dd'/r²  (xx, xy) and  ddd/r⁴  (xxx, xxy, xyy, yyy), all i and j of one pair at
+/// The double integrals  ∫∫ P_i(x) P_j(y) field(x - y) ds_y ds_x  over two curves:
+/// log r,  dd'/r²  (xx, xy),  ddd/r⁴  (xxx, xxy, xyy, yyy) and d.n/r², all i and j of one pair at
 /// once.
 class PairMoments {
  public:
@@ -51,7 +57,11 @@ class PairMoments {
   int firstDegree() const { return firstDegree_; }
   int secondDegree() const { return secondDegree_; }
 
-  /// The moments with the two segments exchanged: d changes its sign.
+  /// Adds values of the fields times P_i(x) P_j(y).
+  void add(const std::array<Quad, fields>& values, const std::vector<Quad>& outer,
+           const std::vector<Quad>& inner);
+
+  /// The moments with the two curves exchanged: d changes its sign.
   PairMoments transposed() const;
 
  private:
@@ -76,34 +86,41 @@ QuadRule quadGauss(int n);
 /// Computes PairMoments by plain quadrature in 33 digits: slow, simple, and nothing in
 /// common with the closed forms under test.
 ///
-///   same      the inner integral over s + t is a polynomial: one-dimensional, exact for
-///   the
-///             principal value of 1/(s-t), graded toward 0 for log|s-t|;
-///   touching  s = rho, t = rho eta and the other triangle: polynomials in rho (exact
-///   rules), so
-///             that one integral over eta is left, bisected until it keeps off the point
-///             where the two lines meet again in complex numbers;
-///   apart     both segments are bisected until each pair of pieces is at least as far
-///   apart as
-///             the longer one is long; then tensor Gauss with as many points as the
-///             ellipse of analyticity asks for.
+///   same      on a segment the inner integral over s + t is a polynomial: one-dimensional,
+///             exact for the principal value of 1/(s-t), graded toward 0 for log|s-t|; on an
+///             arc over s - t, graded toward 0;
+///   touching  segments: s = rho, t = rho eta and the other triangle: polynomials in rho (exact
+///             rules), so that one integral over eta is left, bisected until it keeps off the
+///             point where the two lines meet again in complex numbers;
+///   apart     both are bisected until each pair of pieces is at least as far apart as the
+///             longer one is long; then tensor Gauss with as many points as the ellipse of
+///             analyticity asks for.  Arcs that touch, too: what is left next to a common
+///             point is below 1e-14 of the shorter one.
 class PairIntegrator {
  public:
   /// `tolerance` is the relative error that the number of points is chosen for.
   PairIntegrator(int largestDegree, double tolerance);
 
-  PairMoments operator()(const Segment& first, int firstDegree, const Segment& second,
+  PairMoments operator()(const QuadCurve& first, int firstDegree, const QuadCurve& second,
                          int secondDegree, Meeting meeting) const;
 
  private:
-  PairMoments same(const Segment& segment, int firstDegree, int secondDegree) const;
-  PairMoments touching(const Segment& first, int firstDegree, const Segment& second,
+  /// At the places of both.
+  struct Normals {
+    QuadVec first;
+    QuadVec second;
+  };
+  static std::array<Quad, fields> fieldsAt(const QuadVec& d, const Normals& normals);
+  PairMoments same(const QuadCurve& segment, int firstDegree, int secondDegree) const;
+  void addSelf(PairMoments& sum, const QuadCurve& arc) const;
+  PairMoments touching(const QuadCurve& first, int firstDegree, const QuadCurve& second,
                        int secondDegree, Meeting meeting) const;
   enum class Leader { First, Second };  // the one whose parameter is rho
+  /// \param first, second  from the common point on
   void addTriangle(PairMoments& sum, const QuadVec& first, const QuadVec& second,
-                   Leader leader) const;
-  void addApart(PairMoments& sum, const Segment& first, std::array<Quad, 2> s,
-                const Segment& second, std::array<Quad, 2> t) const;
+                   const Normals& normals, Leader leader) const;
+  void addApart(PairMoments& sum, const QuadCurve& first, std::array<Quad, 2> s,
+                const QuadCurve& second, std::array<Quad, 2> t) const;
   int points(const Quad& distance, const Quad& length, int degree) const;
   const QuadRule& rule(int n) const { return rules_[n]; }
   /// Exact for products of two basis polynomials and two factors more.

@@ -151,18 +151,13 @@ struct DoubleLayerKernel {
   }
 };
 
-QuadVec normalOf(const Segment& segment) {
-  const QuadVec tau = segment.tangent();
-  return {tau.y, -tau.x};
-}
-
 /// The double layer of a pair.
 Block doubleLayerBlock(const Constants& constants, int firstDegree,
-                       const PairMoments& moments, const Segment& second,
+                       const PairMoments& moments, const QuadCurve& second,
                        int secondDegree) {
   const auto psi = legendreBasis(firstDegree - 1);
   const auto phi = displacementBasis(secondDegree);
-  const QuadVec n = normalOf(second);
+  const QuadVec n = second.normal(0);
   return tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n},
                 phi);
 }
@@ -185,15 +180,15 @@ struct PairBlocks {
   Block hypersingular;     // (e, f)
 };
 
-PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<Segment>& segments,
+PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<QuadCurve>& segments,
                       const PairIntegrator& integrate, const Constants& constants, int e,
                       int f) {
   const int p = mesh[e].degree;
   const int q = mesh[f].degree;
-  const Segment& first = segments[e];
-  const Segment& second = segments[f];
-  const Quad length = first.length();
-  const Quad otherLength = second.length();
+  const QuadCurve& first = segments[e];
+  const QuadCurve& second = segments[f];
+  const Quad length = 2 * first.half;
+  const Quad otherLength = 2 * second.half;
   const PairMoments moments = integrate(first, p, second, q, meeting(mesh, e, f));
   const Quad area = length * otherLength;
   return {tested(legendreBasis(p - 1), LogKernel{constants.a, constants.b, moments, area},
@@ -239,13 +234,22 @@ void scatterTransposed(QuadMatrix& matrix, const Block& block, const Row& row,
 QuadVec nodeOf(const bem::Mesh& mesh, int e) {
   const bem::Piece& piece = mesh[e].piece;
   const bem::Edge& edge = mesh.outline().edge(piece.edge);
-  const Segment line = {{edge.curve.from().x, edge.curve.from().y},
-                        {edge.curve.to().x, edge.curve.to().y}};
-  const QuadVec tau = line.tangent();
-  if (piece.start.fromStart < piece.start.toEnd)
-    return {line.from.x + piece.start.fromStart * tau.x,
-            line.from.y + piece.start.fromStart * tau.y};
-  return {line.to.x - piece.start.toEnd * tau.x, line.to.y - piece.start.toEnd * tau.y};
+  const QuadVec from{edge.curve.from().x, edge.curve.from().y};
+  const QuadVec to{edge.curve.to().x, edge.curve.to().y};
+  const QuadVec tau = segment(from, to).middleTangent;
+  return piece.start.fromStart < piece.start.toEnd
+             ? from + Quad(piece.start.fromStart) * tau
+             : to - Quad(piece.start.toEnd) * tau;
+}
+
+/// Of all entries, or of those on and below the diagonal.
+double largestError(const bem::Matrix& matrix, const QuadMatrix& exact, bool lower) {
+  Quad largest = 0;
+  for (Index j = 0; j < exact.columns(); ++j)
+    for (Index i = lower ? j : 0; i < exact.rows(); ++i)
+      largest =
+          std::max<Quad>(largest, abs(matrix(i, j) - exact(i, j)) / exact.scale(i, j));
+  return static_cast<double>(largest);
 }
 
 }  // namespace
@@ -266,17 +270,17 @@ std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
   return result;
 }
 
-std::vector<Segment> segments(const bem::Mesh& mesh) {
-  std::vector<Segment> result;
+std::vector<QuadCurve> segments(const bem::Mesh& mesh) {
+  std::vector<QuadCurve> result;
   result.reserve(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
-    result.push_back({nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)});
+    result.push_back(segment(nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)));
   return result;
 }
 
 std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space) {
   std::vector<std::vector<Quad>> motions(3, std::vector<Quad>(space.displacements()));
-  const std::vector<Segment> lines = segments(space.mesh());
+  const std::vector<QuadCurve> lines = segments(space.mesh());
   for (int e = 0; e < space.mesh().size(); ++e) {
     const std::size_t x = space.displacement(e, 0, 0);
     const std::size_t y = space.displacement(e, 0, 1);
@@ -292,7 +296,7 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
                             double tolerance) {
   const bem::Mesh& mesh = space.mesh();
   const Constants constants(lame);
-  const std::vector<Segment> lines = segments(mesh);
+  const std::vector<QuadCurve> lines = segments(mesh);
   int degree = 1;
   for (const bem::Element& element : mesh.elements())
     degree = std::max(degree, element.degree);
@@ -316,7 +320,7 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
       continue;
     PairBlocks blocks = pairBlocks(mesh, lines, integrate, constants, e, f);
     if (e == f)
-      addHalfMass(blocks.doubleLayer, lines[e].length());
+      addHalfMass(blocks.doubleLayer, 2 * lines[e].half);
 #pragma omp critical
     {
       scatter(result.singleLayer, blocks.singleLayer, density(e), density(f));
@@ -332,6 +336,13 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
     }
   }
   return result;
+}
+
+OperatorErrors operatorErrors(const bem::Operators& operators,
+                              const QuadOperators& exact) {
+  return {largestError(operators.singleLayer, exact.singleLayer, true),
+          largestError(operators.doubleLayer, exact.doubleLayer, false),
+          largestError(operators.hypersingular, exact.hypersingular, true)};
 }
 
 }  // namespace epafi::reference

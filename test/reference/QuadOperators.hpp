@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "bem/space/Space.hpp"
 #include "reference/QuadMoments.hpp"
 
@@ -51,8 +52,19 @@ struct QuadOperators {
 QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
                             double tolerance = 1e-22);
 
+/// The largest error of an entry, relative to the norms of the element pair blocks that
+/// make it up.
+struct OperatorErrors {
+  double singleLayer = 0;
+  double doubleLayer = 0;
+  double hypersingular = 0;
+};
+
+OperatorErrors operatorErrors(const bem::Operators& operators,
+                              const QuadOperators& exact);
+
 /// Elements of a mesh in 33 digits: neighbours share their common node exactly.
-std::vector<Segment> segments(const bem::Mesh& mesh);
+std::vector<QuadCurve> segments(const bem::Mesh& mesh);
 
 /// (1,0), (0,1), (-y,x) as coefficients of the displacement space.
 std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space);
