@@ -26,7 +26,9 @@ SIDES = ["bottom", "right", "top", "left"]
 
 # kind: block, hole, arcs, two, beam (1 : 30); mesh: uniform, graded, cut (an outline with many
 # corners, no arcs)
-Combination = collections.namedtuple("Combination", "kind mesh law form elements degree", defaults=[1])
+Combination = collections.namedtuple("Combination", "kind mesh law form elements degree",
+                                     defaults=[1])
+NAME = "%s, %s, %s, %s, %d elements, p = %d"
 
 
 def cut(corners, sides):
@@ -77,7 +79,8 @@ def scene(case):
     if case.kind == "two":
         under, coarse = outlined(case, block(-1, -1, 1, 0), case.elements - share)
         bodies = [body("pad", outline, 1.0, press, "X, Rotation", mesh),
-                  body("plate", under, 1000, condition("bottom", "Dirichlet", CLAMPED), mesh=coarse)]
+                  body("plate", under, 1000, condition("bottom", "Dirichlet", CLAMPED),
+                       mesh=coarse)]
         contacts = listed("Contacts", contact("joint", "pad:bottom", "plate:top", law))
     elif case.kind in ("hole", "arcs"):
         held = (condition("right", "Dirichlet", CLAMPED) if case.kind == "arcs" else
@@ -95,7 +98,7 @@ def scene(case):
 
 def compare(case):
     """Claims that both methods agree; what is summed, if both solve the scene."""
-    name = "%s, %s, %s, %s, %d elements, p = %d" % case
+    name = NAME % case
     file = saved("scene", scene(case), name)
     found = []
     for method in ("Dense", "Compressed"):
@@ -103,7 +106,8 @@ def compare(case):
         code, text = epafi("run", file, "--quiet", "--threads", "1", "--output", folder, settings=[
             "Solver->Linear->Method=" + method, *(GRADED if case.mesh == "graded" else ())])
         if code:  # what dense operators do not solve, nobody is asked to
-            claim(method == "Dense" and code == 2, "%s, %s: exit %d, %s" % (name, method, code, text))
+            claim(method == "Dense" and code == 2,
+                  "%s, %s: exit %d, %s" % (name, method, code, text))
             return None
         found.append((rows(folder, "history.csv"), rows(folder)))
     (dense, there), (own, here) = found
@@ -157,14 +161,14 @@ def combinations(large):
 words = sys.argv[4:]
 groups = {}
 for case in combinations("large" in words):
-    if all(word in "%s, %s, %s, %s, %d elements, p = %d" % case for word in words if word != "large"):
+    if all(word in NAME % case for word in words if word != "large"):
         result = compare(case)
         for group in ("all", case.kind, case.mesh, *["1024 and more"] * (case.elements >= 1024)):
             groups.setdefault(group, []).extend([result] * bool(result))
 for group, results in groups.items():
     energies, pressures, states, sizes, steps = zip(*results)
-    print("%s: %d scenes, energies to %.0e, pressures to %.0e, %d points of another state, smallest "
-          "element %.0e, Newton steps %d and %d" % (
+    print("%s: %d scenes, energies to %.0e, pressures to %.0e, %d points of another state, "
+          "smallest element %.0e, Newton steps %d and %d" % (
               group, len(results), max(energies), max(pressures), sum(states), min(sizes),
               *map(sum, zip(*steps))))
 finish()

@@ -146,7 +146,8 @@ try:
     claim(True, "the JSON Schema accepts every shipped scene")
     text = json.dumps({"A scene": keys_of(scene("coulomb.xml"))})
     for before, after in [('"Coulomb"', '"Colomb"'), ('"Strategy"', '"Strateg"'),
-                          ('"Young\'s Modulus": ', '"Young\'s Modulus": -'), ('"Bodies"', '"Body"')]:
+                          ('"Young\'s Modulus": ', '"Young\'s Modulus": -'),
+                          ('"Bodies"', '"Body"')]:
         claim(before in text, "the scene has " + before)
         with raises(jsonschema.ValidationError, "JSON Schema refuses " + after):
             jsonschema.validate(json.loads(text.replace(before, after)), schema)

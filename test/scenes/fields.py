@@ -5,8 +5,8 @@ import os
 import shutil
 import xml.etree.ElementTree as xml
 
-from runs import (WORK, claim, differ, epafi, fails, finish, fresh, read, rows, scene, solved, steps,
-                  table, vtu, write)
+from runs import (WORK, claim, differ, epafi, fails, finish, fresh, read, rows, scene, solved,
+                  steps, table, vtu, write)
 from written import block, body, condition, contact, written
 
 

@@ -233,8 +233,8 @@ UPPER = heated(body("upper", block(0.5, 1, 2.5, 2), 2 * E, condition(
 found = []
 for bodies in ((LOWER, UPPER), (UPPER, LOWER)):
     name = "two bodies, %d" % len(found)
-    sides = run(written(name, bodies, contact("joint", "upper:bottom", "lower:top", friction("0.3")),
-                        "Density", 0.5, 4), name)[1]
+    joint = contact("joint", "upper:bottom", "lower:top", friction("0.3"))
+    sides = run(written(name, bodies, joint, "Density", 0.5, 4), name)[1]
     found.append(sorted((p["x"], p["lambda_n"], p["lambda_t"]) for p in sides))
     balanced(name)
 apart = max(abs(a - b) for p, q in zip(*found) for a, b in zip(p, q))

@@ -54,8 +54,9 @@ class Image:
             for name in mesh:
                 if name.endswith("Elements per Edge"):
                     mesh[name] = self.order(mesh[name])
-        if "Interior Points" in keys.get("Output", {}):
-            keys["Output"]["Interior Points"] = self.points(keys["Output"]["Interior Points"], False)
+        output = keys.get("Output", {})
+        if "Interior Points" in output:
+            output["Interior Points"] = self.points(output["Interior Points"], False)
         if "Contacts" in keys:
             keys["Contacts"] = self.functions(keys["Contacts"])
         return keys

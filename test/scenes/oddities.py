@@ -52,8 +52,8 @@ TOP = CONDITIONS + "top={Type=Neumann, Traction Y=-100*%s}"
 for sentence, setting, *words in [
         ("a load between the points of a rule", TOP % "(abs(x - 0.0612) < 0.001)",
          "->top: the traction is narrower"),
-        ("one that is there half way along a path alone", TOP % "t*(1 - t)*(abs(x - 0.0612) < 0.001)",
-         "->top: the traction is narrower"),
+        ("one that is there half way along a path alone",
+         TOP % "t*(1 - t)*(abs(x - 0.0612) < 0.001)", "->top: the traction is narrower"),
         ("a wide one", TOP % "(abs(x - 0.0612) < 0.07)"),
         ("a side that is pushed through an obstacle at both of its corners", SIDE % (0, "-0.01"),
          "'side' moves its corner with 'foundation'"),

@@ -64,8 +64,8 @@ for k, (file, name, settings) in enumerate(cases):
     for strategy in STRATEGIES if k == 0 or sys.argv[4:] == ["all"] else STRATEGIES[k - 1::2]:
         label = name + ", " + strategy
         settings_here = settings + ["Adaptivity->Strategy=" + strategy]
-        part, *_ = goes_on(label, scene(file), [*settings_here, "Adaptivity->Maximum Levels=6", DOF],
-                           ["Adaptivity->Maximum Levels=3"])
+        part, *_ = goes_on(label, scene(file), [
+            *settings_here, "Adaptivity->Maximum Levels=6", DOF], ["Adaptivity->Maximum Levels=3"])
         times = [row["seconds_total"] for row in rows(part)]
         claim(len(times) == 6 and times == sorted(times), label + ": CPU seconds count on")
 

@@ -3,8 +3,8 @@ and forces against each other, balance, and what is refused."""
 import math
 import os
 
-from runs import (balanced, changed, claim, epafi, fails, finish, fresh, keys_of, never_falls, points,
-                  read, refused, rows, saved, scene, solved, steps)
+from runs import (balanced, changed, claim, epafi, fails, finish, fresh, keys_of, never_falls,
+                  points, read, refused, rows, saved, scene, solved, steps)
 from written import friction, history, pad
 
 SCENE = scene("tilting-punch.xml")

@@ -86,7 +86,7 @@ def run(file, name, settings=(), expect=0):
 
 def goes_on(name, file, settings, before, within=1e-10):
     """Claims that a run which stops and goes on leaves the tables of one which does not.  It stops
-    by further settings, or is killed as soon as something is so.  Its folder, and what both said."""
+    by further settings, or is killed as soon as something is so.  Its folder, what both said."""
     (whole, told), part = solved(name + ", at once", file, *settings), fresh(name)
     names = [table for table in ("steps.csv", "history.csv", "bodies.csv", "contact.csv")
              if os.path.exists(os.path.join(whole, table))]
@@ -122,7 +122,8 @@ def vtu(file):
     """The arrays of a file for ParaView; claims that each is whole."""
     piece, arrays, missing = xml.parse(file).getroot().find(".//Piece"), {}, []
     for group in piece:
-        count = int(piece.get("NumberOfPoints" if group.tag in ("Points", "PointData") else "NumberOfCells"))
+        of_points = group.tag in ("Points", "PointData")
+        count = int(piece.get("NumberOfPoints" if of_points else "NumberOfCells"))
         for item in group:
             name, data = item.get("Name"), base64.b64decode(item.text)
             letter = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[item.get("type")]

@@ -85,14 +85,16 @@ def punch(whole):
 
 # columns whose sizes are compared with each other's; what others hold depends on the mesh
 KINDS = {
-    "energies": "energy_.*(strain|load|friction|dissipated|trapezoidal|outside|interface|stored|springs)$",
+    "energies": "energy_.*(strain|load|friction|dissipated|trapezoidal|outside|interface|stored|"
+                "springs)$",
     "lengths": ".*_length$", "pressures": "pressure",
     "forces": "(force|load|contact|reaction|body)_", "motions": "motion|rotation"}
 TOTALS = ("history.csv", "steps.csv", "bodies.csv")
 
 
 def kind(column):
-    return next((kind for kind, words in KINDS.items() if re.match(words, column.split(".")[-1])), None)
+    name = column.split(".")[-1]
+    return next((kind for kind, words in KINDS.items() if re.match(words, name)), None)
 
 
 def compare(name, half, other, sharp=1e-9, tractions=1e-6):
@@ -118,7 +120,8 @@ def compare(name, half, other, sharp=1e-9, tractions=1e-6):
             for group in KINDS:
                 columns = [column for column in there[0] if kind(column) == group]
                 if columns:
-                    compared(group if group in ("lengths", "pressures") else file, columns, here, there)
+                    compared(file if group not in ("lengths", "pressures") else group, columns,
+                             here, there)
     for file, groups in (("contact.csv", (("lambda_n", "lambda_t"), ("u_n", "u_t"))),
                          ("boundary.csv", (("ux", "uy"), ("tx", "ty")))):
         if os.path.exists(os.path.join(other, file)):

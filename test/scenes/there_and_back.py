@@ -43,5 +43,6 @@ claim("level 0: the largest error is that of step %d" % history[0]["worst_step"]
       "a run says which step that is")
 
 # states of all steps are in the file
-goes_on("half", SCENE, ["Adaptivity->Maximum Levels=8", LIMITS[1]], ["Adaptivity->Maximum Levels=4"], 0)
+goes_on("half", SCENE, ["Adaptivity->Maximum Levels=8", LIMITS[1]],
+        ["Adaptivity->Maximum Levels=4"], 0)
 finish()
