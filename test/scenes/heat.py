@@ -295,7 +295,7 @@ for text, what in (
 refused("conduction on too fine a mesh",
         written("refused", [heated(BARE, 1e-5, top=1)], NONE, "Density", 0.001, 3),
         "takes at most 4000 degrees", command="check")
-file = written("fine", [heated(BARE, 1e-5, top=1)], NONE, "Density", 0.0016, 1)
+file = written("fine", [heated(BARE, 1e-5, top=1)], NONE, "Density", 0.00199, 1)
 _, said = solved("fine", file, "Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=3",
                  "Adaptivity->Maximum Degrees of Freedom=100000")
 claim("ended   level 1 would have more than 4000 degrees" in said,
