@@ -88,6 +88,7 @@ run = epafi.run(coulomb, folder, set={"Bodies->block->Geometry->Vertices": verti
                 threads=1, progress=lines.append)
 claim(run.history.size == 2 and run.converged and "ended" in "".join(lines),
       "a run of two levels, with its lines")
+claim(abs(run.history["force_normal"][-1] - 0.125) < 1e-12, "the load is carried")
 claim(run.contact["lambda_n"].shape == (run.contact.size,) and
       run.contact["boundary"][0] == "foundation", "columns are arrays of numbers or of texts")
 claim(run.scene["Adaptivity"]["Weights"] == "Energy", "the scene used has its defaults")
