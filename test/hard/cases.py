@@ -3,6 +3,7 @@
 Every case that is solved must also be in balance, on every level: loads, contact forces and
 reactions add up to nothing in x, y and moment.
 """
+import collections
 import math
 
 BASE = "Bodies->block->Boundary Conditions->base->"
@@ -12,16 +13,10 @@ NO_BALANCE = ["rigid motion"]
 CASES = []
 
 
-class Claim:
-    """A sentence that holds where what is measured is at most `most`.
-
-    measure(result, results): a number, of this case's run and of all before it.
-    An error is the difference to a known value; other measures are no errors.
-    """
-
-    def __init__(self, sentence, measure, most, is_error=True):
-        self.sentence, self.measure, self.most = sentence, measure, most
-        self.is_error = is_error
+# A sentence that holds where what is measured is at most `most`.
+# measure(result, results): a number, of this case's run and of all before it.
+# An error is the difference to a known value; other measures are no errors.
+Claim = collections.namedtuple("Claim", "sentence measure most is_error", defaults=[True])
 
 
 class Case:

@@ -152,7 +152,8 @@ ONCE = ["Adaptivity->Strategy=None", "Output->Fields=false",
 
 
 def solve(form, gamma, code):
-    return run("coulomb", ONCE + [FORM + form, "Discretization->Stabilization->Gamma0=%r" % gamma], code)
+    return run("coulomb", [*ONCE, FORM + form, "Discretization->Stabilization->Gamma0=%r" % gamma],
+               code)
 
 
 for form in ("Projected", "Exact"):

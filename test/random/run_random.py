@@ -101,11 +101,12 @@ def main():
 
     def solved(work, *settings):
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            return list(pool.map(lambda seed: Result(
-                KINDS[options.bodies], seed, options.epafi, work, [*options.set, *settings]), seeds))
+            return list(pool.map(lambda seed: Result(KINDS[options.bodies], seed, options.epafi, work,
+                                                     [*options.set, *settings]), seeds))
 
     def none(sentence, wrong):
-        claim(not wrong, "%s: %s" % (sentence, " ".join(str(r.scene.seed) for r in wrong) or "none"))
+        seeds = " ".join(str(result.scene.seed) for result in wrong)
+        claim(not wrong, "%s: %s" % (sentence, seeds or "none"))
 
     results = solved(options.work)
     if options.bodies == "one_step":
