@@ -18,11 +18,14 @@ def claim(true, sentence):
 
 @contextlib.contextmanager
 def raises(kind, sentence, *words, absent=()):
-    """Claims that what stands below raises an error whose message has these words."""
+    """Claims that what stands below raises an error whose message has these words; it is in the
+    list behind `as`."""
+    caught = []
     try:
-        yield
+        yield caught
         claim(False, sentence)
     except kind as error:
+        caught.append(error)
         claim(all(word in str(error) for word in words) and
               not any(word in str(error) for word in absent), "%s: %s" % (sentence, error))
 

@@ -3,6 +3,7 @@
 Every case that is solved must also be in balance, on every level: loads, contact forces and
 reactions add up to nothing in x, y and moment.
 """
+import collections
 import math
 
 BASE = "Bodies->block->Boundary Conditions->base->"
@@ -12,27 +13,21 @@ NO_BALANCE = ["rigid motion"]
 CASES = []
 
 
-class Claim:
-    """A sentence that holds where what is measured is at most `most`.
-
-    measure(result, results): a number, of this case's run and of all before it.
-    An error is the difference to a known value; other measures are no errors.
-    """
-
-    def __init__(self, sentence, measure, most, is_error=True):
-        self.sentence, self.measure, self.most = sentence, measure, most
-        self.is_error = is_error
+# A sentence that holds where what is measured is at most `most`.
+# measure(result, results): a number, of this case's run and of all before it.
+# An error is the difference to a known value; other measures are no errors.
+Claim = collections.namedtuple("Claim", "sentence measure most is_error", defaults=[True])
 
 
 class Case:
     """`size`: of the forces, where a case has none but rounding's."""
 
     def __init__(self, name, meaning, scene, settings=(), code=0, words=(), claims=(),
-                 group="quick", ranks=1, patience=600, size=0):
+                 group="quick", patience=600, size=0):
         self.name, self.meaning, self.scene = name, meaning, scene
         self.settings, self.code, self.words = list(settings), code, list(words)
         self.claims = list(claims) if code else [balanced(size), *claims]
-        self.group, self.ranks, self.patience = group, ranks, patience
+        self.group, self.patience = group, patience
 
 
 def case(*arguments, **options):
@@ -223,7 +218,6 @@ case("rubber_plate_0.5", "nu = 1/2 of the body that is met", "two-blocks", [PLAT
      claims=[value("force_normal", 0.02, 1e-12)])
 case("rubber_plate_0.4999999", "nu = 0.4999999 of the body that is met", "two-blocks",
      [PLATE + "0.4999999"], claims=[like("rubber_plate_0.5", same, 1e-6)])
-pressed = ["force_normal", "energy_strain", "contact_length", "slip_length", "energy_friction"]
 case("pressed", "pressed onto a parabola: the reference of the following", "pressed_block",
      claims=[steps(10), dissipates])
 for E in ("2.1e11", "2.1e5", "1e-3"):
@@ -234,14 +228,6 @@ for E in ("2.1e11", "2.1e5", "1e-3"):
                  like("pressed", ["contact_length"], 1e-12),
                  # rounding alone may ask for one more than three
                  like("pressed", ["newton_iterations"], 0.34, text="Newton's steps but for one")])
-# 1 N/mm = 1e3 N/m
-case("units_mpa_mm", "E = 2.1e5 MPa, lengths in mm: E = 2.1e11 Pa, lengths in m",
-     "pressed_block",
-     ["Bodies->block->Material->Young's Modulus=2.1e5",
-      "Bodies->block->Geometry->Vertices=4x2:{-1000,0, 1000,0, 1000,1000, -1000,1000}",
-      BASE + "Gap=0.02*x^2/1000", TOP + "Displacement Y=-20"], 
-     claims=[like("units_2.1e11", ["force_normal"], 1e-10, 1e-3, "the same digits (1e-10)"),
-             like("units_2.1e11", ["contact_length"], 1e-10, 1e3, "the same contact")])
 for L in ("1000", "0.001"):
     vertices = "4x2:{-%s,0, %s,0, %s,%s, -%s,%s}" % ((L,) * 6)
     case("size_" + L, "outline of size " + L, "pressed_block",
@@ -298,10 +284,6 @@ for form in ("Projected", "Exact"):
     case("gamma_0.11_" + form, "gamma0 = 0.11, " + form.lower(), "coulomb",
          MESH + [GAMMA + "0.11", FORM + form],
          claims=[like("gamma_1e-3", ["energy_load"], 2e-2, text="near the plateau (2e-2)")])
-    for gamma in ("0.16", "1"):
-        case("gamma_%s_%s" % (gamma, form), "gamma0 = %s, %s: not definite" % (
-            gamma, form.lower()), "coulomb", MESH + [GAMMA + gamma, FORM + form], code=2,
-             words=["Gamma0", " 0.1"])
 for gamma in ("0.5", "1e-3", "10", "1e4"):
     case("gamma_%s_Density" % gamma, "gamma0 = %s, by the density" % gamma, "coulomb",
          MESH + [GAMMA + gamma, DENSITY, "Discretization->Stabilization->Scaling=Stiffness"],
@@ -313,15 +295,12 @@ for gamma in ("5e-4", "1e-3", "0.1"):
          "coulomb", MESH + [GAMMA + gamma, "Discretization->Stabilization->Scaling=Stiffness"],
          claims=[value("force_normal", 0.125, 1e-10), steps(50)])
 
-# ---- size and processes
+# ---- size
 case("elements_4096", "4096 elements", "coulomb",
      ONCE + ["Discretization->Elements per Edge={1024, 1024, 1024, 1024}",
              "Adaptivity->Maximum Degrees of Freedom=100000", "Output->Fields=false"],
      claims=[value("elements", 4096, 0), value("force_normal", 0.125, 1e-9)], group="long",
      patience=3600)
-for ranks in (2, 3):
-    case("ranks_%d" % ranks, "%d MPI ranks" % ranks, "pressed_block", ranks=ranks,
-         claims=[like("pressed", pressed, 1e-9)])
 
 # ---- what is shipped (patch: see above)
 for name, x, y in (("tresca", None, None), ("coulomb", 0, -0.125),

@@ -1,5 +1,7 @@
-"""Contact with known solutions: patch test, shear block, Hertz, flat punch."""
+"""Contact with known solutions: patch test, shear block, Hertz, flat punch; where definiteness is
+lost."""
 import math
+import re
 
 from runs import claim, finish, run
 
@@ -143,4 +145,22 @@ for level in (1, 2, 3):  # projected, the pressure stays above zero at the edges
     claim({point["contact"] for point in contact} == {1}, "all of it, projected")
 claim(errors[2] < 0.01, "flat punch: the pressure's means within 1 %% in |x| < 0.8 "
       "(%.2f %%, %.2f %%, %.2f %%)" % tuple(100 * e for e in errors))
+
+# [P] section 8.3: 256 elements, and what the program says
+ONCE = ["Adaptivity->Strategy=None", "Output->Fields=false",
+        "Discretization->Elements per Edge={64, 64, 64, 64}"]
+
+
+def solve(form, gamma, code):
+    return run("coulomb", [*ONCE, FORM + form, "Discretization->Stabilization->Gamma0=%r" % gamma],
+               code)
+
+
+for form in ("Projected", "Exact"):
+    text = solve(form, 0.152, 2).text
+    said = float(re.search(r"below (\S+) it is definite", text).group(1))
+    claim(0.11 < said < 0.16, "%s: definiteness is lost at gamma0 = %g" % (form, said))
+    solve(form, said * 0.999, 0)
+    solve(form, said * 1.001, 2)
+    claim(True, "%s: a thousandth below it is solved, above refused" % form)
 finish()

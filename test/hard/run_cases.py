@@ -1,10 +1,12 @@
 """Runs the hard cases of cases.py and says what became of each.
 
     run_cases.py EPAFI WORK [--group GROUP]... [--case NAME]... [--markdown FILE]
+    run_cases.py --page FILE
 
-GROUP is quick (default), long or all.  With --markdown the table of doc/benchmarks is
-written too, below the text of hard-cases.md here:  python3 test/hard/run_cases.py
-build/bin/epafi build/hard --group all --markdown doc/benchmarks/hard-cases.md
+GROUP is quick (default), long or all.  With --markdown the table of doc/benchmarks is written too,
+below the text of hard-cases.md here; --page claims that it has this text, every case in its order
+and no other, and what is checked today:  python3 test/hard/run_cases.py build/bin/epafi
+build/hard --group all --markdown doc/benchmarks/hard-cases.md
 """
 import argparse
 import os
@@ -14,14 +16,11 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from cases import CASES  # noqa: E402
-from claims import absent, table  # noqa: E402
+from claims import absent, claim, finish, options, read, table  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+HEAD = os.path.join(HERE, "hard-cases.md")
 FOLDERS = [os.path.join(HERE, "scenes"), os.path.join(HERE, "..", "..", "drivers", "scenes")]
-for variable in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                 "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle",
-                 "OPENBLAS_NUM_THREADS"):
-    os.environ.setdefault(variable, "1")
 
 
 class Result:
@@ -48,11 +47,8 @@ def scene(name):
 
 def run(case, epafi, work):
     folder = absent(os.path.join(work, case.name))
-    command = [epafi, "run", scene(case.scene), "--quiet", "--output", folder]
-    if case.ranks > 1:
-        command = ["mpirun", "-n", str(case.ranks)] + command
-    for setting in case.settings:
-        command += ["--set", setting]
+    command = [epafi, "run", scene(case.scene), "--quiet", "--output", folder,
+               *options(case.settings)]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -95,7 +91,7 @@ def error(case, measures):
 
 def markdown(file, rows):
     with open(file, "w") as out:
-        out.write(open(os.path.join(HERE, "hard-cases.md")).read())
+        out.write(read(HEAD))
         for case, result, measures in rows:
             last = result.history[-1] if result.history else {}
             out.write("| %s | %s | %s | %s | %s | %s | %.1f |\n" % (
@@ -105,28 +101,42 @@ def markdown(file, rows):
                 "%d" % last["newton_iterations"] if last else "", result.seconds))
 
 
+def check_page(file):
+    text = read(file)
+    claim(text.startswith(read(HEAD)), "the text is that of test/hard/hard-cases.md")
+    rows = [line.split(" | ") for line in text[len(read(HEAD)):].splitlines()]
+    claim([row[0].strip("|` ") for row in rows] == [case.name for case in CASES],
+          "%d rows for %d cases, in their order" % (len(rows), len(CASES)))
+    for case, row in zip(CASES, rows):
+        claim(case.code != 0 or row[2] == outcome(case, None), case.name + " is checked as it says")
+    finish()
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("epafi")
-    parser.add_argument("work")
+    parser.add_argument("epafi", nargs="?")
+    parser.add_argument("work", nargs="?")
+    parser.add_argument("--page")
     parser.add_argument("--group", default="quick", choices=("quick", "long", "all"))
     parser.add_argument("--case", action="append", default=[])
     parser.add_argument("--markdown")
-    options = parser.parse_args()
-    chosen = [case for case in CASES
-              if case.name in options.case or not options.case and (
-                  options.group == "all" or case.group == options.group)]
+    chosen = parser.parse_args()
+    if chosen.page:
+        check_page(chosen.page)
+    cases = [case for case in CASES
+             if case.name in chosen.case or not chosen.case and (
+                 chosen.group == "all" or case.group == chosen.group)]
     results, rows, failed = {}, [], 0
-    for case in chosen:
-        result = results[case.name] = run(case, options.epafi, options.work)
+    for case in cases:
+        result = results[case.name] = run(case, chosen.epafi, chosen.work)
         measures, wrong = faults(case, result, results)
         rows.append((case, result, measures))
         print("%-6s %-28s %5.1f s" % ("FAILED" if wrong else "ok", case.name, result.seconds))
         for sentence in wrong:
             print("       " + sentence)
         failed += bool(wrong)
-    if options.markdown and not failed:
-        markdown(options.markdown, rows)
+    if chosen.markdown and not failed:
+        markdown(chosen.markdown, rows)
     print("%d cases, %d failed" % (len(rows), failed))
     sys.exit(1 if failed or not rows else 0)
 

@@ -18,7 +18,6 @@ class Oddities(Scene):
         self.twist = self.TWISTS[seed % len(self.TWISTS)]
         self.twisted = draw
         super().__init__(seed)
-        self.gaps = [self.twist]
 
     def turned(self, corners):
         draw, twist = self.twisted, self.twist

@@ -27,12 +27,11 @@ class Products:
         draw = self.draw = random.Random("%d products" % seed)
         scene = draw.choice(self.KINDS)(draw.randrange(10 ** 6))
         self.root = scene.scene()
-        self.seed, self.laws, self.gaps = seed, list(scene.laws), list(scene.gaps)
+        self.seed, self.laws = seed, list(scene.laws)
         self.basis, self.strategy = scene.basis, scene.strategy
-        self.stress, self.held = scene.stress, scene.held
+        self.stress = scene.stress
         size = scene.diameter if isinstance(scene, Scene) else scene.size
         self.size, self.energy = size, scene.modulus * size ** 2
-        self.features = [type(scene).__name__]
         self.bodies = {name: body for name, body in self.root["Bodies"].items()
                        if "Rigid" not in body["Material"]}
         self.between = [contact["Between"] for contact in self.root.get("Contacts", {}).values()]
@@ -67,8 +66,6 @@ class Products:
                     motion[moved] = move / self.size ** power * draw.uniform(-1, 1)
                 if draw.random() < 0.5:
                     motion[pushed] = self.stress * self.size ** (1 + power) * draw.uniform(-0.2, 0.2)
-                if "springs" not in self.features:
-                    self.features.append("springs")
 
     def inside(self, scene, size):
         """Forces of all bodies at the root, heat of each by itself.  What is free to fall has nothing
@@ -104,8 +101,7 @@ class Products:
                     draw.uniform(-1, 1), size, a, size, b)
                     for a, b in ((0, 0), (1, 0), (draw.randint(0, 2), draw.randint(0, 2)))]
                 inner["Temperature"] = "%.6g*(%s)%s" % (strain, " + ".join(terms), factor)
-        self.features += kinds
-        if "incompressible" not in self.features and self.basis != "Biorthogonal":
+        if self.basis != "Biorthogonal" and "Stabilization" not in self.root["Discretization"]:
             self.stabilise(draw.choice(("Density", "Projected", "Exact")))
 
     def stabilise(self, form):
@@ -127,7 +123,6 @@ class Products:
             elif draw.random() < 0.7:
                 inner[name] = {"Heat Flux": "%.6g*(0.3 + n%s)%s" % (
                     strain * draw.uniform(-1, 1) / self.size, place, factor)}
-        self.features.append("conduction")
 
     def scene(self):
         return self.root
@@ -157,7 +152,6 @@ class Products:
             mesh["Hole 1 Elements per Edge"] = [draw.randint(2, 3) for _ in range(count)]
         self.root["Adaptivity"]["Maximum Degrees of Freedom"] += 100  # a first mesh may need it
         kind = draw.choice(("free", "pressure", "plug"))
-        self.features.append("hole (%s)" % kind)
         if kind == "free":
             return
         condition = body.setdefault("Boundary Conditions", {})["hole"] = {}
@@ -183,20 +177,14 @@ class Products:
             bound.add(boundary)
             if condition["Type"] == "Contact":
                 carried.add(boundary)
-        fixes, pinned = "Rigid Motions" in body, False
         for line in ("Edges", "Hole 1 Edges"):
             names = set(body["Geometry"].get(line, []))
-            if names and not names & carried:
-                if fixes or names <= bound:
-                    return
-                pinned = True
+            if names and not names & carried and ("Rigid Motions" in body or names <= bound):
+                return
         body["Material"]["Poisson's Ratio"] = 0.5
         self.stabilise("Density")
         if self.basis == "Biorthogonal":  # has no stabilisation
             self.basis = self.root["Discretization"]["Multiplier"] = "Gauss-Legendre-Lagrange"
-        for feature in ["incompressible"] + pinned * ["pinned"]:
-            if feature not in self.features:
-                self.features.append(feature)
 
     def path(self):
         draw = self.draw
@@ -205,7 +193,6 @@ class Products:
                 keys[key] = "(%s)*(0.6 + 0.4*sin(%.3g*t + %.3g))" % (
                     keys[key], draw.uniform(1, 4), draw.uniform(0, 6))
         self.root["History"] = {"Times": [1, 3], "Steps": [draw.randint(1, 3), draw.randint(2, 4)]}
-        self.features.append("path")
 
 
 def modulus(body):

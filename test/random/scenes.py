@@ -39,7 +39,7 @@ class Scene:
         self.sides = len(self.corners)
         self.bulges = bulges(random.Random("%d arcs" % seed), self.corners) if seed % 3 == 2 else []
         self.kinds = self.assign()
-        self.laws, self.gaps = [], []
+        self.laws = []
         self.conditions = [self.condition(k) for k in range(self.sides)]
 
     def turned(self, corners):
@@ -83,7 +83,6 @@ class Scene:
         draw, place = self.draw, self.along(k)
         size = self.diameter * self.stress / self.modulus * 10 ** draw.uniform(-2, 0.5)
         kind = draw.choice(GAPS)
-        self.gaps.append(kind)
         return {
             "zero": "0",
             "constant": "%.6g" % size,

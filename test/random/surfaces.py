@@ -26,7 +26,6 @@ class Surfaces(TwoBodies):
         self.wear = random.Random("%d wear" % seed)
         self.wears = (self.law != "Tied" and (self.law != "None" or self.slides) and
                       self.wear.random() < 1 / 3)
-        self.features = ["wears"] * self.wears + [self.normal] + ["shears"] * self.shears + ["slides"] * self.slides
 
     def contact(self, first, second, interference, friction):
         draw, length = self.surface, self.size * self.stress / self.modulus

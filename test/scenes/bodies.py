@@ -1,14 +1,9 @@
 """Several bodies: patch tests with either side first, mirror images, rigid outlines, balance,
 swapped sides, restart, loads that nothing holds."""
-import os
 
-from runs import RANKS, WORK, claim, epafi, finish, fresh, imbalance, largest, run, scene, table
+from runs import (RANKS, balanced, claim, epafi, finish, fresh, goes_on, largest, rows, run, scene)
 from written import (CLAMPED, NONE, block, body, condition, contact, disc, friction, geometry, listed,
                      mesh, rigid, round_hole, written)
-
-
-def off_balance(name):
-    return imbalance(os.path.join(WORK, name))
 
 
 PRESS = condition("top", "Neumann", Traction_Y="-1")
@@ -29,11 +24,9 @@ for form in ("None", "Projected", "Exact", "Density")[::1 if RANKS == 1 else 3]:
                   "patch test, Form %s, first %s, %s on %s" % (form, sides[0], above, below))
             # uniaxial: the strain of each times its height 1
             expected = -(1 - 0.3**2) / 1 - (1 - 0.2**2) / 5
-            top = [float(row["uy"])
-                   for row in table(os.path.join(WORK, "patch", "boundary.csv"))
-                   if row["boundary"] == "a:top"]
-            claim(largest(u - expected for u in top) < 1e-12, "its displacement")
-            claim(off_balance("patch") < 1e-10, "its bodies balance")
+            claim(largest(row["uy"] - expected for row in rows("patch", "boundary.csv")
+                          if row["boundary"] == "a:top") < 1e-12, "its displacement")
+            balanced("patch")
 
 # 1 mm beside 1 m, rubber on steel
 file = written("small", [
@@ -44,7 +37,7 @@ file = written("small", [
 history, points = run(file, "small")
 claim(largest(p["lambda_n"] / 1e3 - 1 for p in points) < 2e-5,
       "rubber of 1 mm on steel of 1 m: pressure as on a rigid plane up to E_1/E_2")
-claim(off_balance("small") < 1e-10, "they balance")
+balanced("small")
 
 # a mirror image is a rigid frictionless plane at half the approach
 TOP = condition("top", "Dirichlet", Displacement_X="0", Displacement_Y="-0.02*(1+0.3*x)")
@@ -90,9 +83,7 @@ for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
     for degree in (1, 2):
         run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,
                     degree), "pin")
-        claim(off_balance("pin") < 1e-10,
-              "a pin in a lug, first %s, degree %d: they balance within %.0e" %
-              (sides[0], degree, off_balance("pin")))
+        balanced("pin")
 
 # partly covered sides, either first; the resultants are those of the load
 pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, mesh=mesh(6, 4, 2))
@@ -102,7 +93,7 @@ for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
     file = written("covered", [pad, plate], contact("c", *sides, friction("0.5")),
                    "Projected")
     history, points = run(file, "covered")
-    claim(off_balance("covered") < 1e-10, "bodies balance, first " + sides[0])
+    balanced("covered")
     claim(abs(history[0]["force_normal"] - 0.011) < 1e-10, "and carry the load")
     claim(all(0.3 < p["x"] < 0.85 for p in points), "where nothing is opposite nothing presses")
     claim(abs(history[0]["contact_y"]) < 1e-12, "contact between bodies cancels in history.csv")
@@ -132,25 +123,16 @@ claim(abs(history[0]["force_normal"] / 1e-8 - 1) < 1e-6, "a foot of a millionth 
 
 # refinement over both bodies; a run that goes on gives the same digits
 shipped = scene("two-blocks.xml")
-whole = run(shipped, "whole", ["Adaptivity->Maximum Levels=4"])[0]
-run(shipped, "begun", ["Adaptivity->Maximum Levels=2"])
-code, text = epafi("run", shipped, "--restart", os.path.join(WORK, "begun"), "--output",
-                   fresh("again"), "--set", "Adaptivity->Maximum Levels=4")
-claim(code == 0, "a run of two bodies goes on: " + text)
-again = table(os.path.join(WORK, "again", "history.csv"))
-claim(all(a[key] == b[key] for a, b in zip(whole, again)
-          for key in a if not key.startswith("seconds") and key != "memory_mb"),
-      "with the digits of the run that was not interrupted")
-claim(table(os.path.join(WORK, "again", "bodies.csv")) ==
-      table(os.path.join(WORK, "whole", "bodies.csv")), "bodies.csv has all levels, too")
-claim(whole[-1]["estimate"] < 0.75 * whole[0]["estimate"], "the estimate falls")
+levels = rows(goes_on("two bodies", shipped, ["Adaptivity->Maximum Levels=4"],
+                      ["Adaptivity->Maximum Levels=2"], 0)[0], "history.csv")
+claim(levels[-1]["estimate"] < 0.75 * levels[0]["estimate"], "the estimate falls")
 claim(epafi("check", shipped)[0] == 0, "epafi check")
 
 # both sides are graded alike toward where contact ends
 run(shipped, "graded")
 sizes = {}
-for row in table(os.path.join(WORK, "graded", "boundary.csv")):
-    sizes.setdefault((row["boundary"], row["element"]), []).append(float(row["x"]))
+for row in rows("graded", "boundary.csv"):
+    sizes.setdefault((row["boundary"], row["element"]), []).append(row["x"])
 for sign in (-1, 1):
     ends = [min(max(x) - min(x) for (boundary, _), x in sizes.items()
                 if boundary == side and max(sign * place for place in x) < 0.5001 and
@@ -165,7 +147,7 @@ run(written("halves", [
     body("b", block(-2, -1, 2, 0), 5.0, CLAMP, mesh=mesh(12, 2, 1))],
     contact("c", "a:bottom", "b:top")), "halves")
 middles = {}
-for row in table(os.path.join(WORK, "halves", "boundary.csv")):
+for row in rows("halves", "boundary.csv"):
     if row["boundary"] == "b:top":
         middles.setdefault(row["element"], []).append(row["x"])
 left, right = (sum(sign * sum(x) > 0.5 * len(x) for x in middles.values()) for sign in (-1, 1))
@@ -196,9 +178,9 @@ TOP = "Bodies->pad->Boundary Conditions->top"
 run(scene("two-blocks.xml"), "force", [
     "Constants->push=0.0075", TOP + "={Type=Neumann, Force X=0.2*push, Force Y=-2*push*t}",
     "Bodies->pad->Geometry->Vertices=4x2:{-0.5,0, 0.5,0, 0.25,0.5, -0.5,0.5}"])
-for row in table(os.path.join(WORK, "force", "bodies.csv")):
+for row in rows("force", "bodies.csv"):
     if row["body"] == "pad":
-        claim(abs(float(row["load_x"]) - 0.0015) < 1e-15 and
-              abs(float(row["load_y"]) + 0.015) < 1e-15, "the load is the force")
-claim(off_balance("force") < 1e-10, "and the bodies balance")
+        claim(abs(row["load_x"] - 0.0015) < 1e-15 and
+              abs(row["load_y"] + 0.015) < 1e-15, "the load is the force")
+balanced("force")
 finish()

@@ -1,25 +1,18 @@
 """Weight, spin and heat inside bodies against closed forms (doc/theory/body-loads.md)."""
+import functools
 import math
-import os
 
-from runs import WORK, claim, epafi, finish, fresh, imbalance, largest, refused, run, table
+from runs import balanced as balanced_within
+from runs import claim, epafi, finish, fresh, largest, points, refused, rows, run
 from written import (CLAMPED, NONE, WALLS, block, body, condition, contact, disc, friction, history,
                      keys, listed, points_at, primed, rigid, round_hole, with_more, written)
 
+balanced = functools.partial(balanced_within, limit=1e-12)
 FORMS = ("Density", "Projected", "Exact")
 
 
 def loads(**functions):
     return listed("Body Loads", **functions)
-
-
-def rows(name, file="bodies.csv"):
-    return table(os.path.join(WORK, name, file))
-
-
-def balanced(name, limit=1e-12, scale=0):
-    worst = imbalance(os.path.join(WORK, name), scale)
-    claim(worst < limit, "%s: every body balances, %.1e" % (name, worst))
 
 
 # a block in a frictionless channel: weight and a temperature over the height, linear in space
@@ -161,7 +154,7 @@ for method in ("Dense", "Compressed"):
         error = largest(math.hypot(p["tx"], p["ty"]) for p in rows(name, "boundary.csv")
                         if p["boundary"] != side) / abs(exact)
         claim(error < 1e-7, "%s: no traction on the other line, %.1e" % (name, error))
-        balanced(name, 1e-11, C_HALF * R ** 3)
+        balanced(name, C_HALF * R ** 3, limit=1e-11)
 
 # ring on shaft along a path of speed: pressure falls with its square, the fit is lost and found
 STEEL, RI, RF, RO, FIT, TON = 210e3, 10.0, 20.0, 30.0, 0.01, 7.85e-9
@@ -199,7 +192,7 @@ for t, whole in zip(TIMES, FORCES):
 # linear in the square of the speed, to where the force vanishes
 ZERO = 3000 * math.sqrt(0.25 + 0.75 * FORCES[0] / (FORCES[0] - FORCES[1]))
 claim(abs(ZERO / LOST - 1) < 1e-9, "the forces vanish at %.9f, exact %.9f" % (ZERO, LOST))
-balanced("speed", 1e-11, 24.6 * RF)
+balanced("speed", 24.6 * RF, limit=1e-11)
 _, contacts = press_fit("hot ring", "0", "10", 5.0)
 error = largest(p["lambda_n"] / 18.7031250 - 1 for p in contacts)
 claim(error < 1e-9, "ring 10 K hotter: 18.7031250 within %.1e" % error)
@@ -210,7 +203,7 @@ _, other = press_fit("hot ring compressed", "0", "10", 5.0, NONE, more=listed(
     "Solver", listed("Linear", Method="Compressed")))
 error = largest(p["lambda_n"] / 18.7031250 - 1 for p in other)
 claim(error < 1e-9, "compressed operators: within %.1e" % error)
-balanced("hot ring compressed", 1e-10, 18.7 * RF)
+balanced("hot ring compressed", 18.7 * RF, limit=1e-10)
 
 # a block on an incline: slides at tan a = mu, and carries downhill of its middle
 W, H, MU = 2.0, 1.0, 0.3
@@ -225,7 +218,7 @@ for slope, slides in ((MU * (1 - 1e-9), False), (MU * (1 + 1e-9), True)):
     claim((code == 0) != slides, "an incline of %.9f mu: %s" % (
         slope / MU, "slides" if slides else "holds"))
     if not slides:
-        row = rows(name)[-1]
+        row = rows(name, "bodies.csv")[-1]
         middle = row["contact_moment"] / row["contact_y"]
         claim(abs(middle - H / 2 * slope) < 1e-9, "centre of pressure %.9f, exact %.9f" % (
             middle, H / 2 * slope))
@@ -273,7 +266,7 @@ square = rigid("square", block(2, 0, 3, 1), loads(Spin=OMEGA, Angular_Accelerati
 beside = body("beside", block(3, 0, 4, 1), E, condition("right", "Dirichlet", CLAMPED))
 run(written("square", [beside, square], contact("at", "beside:left", "square:right"), "Density",
             0.5, 2), "square")
-row = next(row for row in rows("square") if row["body"] == "square")
+row = next(row for row in rows("square", "bodies.csv") if row["body"] == "square")
 for key, exact in (("body_force_x", RHO * (OMEGA ** 2 * 2.5 + GAMMA * 0.5)),
                    ("body_force_y", RHO * (OMEGA ** 2 * 0.5 - GAMMA * 2.5)),
                    ("body_moment", -RHO * GAMMA * (2.5 ** 2 + 0.5 ** 2 + 1 / 6))):
@@ -312,7 +305,7 @@ def heap(name, first="lid:bottom", second="block:top", more=NONE, form="Density"
 for form in FORMS:
     name = "heap " + form
     heap(name, form=form)
-    last = {row["body"]: row for row in rows(name)}
+    last = {row["body"]: row for row in rows(name, "bodies.csv")}
     claim(abs(last["floor"]["reaction_y"] - (0.01 + 3 * RHO + RHO)) < 1e-12,
           "%s: the floor carries all, %.15f" % (name, last["floor"]["reaction_y"]))
     claim(abs(last["lid"]["body_force_y"] + 3 * RHO) < 1e-14, "the lid weighs what it weighs")
@@ -329,8 +322,7 @@ for law, friction_law in (("smooth", NONE), ("rough", friction(0.2))):
                      inside=loads(Gravity_Y="-2*min(t, 1)",
                                   Temperature="(t < 1 ? 0 : 1 - abs(t - 2))*(1 + 2*x + x*y)"))
         run(written(name, [lying], NONE, "Density", 0.5, 3, history([1, 2, 3], steps)), name)
-        first, last = (table(os.path.join(WORK, name, "steps", str(k), "contact.csv"))
-                       for k in (steps, 3 * steps))
+        first, last = (points(name, k) for k in (steps, 3 * steps))
         size = largest(p["lambda_n"] for p in first)
         apart = largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(first, last)) / size
         row = rows(name, "steps.csv")[-1]

@@ -1,18 +1,15 @@
 """The shipped scenes of several bodies against their closed forms (doc/benchmarks/bodies.md)."""
 import math
-import os
 
-from runs import (WORK, changed, claim, differ, finish, imbalance, keys_of, read, run, saved, scene,
-                  table)
+from runs import balanced, changed, claim, differ, finish, keys_of, read, rows, run, saved, scene
 from written import with_sides_swapped
 
 
 def solved(name, *settings):
     """Its last level, its contact points and bodies.csv of the last level."""
     history, points = run(scene(name + ".xml"), name, settings)
-    folder = os.path.join(WORK, name)
-    claim(imbalance(folder, abs(history[-1]["force_normal"])) < 1e-10, name + ": its bodies balance")
-    return history, points, [row for row in table(os.path.join(folder, "bodies.csv"))
+    balanced(name, scale=abs(history[-1]["force_normal"]))
+    return history, points, [row for row in rows(name, "bodies.csv")
                              if row["level"] == history[-1]["level"]]
 
 
@@ -58,7 +55,7 @@ claim(all(b < a / 30 for a, b in zip(errors, errors[1:])) and errors[-1] < 1e-10
 
 # bonded inclusion: uniform stress
 solved("bonded-inclusion")
-inside = table(os.path.join(WORK, "bonded-inclusion", "interior.csv"))
+inside = rows("bonded-inclusion", "interior.csv")
 for key, value in (("sxx", 1.178169078526), ("syy", -0.049486907983), ("sxy", 0)):
     error = max(abs(row[key] - value) for row in inside)
     claim(error < 1e-11, "bonded inclusion: %s is uniform, within %.1e" % (key, error))

@@ -1,15 +1,13 @@
 """Fields inside a body after a run: Hooke's law and equilibrium by differences, a uniform stress, the
 triangles of the whole inside, and what is refused."""
-import base64
 import math
 import os
 import shutil
-import struct
 import xml.etree.ElementTree as xml
 
-from runs import WORK, claim, differ, epafi, fails, finish, fresh, read, scene, solved, table, write
+from runs import (WORK, claim, differ, epafi, fails, finish, fresh, read, rows, scene, solved,
+                  steps, table, vtu, write)
 from written import block, body, condition, contact, written
-
 
 
 def fields(folder, *arguments):
@@ -66,7 +64,7 @@ claim(differ(row["principal_1"] + row["principal_2"], row["sxx"] + row["syy"], s
       row["principal_1"] >= row["principal_2"], "principal stresses: sum and product")
 
 # along the contact, just below it, the stress is the contact's
-touching = table(os.path.join(folder, "contact.csv"))
+touching = rows(folder)
 boundary = touching[0]["boundary"]
 below = fields(folder, "--along", "block:" + boundary, "--depth", "1e-6")
 claim(len(below) > 10 and len({row["y"] for row in below}) == 1, "a line at a depth")
@@ -79,14 +77,9 @@ claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in 
 # triangles of the whole inside
 code, text = epafi("fields", folder, "--vtk")
 claim(code == 0, text.strip())
-vtu = {}
-for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray"):
-    data = base64.b64decode(array.text)[8:]
-    letter = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[array.get("type")]
-    vtu[array.get("Name")] = struct.unpack(
-        "<%d%s" % (len(data) // struct.calcsize(letter), letter), data)
-corners = vtu["connectivity"]
-place = [(vtu["Points"][3 * k], vtu["Points"][3 * k + 1]) for k in range(len(vtu["Points"]) // 3)]
+inside = vtu(os.path.join(folder, "fields.vtu"))
+corners = inside["connectivity"]
+place = list(zip(inside["Points"][::3], inside["Points"][1::3]))
 
 
 def area(a, b, c):
@@ -101,7 +94,7 @@ claim(min(areas) > 0 and differ(sum(areas), width * height) < 1e-12,
       "%d triangles fill the block" % len(areas))
 claim(min(areas) < 0.1 * max(areas), "and are small at small elements: %.1e, %.1e" %
       (min(areas), max(areas)))
-claim(len(vtu["von_mises"]) == len(place) and all(map(math.isfinite, vtu["von_mises"])),
+claim(len(inside["von_mises"]) == len(place) and all(map(math.isfinite, inside["von_mises"])),
       "with a finite stress at all of their %d corners" % len(place))
 # a uniform stress
 folder, _ = solved("patch", scene("patch.xml"))
@@ -114,7 +107,7 @@ for name in ("sxx", "syy", "sxy"):
 # Interior Points are evaluated once, on the last level
 points = "Output->Interior Points=1x2:{%.17g, %.17g}" % (x, y)
 folder, _ = solved("coulomb", scene("coulomb.xml"), *LEVELS, points)
-inside = table(os.path.join(folder, "interior.csv"))[0]
+inside = rows(folder, "interior.csv")[0]
 claim(all(differ(inside[key], middle[key], size) < 1e-12 for key in middle if key != "body") and
       inside["body"] == "block",
       "interior.csv has the same numbers")
@@ -142,7 +135,7 @@ for name in ("history.csv", "contact.csv", "boundary.csv"):
     os.remove(os.path.join(alone, name))
 code, text = epafi("plot", alone, "--field", "von_mises", "--step", "2")
 with open(os.path.join(alone, "von_mises.svg")) as file:
-    claim(code == 0 and ", t = %g" % table(os.path.join(path, "steps.csv"))[-4]["t"] in file.read(),
+    claim(code == 0 and ", t = %g" % steps(path)[-4]["t"] in file.read(),
           "the field at a step is drawn, and its title says when " + text[-100:])
 
 # bodies that overlap as drawn: each has its own fields
@@ -172,7 +165,7 @@ code, text = epafi("fields", path, "--vtk", "--step", "all")
 claim(code == 0 and "5 steps" in text, "a series: " + text.strip())
 parts = xml.parse(os.path.join(path, "fields.pvd")).getroot().findall(".//DataSet")
 claim([float(part.get("timestep")) for part in parts] ==
-      [row["t"] for row in table(os.path.join(path, "steps.csv"))][-5:], "fields.pvd has the times")
+      [row["t"] for row in steps(path)][-5:], "fields.pvd has the times")
 single = os.path.join(WORK, "single.vtu")
 code, text = epafi("fields", path, "--vtk", "--step", "2", "--output", single)
 with open(single, "rb") as one, open(os.path.join(path, parts[1].get("file")), "rb") as same:

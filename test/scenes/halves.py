@@ -2,11 +2,12 @@
 Boussinesq's and Flamant's forces; Cattaneo's and Mindlin's closed forms.  a = E* = 1, R = 100."""
 import math
 
-from runs import claim, largest, points, steps
+from runs import claim, largest, points, scene, solved, steps
 from written import NONE, body, condition, geometry, listed
 
 P, P0, F = math.pi / 400, 0.005, 0.5
 PRESS = "pi/400*min(t, 1)"
+TO_AND_FRO = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"  # of f P
 # edges of the contact's side, coarse, and with small elements where contact and slip end
 COARSE = ([-40, -16, -6, -2.5, -1.25, 1.25, 2.5, 6, 16, 40], [4, 4, 4, 6, 24, 6, 4, 4, 4])
 FINE = ([-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40],
@@ -104,6 +105,32 @@ def loop(q):
     h = (1 - q) * math.log(1 - q) + q
     big = -1 / 4 - (1 - q)**2 * math.log(1 - q) / 2 + (1 - q)**2 / 4 + q * q / 2
     return (4 * q * h - 8 * big) * (F * P)**2 / math.pi
+
+
+def fretting(name, settings):
+    return solved(name, scene("fretting.xml"), "Adaptivity->Maximum Degrees of Freedom=20000",
+                  *settings)[0]
+
+
+def cycles(q):
+    """Friction's work in two cycles between q and -q, counted from +q, and the folder."""
+    folder = fretting("loop %g" % q, path([1, 2, 6, 10], [1, 10, 40, 40]) +
+                      loads(TO_AND_FRO % q, PRESS))
+    done = {row["step"]: row["energy_dissipated"] for row in steps(folder)}
+    return done[51] - done[11], done[91] - done[51], folder
+
+
+def half_cycle(count):
+    """The work from Qm to -Qm, and that by the trapezoidal rule."""
+    rows = steps(fretting("half a cycle, %d" % count, path([1, 2, 4], [1, 5, count])))
+    return [rows[5 + count][key] - rows[5][key] for key in
+            ("energy_dissipated", "energy_dissipated_trapezoidal")]
+
+
+def pressing(count):
+    """The error of the balance of energy over the work from outside."""
+    last = steps(fretting("pressing, %d" % count, path([1], [count])))[-1]
+    return abs(last["energy_error"]) / last["energy_outside"]
 
 
 def stick(points):

@@ -5,17 +5,13 @@ Fourth argument: the page that the tables are written to, doc/benchmarks/paths.m
 import math
 import sys
 
-from halves import F, P, P0, SIDES, contact_side, error, half, loads, loop, path, rms, stick
-from runs import claim, finish, never_falls, points, scene, solved, steps, write
+from halves import (F, P, P0, PRESS, SIDES, TO_AND_FRO, contact_side, cycles, error, fretting, half,
+                    half_cycle, loads, loop, path, pressing, rms, stick)
+from runs import claim, finish, never_falls, points, solved, write
 from written import contact, friction, history, keys, written
 
-LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
 PARABOLA = keys(Interference="-x^2/200")
 page = []
-
-
-def solve(name, file, settings=()):
-    return solved(name, file, "Adaptivity->Maximum Degrees of Freedom=20000", *settings)[0]
 
 
 def side(width):
@@ -28,13 +24,13 @@ def side(width):
 
 
 def pair(name, width, moduli, ratios, first="upper", second="lower", uniform=False):
-    push = LOOP % 0.5
+    push = TO_AND_FRO % 0.5
     bodies = [half(what, up, modulus, push, ratio=ratio, side=side(width), uniform=uniform)
               for what, up, modulus, ratio in zip(("upper", "lower"), (1, -1), moduli, ratios)]
-    return solve(name, written(
-        name, bodies, contact("fret", first + ":contact", second + ":contact",
-                              friction("0.5") + PARABOLA), "Density",
-        more=history([1, 2, 3, 4], [1, 1, 1, 1])))
+    file = written(name, bodies, contact("fret", first + ":contact", second + ":contact",
+                                         friction("0.5") + PARABOLA), "Density",
+                   more=history([1, 2, 3, 4], [1, 1, 1, 1]))
+    return solved(name, file, "Adaptivity->Maximum Degrees of Freedom=20000")[0]
 
 
 def measured(folder):
@@ -81,10 +77,7 @@ page += ["", "## Loops", "",
          "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "", "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
 
 for q in (0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9):
-    folder = solve("loop %g" % q, scene("fretting.xml"), path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
-        LOOP % q, "pi/400*min(t, 1)"))
-    done = {row["step"]: row["energy_dissipated"] for row in steps(folder)}
-    first, second = done[51] - done[11], done[91] - done[51]
+    first, second, folder = cycles(q)
     claim(abs(first / loop(q) - 1) < 5e-4,
           "loop of q = %g: work per cycle %.5e, exact %.5e" % (q, first, loop(q)))
     claim(abs(second / first - 1) < 1e-6,
@@ -99,10 +92,9 @@ CUTS = [-40, -16, -6, -2.5, -1.25, -0.95, -0.86, 0.46, 0.56, 1.25, 2.5, 6, 16, 4
 BULK = "%r*%r*(t < 1 ? 0 : t - 1)" % (2 * shift, F * P0)
 c = math.sqrt(0.5)
 for count in (1, 8):
-    folder = solve("bulk stress, %d steps" % count, scene("fretting.xml"),
-                   path([1, 2], [1, count]) +
-                   loads("0.25*pi/400*max(0, t - 1)", "pi/400*min(t, 1)", BULK) +
-                   contact_side(CUTS, [4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4]))
+    folder = fretting("bulk stress, %d steps" % count,
+                      path([1, 2], [1, count]) + loads("0.25*pi/400*max(0, t - 1)", PRESS, BULK) +
+                      contact_side(CUTS, [4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4]))
     here = points(folder, 1 + count)
     left, right = stick(here)
     side_ = 1 if right > -left else -1
@@ -117,22 +109,9 @@ for count in (1, 8):
 page += ["", "## Errors in time", "",
          "fretting.xml. Relative error of friction's work by the trapezoidal rule (`energy_dissipated_trapezoidal`) from Qm to -Qm, against", "160 steps; and the error of the energy balance while P grows, relative to the work from outside.", "", "| steps | trapezoidal work | balance |", "|---:|---:|---:|"]
 
-
-def halfCycle(count):
-    rows = steps(solve("half a cycle, %d" % count, scene("fretting.xml"),
-                       path([1, 2, 4], [1, 5, count])))
-    return [rows[5 + count][key] - rows[5][key] for key in
-            ("energy_dissipated", "energy_dissipated_trapezoidal")]
-
-
-def pressing(count):
-    last = steps(solve("pressing, %d" % count, scene("fretting.xml"), path([1], [count])))[-1]
-    return abs(last["energy_error"]) / last["energy_outside"]
-
-
 counts = (5, 10, 20, 40)
-exact = halfCycle(160)[0]
-inTime = [(abs(halfCycle(count)[1] / exact - 1), pressing(count)) for count in counts]
+exact = half_cycle(160)[0]
+inTime = [(abs(half_cycle(count)[1] / exact - 1), pressing(count)) for count in counts]
 page += ["| %d | %.1e | %.1e |" % (count, *errors) for count, errors in zip(counts, inTime)]
 for (a, b), (c, d), count in zip(inTime, inTime[1:], counts[1:]):
     claim(c < a / 3.3 and d < b / 3,

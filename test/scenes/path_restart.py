@@ -38,6 +38,18 @@ def same(sentence, whole, part):
     claim(apart[0] < 1e-10, "%s: the same files, %.1e in %s" % (sentence, *apart))
 
 
+def solution(folder):
+    """The last file of a write: it says what a folder holds."""
+    return os.path.join(folder, "solution.hdf")
+
+
+def solved(folder):
+    """Steps of which solution.hdf knows, and whether those of its level are all."""
+    with h5py.File(solution(folder)) as file:
+        told = file["Epafi"].attrs
+        return 40 * int(told["level"]) + len(file["Epafi/path_t"]), bool(told["complete"])
+
+
 whole = fresh("whole")
 began = time.monotonic()
 code, text = epafi("run", *SCENE, "--output", whole)
@@ -49,13 +61,15 @@ resumed = 0
 for k in range(int(sys.argv[4])):
     folder = fresh("killed")
     end = time.monotonic() + moments.uniform(0.1, 1) * duration
-    stopped(lambda: time.monotonic() > end, "run", *SCENE, "--output", folder)
-    solved = os.path.exists(os.path.join(folder, "solution.hdf"))
-    resumed += solved
-    before = len(rows(folder, "steps.csv")) if solved else 0
-    if before % 40:
+    # every other one behind the first file that it could go on from, however late that is
+    stopped(lambda: os.path.exists(solution(folder)) if k % 2 else time.monotonic() > end,
+            "run", *SCENE, "--output", folder)
+    goes_on = os.path.exists(solution(folder))
+    resumed += goes_on
+    before, complete = solved(folder) if goes_on else (0, True)
+    if not complete:
         fails("fields of its steps", ["--restart"], "fields", folder, "--step", "1")
-    code, text = epafi("run", *SCENE, *(["--restart", folder] if solved
+    code, text = epafi("run", *SCENE, *(["--restart", folder] if goes_on
                                         else ["--output", folder, "--force"]))
     claim(code == 0, "killed behind %d steps: goes on%s" % (before, "" if code == 0 else text))
     same("killed behind %d steps" % before, whole, folder)
@@ -68,26 +82,20 @@ code, text = epafi("fields", elsewhere, "--step", "20", "--grid", "4,4")
 claim(code == 0, "and fields of its steps: " + text.strip()[-90:])
 
 # one that goes on and is killed as soon as it writes has lost no step
-def solved(folder):
-    with h5py.File(os.path.join(folder, "solution.hdf")) as file:
-        return 40 * int(file["Epafi"].attrs["level"]) + len(file["Epafi/path_t"])
-
-
 def file_number(folder):
-    return os.stat(os.path.join(folder, "solution.hdf")).st_ino
+    return os.stat(solution(folder)).st_ino
 
 
 folder = fresh("twice")
 steps = os.path.join(folder, "steps.csv")
-solution = os.path.join(folder, "solution.hdf")  # the last file of a write
-stopped(lambda: os.path.exists(solution) and len(table(steps)) >= 25,
+stopped(lambda: os.path.exists(solution(folder)) and len(table(steps)) >= 25,
         "run", *SCENE, "--output", folder)
 for k in range(3):
-    before, number = solved(folder), file_number(folder)
+    before, number = solved(folder)[0], file_number(folder)
     stopped(lambda: file_number(folder) != number, "run", *SCENE, "--restart", folder)
-    claim(solved(folder) >= before and len(table(steps)) >= before,
+    claim(solved(folder)[0] >= before and len(table(steps)) >= before,
           "killed again behind %d steps: %d in solution.hdf, %d in steps.csv" % (
-              before, solved(folder), len(table(steps))))
+              before, solved(folder)[0], len(table(steps))))
 code, text = epafi("run", *SCENE, "--restart", folder)
 claim(code == 0, "killed four times: goes on" + ("" if code == 0 else text))
 same("killed four times", whole, folder)
@@ -110,7 +118,7 @@ def checksum(data):
     return sum
 
 
-with h5py.File(os.path.join(folder, "solution.hdf"), "r+") as file:
+with h5py.File(solution(folder), "r+") as file:
     data = file["Epafi"]
     claim(checksum(data) == data.attrs["checksum"], "the checksum is CRC-32 of what the page says")
     text = data["steps"][()].replace(b",parts,", b",Parts,", 1)

@@ -1,10 +1,6 @@
 """Paths whose steps are chosen: History->Tolerance against closed forms and against many steps."""
-import os
-import signal
-
 from halves import contact_side, loads, loop
-from runs import claim, epafi, finish, fresh, options, refused, scene, solved, steps, stopped, table
-from scales import worst
+from runs import claim, finish, goes_on, refused, rows as rows_of, scene, solved, steps
 
 SCENE = scene("fretting.xml")
 COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 5, 12, 5, 1, 3, 2, 2, 2, 3, 3, 3}"]
@@ -68,7 +64,7 @@ claim(error < 2e-3, "pressed in %d steps, pushed in %d: work off by %.1e" % (
 # a section that ends where it begins
 folder, text = solve("there and back", COARSE + path([1, 5], 1, 1e-2))
 claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and comes back is seen")
-parts, reported = (table(os.path.join(name, "history.csv"))[-1]["eta_slip"] for name in (
+parts, reported = (rows_of(name, "history.csv")[-1]["eta_slip"] for name in (
     folder, solve("there and back in steps", COARSE + path([1, 5], 16, 0))[0]))
 claim(0 < parts < 2 * reported,
       "slip of a part is estimated as that of a step: %.2e, %.2e" % (parts, reported))
@@ -77,29 +73,17 @@ claim(0 < parts < 2 * reported,
 folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.125"])
 claim("error in time" in text and "History->Tolerance" in text, "what is missing is told")
 claim(steps(folder)[1]["parts"] == 16, "down to the shortest step")
-WORN = path([1, 2, 3, 4, 5], 1, 1e-4) + ["History->Minimum Step=0.03125"]
-_, text = solved("worn too fast", scene("fretting-wear.xml"), *WORN)
-told = [line for line in text.splitlines() if "the worn volume has an estimated error" in line]
-claim(len(told) == 1, "of the worn volume, too")
 refused("steps that leave nothing to compare", SCENE, "at least 8 steps from t = 0 to 1; at most 0.125",
         settings=SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"])
 
 # stopped behind a step, gone on with: the same steps
 LONG = SWING + path([1, 2, 3, 4, 5], 1, 5e-3) + ["Adaptivity->Strategy=Adaptive h",
                                                  "Adaptivity->Maximum Levels=2"]
-whole, _ = solve("whole", LONG)
-part = fresh("part")
-stopped(lambda: os.path.exists(os.path.join(part, "steps.csv")) and len(steps(part)) >= 5,
-        "run", SCENE, *options(LONG), "--output", part, how=signal.SIGTERM)
-before = len(steps(part))
-code, text = epafi("run", SCENE, "--restart", part, settings=LONG)
-claim(code == 0 and 0 < before < 10, "stopped behind %d steps, gone on with%s" % (
-    before, "" if code == 0 else ": " + text[-300:]))
-claim(worst(steps(whole), steps(part))[0] <= 1e-10, "the same steps.csv as without a stop")
-part = fresh("part of worn")
-stopped(lambda: os.path.exists(os.path.join(part, "steps.csv")) and len(steps(part)) >= 2,
-        "run", scene("fretting-wear.xml"), *options(WORN), "--output", part, how=signal.SIGTERM)
-before = len(steps(part))
-_, text = epafi("run", scene("fretting-wear.xml"), "--restart", part, settings=WORN)
-claim(0 < before < 5 and told[0] in text, "stopped behind %d steps: %s" % (before, told[0]))
+goes_on("stopped", SCENE, LONG, lambda part: len(steps(part)) >= 5)
+# what is missing of the worn volume is told, too
+_, *texts = goes_on("worn too fast", scene("fretting-wear.xml"), path([1, 2, 3, 4, 5], 1, 1e-4) + [
+    "History->Minimum Step=0.03125"], lambda part: len(steps(part)) >= 2)
+told = [[line for line in text.splitlines() if "the worn volume has an estimated error" in line]
+        for text in texts]
+claim(len(told[0]) == 1 and told[0] == told[1], "of the worn volume, too: %s" % told)
 finish()

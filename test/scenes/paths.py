@@ -5,13 +5,10 @@ for a half-plane (incompressible, so that pressure and shear do not mix), a = 1.
    unloading to Q   q = q(Qm) - 2 f p0 [s(x) - c' s(x/c')],  c' = (1 - (Qm - Q)/(2 f P))^1/2
    a closed loop    work (f P)^2/(pi E*) (4 q h - 8 H), q = Qm/(f P), see loop()
 """
-from halves import F, FINE, P0, contact_side, loads, loop, path, remembers
-from runs import claim, finish, never_falls, points, scene, solved, steps
-
-
-def solve(name, settings):
-    return solved(name, scene("fretting.xml"), *settings)[0]
-
+from halves import (F, FINE, P0, contact_side, cycles, half_cycle, loads, loop, path, pressing,
+                    remembers)
+from halves import fretting as solve
+from runs import claim, finish, never_falls, points
 
 # Cattaneo, and the way back to 0 and to -Qm; small elements where slip ends, a node at |x| = a
 base = solve("cattaneo", path([1, 2, 3, 4], [1]) + contact_side(*FINE))
@@ -19,10 +16,7 @@ remembers(base)
 claim(points(base) == points(base, 4), "contact.csv is that of the last step")
 
 # work per cycle, counted from +Qm; other amplitudes in path_tolerance.py
-folder = solve("loop", path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
-    "0.25*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))", "pi/400*min(t, 1)"))
-done = {row["step"]: row["energy_dissipated"] for row in steps(folder)}
-first, second = done[51] - done[11], done[91] - done[51]
+first, second, _ = cycles(0.5)
 claim(abs(first / loop(0.5) - 1) < 0.01,
       "work per cycle %.6e, exact %.6e" % (first, loop(0.5)))
 claim(abs(second / first - 1) < 1e-6, "the second cycle differs by %.1e" % (second / first - 1))
@@ -44,25 +38,10 @@ claim(apart > 0.05, "P and Q together is another path: it differs by %.3f f p0" 
 # energies
 for folder in (base, many, along):
     never_falls(folder)
-
-
-def half_cycle(count):
-    """Error of the trapezoidal work from Qm to -Qm."""
-    folder = solve("balance %d" % count, path([1, 2, 4], [1, 5, count]))
-    done = [row["energy_dissipated_trapezoidal"] for row in steps(folder)]
-    return abs((done[5 + count] - done[5]) / (loop(0.5) / 2) - 1)
-
-
-def pressing(count):
-    folder = solve("pressing %d" % count, path([1], [count]))
-    last = steps(folder)[-1]
-    return abs(last["energy_error"]) / last["energy_outside"]
-
-
 errors = [pressing(count) for count in (4, 16)]
 claim(errors[1] < errors[0] / 10,
       "the balance of energy is of second order: %.1e, %.1e of the work" % tuple(errors))
-trapezoidal = [half_cycle(count) for count in (5, 20)]
+trapezoidal = [abs(half_cycle(count)[1] / (loop(0.5) / 2) - 1) for count in (5, 20)]
 claim(trapezoidal[1] < trapezoidal[0] / 4 or trapezoidal[1] < 2e-3,
       "the trapezoidal work converges: %.1e, %.1e" % tuple(trapezoidal))
 finish()

@@ -1,5 +1,4 @@
 """Pictures of a run: all of them, in both formats, and clear words where there are none."""
-import base64
 import os
 import shutil
 import struct
@@ -15,8 +14,8 @@ from epafi.plot.figures import Pictures, plt
 from epafi.plot.folder import draw_field
 from epafi.plot.inside import NAMES as FIELDS
 from epafi.runs import Run
-from runs import (EPAFI, RANKS, WORK, claim, epafi, fails, finish, fresh, levels, read, run, scene,
-                  table, write)
+from runs import (EPAFI, RANKS, WORK, claim, epafi, fails, finish, fresh, levels, read, rows, run,
+                  scene, steps, vtu, write)
 from written import (CLAMPED, NONE, block, body, condition, confined, friction, geometry, history,
                      keys, listed, mesh, wear, written)
 
@@ -45,6 +44,15 @@ def draw(name, pictures, *options):
     drawn(os.path.join(WORK, name), pictures, name)
 
 
+def drawing(*arguments):
+    """What `epafi plot` of these says if it fails, without a start of Python for each."""
+    sys.argv = ["plot", *arguments]
+    try:
+        plot.main()
+    except SystemExit as end:
+        return str(end)
+
+
 run(scene("disc.xml"), "disc", levels(2))
 draw("disc", PICTURES)
 
@@ -61,27 +69,12 @@ with open(os.path.join(WORK, "punch", "movie.gif"), "rb") as stream:
 claim(movie[:4] == b"GIF8" and movie.count(b"\x21\xf9\x04") == 6, "a movie of a frame per step")
 parts = xml.parse(os.path.join(WORK, "punch", "steps.pvd")).getroot().findall(".//DataSet")
 claim([float(part.get("timestep")) for part in parts] ==
-      [row["t"] for row in table(os.path.join(WORK, "punch", "steps.csv"))],
+      [row["t"] for row in steps("punch")],
       "steps.pvd has the times of the steps")
-SIZES = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
 for part in parts:
-    piece = xml.parse(os.path.join(WORK, "punch", part.get("file"))).getroot().find(".//Piece")
-    counts = {"PointData": "NumberOfPoints", "Points": "NumberOfPoints"}
-    arrays = {}
-    for group in piece:
-        count = int(piece.get(counts.get(group.tag, "NumberOfCells")))
-        for item in group:
-            data = base64.b64decode(item.text)
-            letter = SIZES[item.get("type")]
-            arrays[item.get("Name")] = struct.unpack(
-                "<%d%s" % ((len(data) - 8) // struct.calcsize(letter), letter), data[8:])
-            wanted = count * int(item.get("NumberOfComponents")) * (
-                2 if item.get("Name") == "connectivity" else 1)
-            claim(len(arrays[item.get("Name")]) == wanted and
-                  struct.unpack("<Q", data[:8])[0] == len(data) - 8,
-                  "%s: %s is whole" % (part.get("file"), item.get("Name")))
+    arrays = vtu(os.path.join(WORK, "punch", part.get("file")))
     claim(set(arrays["body"]) == {0, 1}, "%s: both bodies" % part.get("file"))
-last = table(os.path.join(WORK, "punch", "steps.csv"))[-1]
+last = steps("punch")[-1]
 ends = arrays["connectivity"][2 * arrays["body"].index(1)]  # a corner of the punch, (-1, 0)
 claim(abs(arrays["displacement"][3 * ends + 1] - last["punch.motion_y"] +
           last["punch.rotation"]) < 1e-15, "the punch is where steps.csv says")
@@ -105,7 +98,8 @@ for name, bodies, wanted in (
     run(file, name + " solved")
     for other in ("history.csv", "boundary.csv"):  # no pictures of the mesh and of levels
         os.remove(os.path.join(WORK, name + " solved", other))
-    draw(name + " solved", wanted)
+    claim(drawing(os.path.join(WORK, name + " solved")) is None, name + " are drawn")
+    drawn(os.path.join(WORK, name + " solved"), wanted, name)
 
 # many contacts, of names that are long or that no font has: pictures stay small, and say the rest
 row = [resting("%s %d" % ("\u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
@@ -155,14 +149,15 @@ claim(code == 0 and sorted(os.listdir(folder)) == sorted(
       "--force leaves no picture and no field: " + " ".join(sorted(os.listdir(folder))))
 
 run(scene("tresca.xml"), "tresca", levels(3))
-points = table(os.path.join(WORK, "tresca", "boundary.csv"))
+points = rows("tresca", "boundary.csv")
 claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},
       "boundary.csv names each point's element and degree")
 claim({point["boundary"] for point in points} ==
       {"foundation", "right", "clamp", "top", "press", "left"}, "and its boundary")
 
 run(scene("patch.xml"), "one", ["Adaptivity->Strategy=None"])  # a single level
-draw("one", PICTURES)
+drawing(os.path.join(WORK, "one"))
+drawn(os.path.join(WORK, "one"), PICTURES, "one")
 
 # looks: exact sizes, formats, units, no titles
 folder = os.path.join(WORK, "tresca")
@@ -199,18 +194,9 @@ for name, picture in [*(("fretting", name) for name in (*PICTURES, "path", "step
     plt.close(figure)
 
 
-def drawing(*arguments):
-    """What `epafi plot` of these says as it fails, without a start of Python for each."""
-    sys.argv = ["plot", *arguments]
-    try:
-        plot.main()
-    except SystemExit as end:
-        return str(end)
-
-
-for option, value in (("--size", "5"), ("--size", "0,3"), ("--dpi", "many"), ("--font", "-1"),
-                      ("--units", "mm")):
-    fails("%s %s" % (option, value), [option], "plot", folder, option, value)
+fails("--size 5", ["--size"], "plot", folder, "--size", "5")
+for option, value in (("--size", "0,3"), ("--dpi", "many"), ("--font", "-1"), ("--units", "mm")):
+    claim(option in (drawing(folder, option, value) or ""), "%s %s is refused" % (option, value))
 
 # a page with all in it
 code, text = epafi("report", folder)
@@ -278,5 +264,5 @@ for name, content in (("contact.csv", "garbage"), ("history.csv", ""), ("boundar
     shutil.copytree(whole, fresh("damaged"))
     with open(os.path.join(damaged, name), "w", encoding="latin-1") as stream:
         stream.write(content)
-    fails("it is named", ["'%s' cannot be read" % name], "plot", damaged)
+    claim("'%s' cannot be read" % name in drawing(damaged), "it is named")
 finish()

@@ -3,17 +3,21 @@
 Every test is called as  <test>.py EPAFI SCENES WORK:  the program, the folder of the shipped
 scenes, a folder to write into.
 """
+import base64
 import json
 import os
 import signal
+import struct
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree as xml
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, options, raises, read, table, write  # noqa: E402, F401
+from scales import worst  # noqa: E402
 
-EPAFI, SCENES, WORK = sys.argv[1:4]
+EPAFI, SCENES, WORK = *sys.argv[1:3], os.path.abspath(sys.argv[3])
 RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
 os.makedirs(WORK, exist_ok=True)
 
@@ -80,8 +84,29 @@ def run(file, name, settings=(), expect=0):
     return rows(folder, "history.csv"), rows(folder) if contact else []
 
 
+def goes_on(name, file, settings, before, within=1e-10):
+    """Claims that a run which stops and goes on leaves the tables of one which does not.  It stops
+    by further settings, or is killed as soon as something is so.  Its folder, what both said."""
+    (whole, told), part = solved(name + ", at once", file, *settings), fresh(name)
+    names = [table for table in ("steps.csv", "history.csv", "bodies.csv", "contact.csv")
+             if os.path.exists(os.path.join(whole, table))]
+    if callable(before):
+        stopped(lambda: os.path.exists(os.path.join(part, "solution.hdf")) and before(part),
+                "run", file, *options(settings), "--output", part)
+    else:
+        solved(name, file, *settings, *before)
+    known, all_of_it = (len(rows(folder, names[0])) for folder in (part, whole))
+    code, text = epafi("run", file, "--restart", part, settings=settings)
+    off = max(worst(rows(whole, table), rows(part, table)) for table in names)
+    claim(code == 0 and off[0] <= within and 0 < known < all_of_it,
+          "%s: stopped behind %d of %d rows, gone on with to the same tables: %.1e in %s%s" % (
+              name, known, all_of_it, *off, text[-300:] if code else ""))
+    return part, told, text
+
+
 def rows(folder, file="contact.csv"):
-    return table(os.path.join(folder, file))
+    """Of a folder, or of one in WORK."""
+    return table(os.path.join(WORK, folder, file))
 
 
 def steps(folder):
@@ -91,6 +116,25 @@ def steps(folder):
 def points(folder, step=None):
     """Of the contact at a step of a path, else at its end."""
     return rows(folder if step is None else os.path.join(folder, "steps", str(step)))
+
+
+def vtu(file):
+    """The arrays of a file for ParaView; claims that each is whole."""
+    piece, arrays, missing = xml.parse(file).getroot().find(".//Piece"), {}, []
+    for group in piece:
+        of_points = group.tag in ("Points", "PointData")
+        count = int(piece.get("NumberOfPoints" if of_points else "NumberOfCells"))
+        for item in group:
+            name, data = item.get("Name"), base64.b64decode(item.text)
+            letter = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[item.get("type")]
+            size = (len(data) - 8) // struct.calcsize(letter)
+            arrays[name] = struct.unpack("<%d%s" % (size, letter), data[8:])
+            if struct.unpack("<Q", data[:8])[0] != len(data) - 8 or name != "connectivity" and (
+                    size != count * int(item.get("NumberOfComponents"))):
+                missing.append(name)
+    claim(not missing and len(arrays["connectivity"]) == arrays["offsets"][-1],
+          "%s: all arrays are whole %s" % (os.path.basename(file), missing))
+    return arrays
 
 
 def largest(values):
@@ -108,6 +152,11 @@ def imbalance(folder, scale=0):
     """Of the worst body, relative to its largest resultant, at least a scale: all may cancel."""
     return max(largest(map(sum, parts)) / (max(scale, largest(sum(parts, []))) or 1)
                for parts in acting(folder))
+
+
+def balanced(folder, scale=0, limit=1e-10):
+    worst = imbalance(folder, scale)
+    claim(worst < limit, "%s: every body balances, %.1e" % (os.path.basename(folder), worst))
 
 
 def never_falls(folder):

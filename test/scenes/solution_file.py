@@ -9,7 +9,6 @@ import numpy
 from runs import WORK, claim, finish, run, scene, table
 
 
-
 def read(name, settings):
     """Solves; the file, its VTKHDF group and the folder."""
     run(scene("tresca.xml"), name, settings)

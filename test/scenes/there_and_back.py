@@ -4,34 +4,24 @@ whose ends of contact and of stick are elsewhere in each.
 The truth is that of 34 levels of Graded hp up to 5914 unknowns, Marking Fraction 0.5, whose last
 three levels agree to 3e-12; Adaptive h with degree 2 on 3460 unknowns is within 1.2e-8 of it.
 """
-import os
+from runs import claim, finish, goes_on, rows, scene, solved
 
-from runs import claim, epafi, finish, fresh, table
-
-SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "there_and_back.xml")
+SCENE = scene("there-and-back.xml")
+LIMITS = ["Adaptivity->Maximum Levels=100", "Adaptivity->Maximum Degrees of Freedom=1500"]
 STRAIN = [8.61233400977e-05, 1.025693332895e-04, 8.61752971477e-05]
 WORKS = [2.40259e-09, 2.6441888e-07, 3.1809441e-07]
 # unknowns, largest relative error of a step's strain energy and of friction's work so far, the
 # best of the last three levels: three times what they were, and below what singular points of the
 # last step alone make, 1.9e-5 and 1.6e-2, 2.6e-6 and 6.3e-3
 BOUNDS = [(900, 2e-6, 8e-3), (1500, 8e-8, 6e-4)]
-MEASURED = ("seconds", "memory")
-
-
-
-def run(folder, levels, *more):
-    code, text = epafi("run", SCENE, "--threads", "1", "--set",
-                       "Adaptivity->Maximum Levels=%d" % levels, *more)
-    claim(code == 0, "%d levels: exit code %d" % (levels, code))
-    return table(os.path.join(folder, "history.csv")), table(os.path.join(folder, "steps.csv")), text
 
 
 def largest(rows, column, exact):
     return max(abs(row[column] - e) / e for row, e in zip(rows, exact))
 
 
-folder = fresh("path")
-history, steps, text = run(folder, 100, "--output", folder)
+folder, text = solved("path", SCENE, *LIMITS)
+history, steps = rows(folder, "history.csv"), rows(folder, "steps.csv")
 errors = []
 for row in history:
     own = [step for step in steps if step["level"] == row["level"]]
@@ -53,10 +43,6 @@ claim("level 0: the largest error is that of step %d" % history[0]["worst_step"]
       "a run says which step that is")
 
 # states of all steps are in the file
-half = fresh("half")
-run(half, 4, "--output", half)
-again, stepsAgain, _ = run(half, 8, "--restart", half)
-claim(len(again) == 8 and all(
-    a[key] == b[key] for a, b in zip(history, again) for key in a if not key.startswith(MEASURED)) and
-    steps[:len(stepsAgain)] == stepsAgain, "a run that goes on makes the same meshes")
+goes_on("half", SCENE, ["Adaptivity->Maximum Levels=8", LIMITS[1]],
+        ["Adaptivity->Maximum Levels=4"], 0)
 finish()

@@ -1,7 +1,5 @@
 """Law "Tied": bonded bodies carry tension and shear, and are as one."""
-import os
-
-from runs import WORK, claim, differ, finish, largest, run, table
+from runs import claim, differ, finish, largest, rows, run
 from written import (CLAMPED, TIED, block, body, condition, contact, friction, keys, listed, mesh,
                      rigid, written)
 
@@ -12,8 +10,7 @@ GIVEN = keys(Interference=-0.002)
 
 
 def boundary(name, where):
-    return [row for row in table(os.path.join(WORK, name, "boundary.csv"))
-            if row["boundary"] == where]
+    return [row for row in rows(name, "boundary.csv") if row["boundary"] == where]
 
 
 # constant tension through meshes and degrees that do not match, and a given jump

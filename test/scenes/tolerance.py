@@ -2,7 +2,7 @@
 reached or what is missing."""
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, refused, rows, scene, solved, table
+from runs import WORK, claim, epafi, finish, fresh, refused, rows, scene, solved, steps
 from written import CLAMPED, block, body, condition, written
 
 NONE = ["Adaptivity->Strategy=", "Adaptivity->Maximum Levels=",
@@ -28,8 +28,8 @@ for file in ("two-blocks.xml", "there-and-back.xml"):
     claim(levels[-1]["degree_max"] > levels[0]["degree_max"] and
           levels[-1]["size_min"] < levels[0]["size_min"], "alone it means Graded hp")
 for row in levels:
-    steps = table(os.path.join(WORK, "there-and-back", "steps.csv"))
-    own = [step["energy_strain"] for step in steps if step["level"] == row["level"]]
+    own = [step["energy_strain"] for step in steps("there-and-back")
+           if step["level"] == row["level"]]
     worst = row["worst_step_estimate"] / (2 * own[int(row["worst_step"]) - 1]) ** 0.5
     claim(worst <= row["estimate_relative"] * (1 + 1e-12),
           "every step counts: %g, %g" % (worst, row["estimate_relative"]))
@@ -59,13 +59,14 @@ goes, on = os.path.join(WORK, "short"), fresh("on")
 code, text = epafi("run", scene("two-blocks.xml"), "--restart", goes, "--output", on,
                    settings=["Adaptivity->Tolerance=0.02", *NONE])
 claim(code == 0, "a restart goes on (exit %d) %s" % (code, text if code else ""))
-whole, later = (table(os.path.join(WORK, name, "history.csv")) for name in ("two-blocks", "on"))
-claim([row["estimate"] for row in whole] == [row["estimate"] for row in later],
+whole, later = (rows(name, "history.csv") for name in ("two-blocks", "on"))
+claim([row["estimate"] for row in whole] == [row["estimate"] for row in later] and
+      rows("two-blocks", "bodies.csv") == rows("on", "bodies.csv"),
       "as without an end between")
 code, text = epafi("run", scene("two-blocks.xml"), "--restart", on, "--output", fresh("no more"),
                    settings=["Adaptivity->Tolerance=0.02", *NONE])
 claim(code == 0 and "ended" in text and
-      table(os.path.join(WORK, "no more", "history.csv")) == later, "what is reached is not refined")
+      rows("no more", "history.csv") == later, "what is reached is not refined")
 
 # Hertz' contact between the points of the first mesh; every motion of an open block is no error
 def pressed(name, count, *settings, gap="x^2/200"):
