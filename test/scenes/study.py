@@ -279,6 +279,11 @@ for name, variants, words in [
          ["Variants->uniform h->Scenes", "'coulomb'"]),
         ("none", {}, ["Variants"])]:
     fails("wrong " + name, words, "study", study(name, variants), "--output", fresh(name))
+before = sorted(os.listdir(folder))
+fails("a wrong key", ["'Maximum Levels'"], "study", os.path.join(WORK, "key.yaml"), "--force",
+      "--output", folder)
+claim("study.csv" in before and sorted(os.listdir(folder)) == before,
+      "what is refused replaces nothing")
 fails("a missing study", ["nowhere.xml"], "study", os.path.join(WORK, "nowhere.xml"))
 fails("a study takes no --set", ["unknown option"], "study", file, "--set", "Solver->Tolerance=1")
 # what only a mesh shows to be no number fails its variant, not the study
