@@ -18,7 +18,8 @@ foreach(file bin/epafi libexec/epafi/triangulate share/man/man1/epafi.1
   endif()
 endforeach()
 set(scenes ${WORK}/prefix/share/epafi/scenes)
-foreach(arguments "run;${scenes}/patch.xml" "plot;patch.out;--field;syy" "schema" "help;--format;man")
+foreach(arguments "run;${scenes}/patch.xml" "plot;patch.out;--field;syy"
+    "study;${scenes}/../studies/paper/figure4.xml;--no-plot" "schema" "help;--format;man")
   execute_process(COMMAND ${WORK}/prefix/bin/epafi ${arguments} WORKING_DIRECTORY ${WORK}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

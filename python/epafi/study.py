@@ -196,9 +196,11 @@ class Study:
 
     def fail(self, variant: Variant, level: int, reason: str) -> None:
         self.unsolved += 1
+        more = {}
         used = re.search(r"Gamma0 = (\S+) is too large for this mesh; below (\S+) it", reason)
-        self.add(variant, {"level": str(level), "status": "failed"}, reason=reason,
-                 smallest_eigenvalue="%.17g" % (1 - float(used[1]) / float(used[2])) if used else "")
+        if used:
+            more["smallest_eigenvalue"] = "%.17g" % (1 - float(used[1]) / float(used[2]))
+        self.add(variant, {"level": str(level), "status": "failed"}, reason=reason, **more)
         self.say("  %s: %s failed on level %d: %s" % (
             variant.scene, variant.name, level, reason))
 

@@ -197,17 +197,17 @@ code, text = epafi("study", again, "--output", folder, "--force", "--no-plot")
 claim(code == 0 and "kept from before" in text, "the reference is kept")
 claim([row["error"] for row in table(os.path.join(folder, "study.csv"))[1:]] ==
       [row["error"] for row in uniform], "and gives the same errors")
-# a run adds the same errors to its history.csv, and goes on with them, not with those before
-coulomb, solution = os.path.join(SCENES, "coulomb.xml"), os.path.join(folder, "reference-coulomb.hdf")
+# a run adds the same errors to its history.csv; one that goes on has none of those before
+coulomb = os.path.join(SCENES, "coulomb.xml")
+solution = os.path.join(folder, "reference-coulomb.hdf")
 alone = fresh("alone run")
 two, three = (options(uniform_to(count)["uniform h"]["Set"]) for count in (2, 3))
 against = ("--reference", solution, "--smallest-eigenvalue")
 code, text = epafi("run", coulomb, *two, "--output", alone, *against)
 rows = table(os.path.join(alone, "history.csv"))
-claim(code == 0 and [[row[name] for name in ("error", "error_multiplier", "error_energy", "counted",
-                                             "effectivity", "error_path_step")] for row in rows] ==
-      [[row[name] for name in ("error", "error_multiplier", "error_energy", "counted", "effectivity",
-                               "worst_step")] for row in uniform[:2]], "a run has the same errors: " + text)
+same = ("error", "error_multiplier", "error_energy", "counted", "effectivity")
+claim(code == 0 and [[row[name] for name in same] for row in rows] ==
+      [[row[name] for name in same] for row in uniform[:2]], "a run has the same errors: " + text)
 claim(all(0.9 < row["smallest_eigenvalue"] <= 1 for row in rows), "S^ is small: %s" % [
     row["smallest_eigenvalue"] for row in rows])
 code, text = epafi("run", coulomb, *three, "--restart", alone, *against)
@@ -219,8 +219,9 @@ for what, scene, reference, words in (
         ("that is none", "coulomb.xml", coulomb, coulomb)):
     fails("a reference " + what, ["--reference: ", words], "run", os.path.join(SCENES, scene),
           "--output", fresh("no reference"), "--reference", reference)
-fails("a reference at another time", ["ends at t = 2, the scene at 1"], "run", os.path.join(SCENES, "fretting.xml"),
-      "--set", "History->Times={1}", "--set", "History->Steps={1}", "--output", fresh("no reference"),
+fails("a reference at another time", ["ends at t = 2, the scene at 1"], "run",
+      os.path.join(SCENES, "fretting.xml"), *options(["History->Times={1}", "History->Steps={1}"]),
+      "--output", fresh("no reference"),
       "--reference", os.path.join(paths, "coarse", "solution.hdf"))
 # but not one of another scene, nor a damaged one
 changed = study("changed", uniform_to(2), up_to(300))
@@ -278,6 +279,11 @@ for name, variants, words in [
          ["Variants->uniform h->Scenes", "'coulomb'"]),
         ("none", {}, ["Variants"])]:
     fails("wrong " + name, words, "study", study(name, variants), "--output", fresh(name))
+before = sorted(os.listdir(folder))
+fails("a wrong key", ["'Maximum Levels'"], "study", os.path.join(WORK, "key.yaml"), "--force",
+      "--output", folder)
+claim("study.csv" in before and sorted(os.listdir(folder)) == before,
+      "what is refused replaces nothing")
 fails("a missing study", ["nowhere.xml"], "study", os.path.join(WORK, "nowhere.xml"))
 fails("a study takes no --set", ["unknown option"], "study", file, "--set", "Solver->Tolerance=1")
 # what only a mesh shows to be no number fails its variant, not the study
