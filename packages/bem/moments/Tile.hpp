@@ -22,7 +22,7 @@ namespace epafi::bem {
 /// `along` and `across` use n_F and τ_F at its midpoint, `direct` and `reverse` at each point.
 ///
 /// All operators are assembled from them.  Large: use one object per thread.
-class Tile {
+class Tile {  // NOLINT(cppcoreguidelines-pro-type-member-init): clear() sets what is used
  public:
   static constexpr int stride = largestDegree + 2;
   using Lane = double[lanes];

@@ -120,7 +120,8 @@ class ElementCoupling {
     return legendre;
   }
   double normOf(Index row) const {
-    const auto l = static_cast<double>(row / 2);
+    const Index degree = row / 2;
+    const auto l = static_cast<double>(degree);
     return byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
   }
 

@@ -62,20 +62,19 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
     summary.pressureMax =
         std::max(summary.pressureMax, fields.stress(element, end).normal);
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(
-      element, mesh, basis,
-      bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
-      [&](const SidePoint& point) {
-        const auto stress = fields.stress(element, point.t);
-        const Vec2 force =
-            -length * point.weight *
-            (stress.normal * point.normal + stress.tangential * point.tangent);
-        const Vec2 place = mesh.physicalPoint(element.element, point.t);
-        add({force.x, force.y, cross(place, force)}, summary.contact);
-        if (point.opposite.element < 0)
-          add({force.x, force.y, cross(place, force)}, summary.obstacle);
-      },
-      &solved.problem.opposite());
+  forEachPointOf(element, mesh, basis,
+                 bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
+                 [&](const SidePoint& point) {
+                   const auto stress = fields.stress(element, point.t);
+                   const Vec2 force =
+                       -length * point.weight *
+                       (stress.normal * point.normal + stress.tangential * point.tangent);
+                   const Vec2 place = mesh.physicalPoint(element.element, point.t);
+                   add({force.x, force.y, cross(place, force)}, summary.contact);
+                   if (point.opposite.element < 0)
+                     add({force.x, force.y, cross(place, force)}, summary.obstacle);
+                 },
+                 {&solved.problem.opposite()});
   summary.contactLength += length * side.half * closedPart(fields, element);
   if (element.tangential >= 0)
     summary.slipLength +=
