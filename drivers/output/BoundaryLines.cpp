@@ -183,11 +183,15 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   };
   std::vector<Deformed> bodies(elastic + scene.rigid.size());
   double depth = 0;
+  double drawn = 0;  // on one side of a line of symmetry: farthest from it
+  const auto across = [&](Vec2 x) { return scene.symmetry.across(x); };
   const auto moved = [&](long long k) {
     const VtkArray& motion = grid.pointData[Displacement];
     const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
+    const Vec2 x{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
     depth = std::max(depth, share * norm(u));
-    return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
+    drawn = std::abs(across(x)) > std::abs(drawn) ? across(x) : drawn;
+    return x + u;
   };
   for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k) {
     auto& [lines, low, high] = bodies[grid.cellData[OfBody].at<int>(k)];
@@ -199,6 +203,15 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   const auto nameOf = [&](std::size_t b) {
     return b < elastic ? scene.bodies[b].name : scene.rigid[b - elastic].name;
   };
+  for (std::size_t b = 0; scene.symmetry && b < bodies.size(); ++b) {
+    const double beyond = drawn > 0 ? -across(bodies[b].low) : across(bodies[b].high);
+    if (beyond > depth)
+      return warnings.push_back(bem::message(
+          "Bodies: '", nameOf(b), "', deformed, overlaps its mirror image: it lies ",
+          beyond, " beyond the line of symmetry ", scene.symmetry.line(),
+          b < elastic ? "; let its side meet an obstacle there: Type = Contact, Gap"
+                      : ""));
+  }
   std::set<std::pair<std::string, std::string>> met;
   for (const ContactPair& pair : scene.contacts)
     met.emplace(scene.nameOf(pair.side), scene.nameOf(pair.opposite));

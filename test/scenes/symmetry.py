@@ -349,4 +349,24 @@ bulging["block"]["Geometry"].update(
 refused("name", bulging, "'symmetry'", "take another name")
 fails("an unknown axis", ["Geometry->Symmetry"], "check", file_of("good", on_obstacle(False), False),
       "--set", "Geometry->Symmetry=Z")
+
+
+def beside(low, side, left, *conditions):
+    """A block at a distance `left` from the line, on the right or the left of it."""
+    corners = [[left, low], [0.8, low], [0.8, low + 1], [left, low + 1]][::side]
+    names = ["foot", "side", "top", "any"] if side > 0 else ["top", "side", "foot", "any"]
+    return {"Material": STEEL, "Geometry": {"Vertices": [[side * x, y] for x, y in corners],
+                                            "Edges": names}, "Boundary Conditions": {
+        edge: {"Type": "Dirichlet", "Displacement X": x, "Displacement Y": y}
+        for edge, x, y in conditions}}
+
+
+for side in (1, -1):
+    for motion in (-0.08, -0.03):  # the gap to the line is 0.05
+        both = {"pad": beside(1, side, 0.05, ("top", "%g" % (side * motion), "-0.001")),
+                "base": beside(0, side, 0, ("foot", "0", "0"))}
+        _, text = solved("beyond", file_of("beyond", both, False, Contacts={
+            "joint": {"Between": ["pad:foot", "base:top"]}}), "Discretization->Degree=1")
+        claim(("'pad', deformed, overlaps its mirror image" in text) == (motion < -0.05),
+              "a body that moves by %g, to the line or beyond" % (side * motion))
 finish()
