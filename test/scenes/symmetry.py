@@ -369,4 +369,15 @@ for side in (1, -1):
             "joint": {"Between": ["pad:foot", "base:top"]}}), "Discretization->Degree=1")
         claim(("'pad', deformed, overlaps its mirror image" in text) == (motion < -0.05),
               "a body that moves by %g, to the line or beyond" % (side * motion))
+for law, sliding, jumps in (({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*t", True),
+                            ({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*x*t", False),
+                            ({"Law": "None"}, "0.01*t", False)):
+    joint = {"joint": {**JOINT["joint"], "Friction": law, "Sliding": sliding}}
+    if law["Law"] == "None":
+        joint["joint"]["Wear"] = {"Coefficient": "0.1"}
+    code, text = epafi("check", file_of("slides", two_blocks(False), False, Contacts=joint,
+                                        History={"Times": [1]}))
+    claim(code == 0 and ("slides the other way" in text) == jumps,
+          "sliding by %s under %s at the line of symmetry: %s" % (
+              sliding, law["Law"], text.splitlines()[-1]))
 finish()
