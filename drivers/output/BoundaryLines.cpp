@@ -191,6 +191,9 @@ class DeformedBody {
     return std::nullopt;
   }
 
+  bem::Vec2 low() const { return low_; }
+  bem::Vec2 high() const { return high_; }
+
  private:
   bool contains(bem::Vec2 x) const {
     if (!(low_.x < x.x && x.x < high_.x && low_.y < x.y && x.y < high_.y))
@@ -218,11 +221,15 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   const std::vector<SideOfBody> all = scene.everyBody();
   std::vector<DeformedBody> bodies(all.size());
   double depth = 0;
+  double drawn = 0;  // on one side of a line of symmetry: farthest from it
+  const auto across = [&](Vec2 x) { return scene.symmetry.across(x); };
   const auto moved = [&](long long k) {
     const DataArray& motion = grid.pointData[Displacement];
     const Vec2 u{motion.at<double>(3 * k), motion.at<double>(3 * k + 1)};
+    const Vec2 x{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
     depth = std::max(depth, share * norm(u));
-    return u + Vec2{grid.points.at<double>(3 * k), grid.points.at<double>(3 * k + 1)};
+    drawn = std::abs(across(x)) > std::abs(drawn) ? across(x) : drawn;
+    return x + u;
   };
   for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
     bodies[grid.cellData[OfBody].at<int>(k)].add(moved(grid.corners[2 * k]),
@@ -235,6 +242,16 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
                          return pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b);
                        });
   };
+  for (std::size_t b = 0; scene.symmetry && b < bodies.size(); ++b) {
+    const double beyond = drawn > 0 ? -across(bodies[b].low()) : across(bodies[b].high());
+    if (beyond > depth)
+      return warnings.push_back(bem::message(
+          "Bodies: '", scene.nameOf(all[b]),
+          "', deformed, overlaps its mirror image: it lies ", beyond,
+          " beyond the line of symmetry ", scene.symmetry.line(),
+          b < elastic ? "; let its side meet an obstacle there: Type = Contact, Gap"
+                      : ""));
+  }
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]) ||

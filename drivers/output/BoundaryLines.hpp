@@ -20,8 +20,8 @@ VtkGrid boundaryLines(const SolvedStep& solved);
 /// In the order in which these segments number boundaries.
 std::vector<std::string> namesOfBoundaries(const Scene& scene);
 
-/// Adds a sentence if two bodies without a contact between them overlap once they are deformed, by
-/// more than a tenth of the largest displacement.
+/// Adds a sentence if two bodies without a contact between them, or a body and its mirror image,
+/// overlap once they are deformed, by more than a tenth of the largest displacement.
 void findOverlap(const Scene& scene, const VtkGrid& grid,
                  std::vector<std::string>& warnings);
 

@@ -63,6 +63,30 @@ void findJumps(const Body& body, const contact::Conditions& conditions, Warnings
   }
 }
 
+/// Contacts with friction at a line of symmetry whose other surface slides along there: its mirror
+/// image slides against it.
+void findSlidingAcross(const Body& body, const contact::Conditions& conditions,
+                       Warnings& warn) {
+  const auto compare = [&](const bem::Edge& line, const bem::Edge& side,
+                           bem::Vec2 corner) {
+    const auto contact = conditions.contact.find(side.boundary);
+    if (conditions.isBoundary(line.boundary) || contact == conditions.contact.end() ||
+        !contact->second.sliding || contact->second.friction.law == nullptr)
+      return;
+    const double slid = contact->second.sliding(body.outline->physical(corner));
+    if (!areAlike(slid, 0, 0, body))
+      warn("slid " + contact->second.path, contact->second.path, ": Sliding is ", slid,
+           " on the line of symmetry, where the mirror image slides the other way: it "
+           "jumps "
+           "there; let it be zero on the line, or draw the whole");
+  };
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const bem::Edge& next = body.outline->edge(edge.next);
+    compare(edge, next, edge.curve.to());
+    compare(next, edge, edge.curve.to());
+  }
+}
+
 /// A function need not exist where no run looks at it.
 std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
   try {
@@ -245,6 +269,7 @@ void findInConditions(const Body& body, const contact::Conditions& conditions,
     findJump(body, boundary, "Y", given.y, warn);
   }
   findJumps(body, conditions, warn);
+  findSlidingAcross(body, conditions, warn);
   findPressedCorners(body, conditions, warn);
   if (conditions.neumann.empty())
     return;

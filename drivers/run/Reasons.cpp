@@ -35,8 +35,8 @@ constexpr Advice advices[] = {
 };
 
 constexpr const char* holdTheMotion =
-    "; hold the motion (Rigid Motions -> Fix, or a Dirichlet condition), or change the "
-    "load or the friction";
+    "; hold the motion (Rigid Motions -> Fix or a Dirichlet condition; of a rigid body a "
+    "Displacement or a Rotation), or change the load or the friction";
 
 std::string ended(const Report& report, End end) {
   if (end == End::NoBalance)

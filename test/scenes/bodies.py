@@ -170,7 +170,8 @@ for file, settings, code, words in (
         ("tilting-punch", [PUNCH % (1, 0), *SHORT], 3, "drives Bodies->punch in the direction (0, 1)"),
         ("tilting-punch", [PUNCH % (-1, 3), *SHORT], 3, "turns Bodies->punch")):
     done, text = epafi("run", scene(file + ".xml"), "--output", fresh("unheld"), settings=settings)
-    claim(done == code and "the load " + words in text and "neither contact nor friction" in text,
+    claim(done == code and "the load " + words in text and "neither contact nor friction" in text
+          and "of a rigid body a Displacement or a Rotation" in text,
           "%s %s: exit %d, %s" % (file, settings[0], done, text.splitlines()[-1]))
 
 # a force on one of the bodies, from a constant

@@ -340,4 +340,35 @@ bulging["block"]["Geometry"].update(
 refused("name", bulging, "'symmetry'", "take another name")
 fails("an unknown axis", ["Geometry->Symmetry"], "check", file_of("good", on_obstacle(False), False),
       "--set", "Geometry->Symmetry=Z")
+
+
+def beside(low, side, left, *conditions):
+    """A block at a distance `left` from the line, on the right or the left of it."""
+    corners = [[left, low], [0.8, low], [0.8, low + 1], [left, low + 1]][::side]
+    names = ["foot", "side", "top", "any"] if side > 0 else ["top", "side", "foot", "any"]
+    return {"Material": STEEL, "Geometry": {"Vertices": [[side * x, y] for x, y in corners],
+                                            "Edges": names}, "Boundary Conditions": {
+        edge: {"Type": "Dirichlet", "Displacement X": x, "Displacement Y": y}
+        for edge, x, y in conditions}}
+
+
+for side in (1, -1):
+    for motion in (-0.08, -0.03):  # the gap to the line is 0.05
+        both = {"pad": beside(1, side, 0.05, ("top", "%g" % (side * motion), "-0.001")),
+                "base": beside(0, side, 0, ("foot", "0", "0"))}
+        _, text = solved("beyond", file_of("beyond", both, False, Contacts={
+            "joint": {"Between": ["pad:foot", "base:top"]}}), "Discretization->Degree=1")
+        claim(("'pad', deformed, overlaps its mirror image" in text) == (motion < -0.05),
+              "a body that moves by %g, to the line or beyond" % (side * motion))
+for law, sliding, jumps in (({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*t", True),
+                            ({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*x*t", False),
+                            ({"Law": "None"}, "0.01*t", False)):
+    joint = {"joint": {**JOINT["joint"], "Friction": law, "Sliding": sliding}}
+    if law["Law"] == "None":
+        joint["joint"]["Wear"] = {"Coefficient": "0.1"}
+    code, text = epafi("check", file_of("slides", two_blocks(False), False, Contacts=joint,
+                                        History={"Times": [1]}))
+    claim(code == 0 and ("slides the other way" in text) == jumps,
+          "sliding by %s under %s at the line of symmetry: %s" % (
+              sliding, law["Law"], text.splitlines()[-1]))
 finish()
