@@ -8,6 +8,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
+#include <numeric>
 
 namespace epafi::reference {
 
@@ -19,10 +20,7 @@ using bem::Vector;
 const bem::Lame lame({1, 0.3, false});
 
 double product(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 /// cos(k θ) and sin(k θ) of a point about the origin.

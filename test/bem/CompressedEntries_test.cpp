@@ -1,5 +1,5 @@
 // Entries of the compressed system are those of the operators, and far ones of W accurate in
-// themselves; every cluster's skeleton stands for it before everything else.
+// themselves.
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
 #include "bem/algebra/Products.hpp"
@@ -192,53 +192,6 @@ TEUCHOS_UNIT_TEST(CompressedEntries, translatedDiscsHaveNoFieldOnCirclesAround) 
       out << arcs << " arcs, circle of " << ratio << " radii: ";
       TEST_COMPARE(largest(field), <, 1e-12 * largest(k));
     }
-  }
-}
-
-TEUCHOS_UNIT_TEST(CompressedEntries, skeletonsStandForTheirClustersBeforeAllOthers) {
-  for (const CompressedSample& sample : compressedSamples()) {
-    const bem::Space space(sample.mesh);
-    const bem::Lame lame({1, sample.nu, false});
-    const Matrix whole = wholeSystem(space, lame);
-    const bem::CompressedOperators z(space, lame, smallLeaves());
-    const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
-    // functions of size one in L²
-    bem::Vector scales;
-    for (const bem::Unknown& u : unknowns)
-      scales.push_back(1 / std::sqrt(2 * sample.mesh[u.element].half));
-    double worst = 0;
-    Index saved = 0;
-    for (int c = 1; c < z.tree().size(); ++c) {
-      std::vector<Index> own;
-      const Matrix weights = nestedWeights(z, c, own);
-      std::vector<Index> others;
-      for (std::size_t i = 0; i < unknowns.size(); ++i)
-        if (unknowns[i].element < z.tree()[c].first ||
-            unknowns[i].element >= z.tree()[c].last)
-          others.push_back(static_cast<Index>(i));
-      const std::vector<Index>& skeleton = z.part(c).skeleton;
-      saved += static_cast<Index>(own.size() - skeleton.size());
-      Matrix kept(static_cast<Index>(others.size()), weights.rows());
-      for (Index j = 0; j < kept.columns(); ++j)
-        for (Index i = 0; i < kept.rows(); ++i)
-          kept(i, j) = whole(others[i], skeleton[j]);
-      const Matrix approximation = bem::product(kept, weights);
-      double error = 0;
-      double size = 0;
-      for (std::size_t j = 0; j < own.size(); ++j)
-        for (std::size_t i = 0; i < others.size(); ++i) {
-          const double scale = scales[others[i]] * scales[own[j]];
-          const double exact = whole(others[i], own[j]);
-          size = std::max(size, scale * std::abs(exact));
-          error = std::max(
-              error, scale * std::abs(exact - approximation(static_cast<Index>(i),
-                                                            static_cast<Index>(j))));
-        }
-      worst = std::max(worst, error / size);
-    }
-    out << sample.name << ": " << worst << ", " << saved << " unknowns saved\n";
-    TEST_COMPARE(worst, <, 1e-11);
-    TEST_COMPARE(saved, >, 0);
   }
 }
 

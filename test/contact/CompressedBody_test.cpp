@@ -333,8 +333,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFailedStepLeavesNothingBehind) {
         if (failsBefore) {
           Step failing(atZero, c, 2);
           const contact::Problem& problem = failing.system.numbers();
-          const contact::Equation equation(
-              problem, contact::Equation::Bound::Differentiated, 1e-12);
+          const contact::Equation equation = test::equationOf(problem);
           const contact::NewtonRun run =
               contact::NoxNewton().run(equation, Vector(bem::at(equation.size())), 1);
           TEST_ASSERT(run.end != contact::End::Converged);

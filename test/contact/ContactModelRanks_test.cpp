@@ -24,12 +24,9 @@ using Base = Thyra::ModelEvaluatorBase;
 
 Problem coulombProblem() {
   std::mt19937 random(81);
-  test::Recipe recipe;
-  recipe.law = "Coulomb";
-  recipe.strength = 0.4;
+  test::Recipe recipe = test::Recipe::of("Coulomb", 0.4, 1);
   recipe.softness = 1;
   recipe.normals = 9;
-  recipe.rigidMotions = 1;
   return randomProblem(recipe, random);
 }
 

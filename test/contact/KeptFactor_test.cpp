@@ -80,10 +80,8 @@ System systemOf(const Problem& problem, const std::vector<Row>& rows) {
 TEUCHOS_UNIT_TEST(KeptFactor, solvesSystemsThatDifferInFewRows) {
   for (const double springs : {0.0, 3.0}) {
     std::mt19937 random(29);
-    test::Recipe recipe;
+    test::Recipe recipe = test::Recipe::of("Coulomb", 1, 2);
     recipe.normals = 60;
-    recipe.law = "Coulomb";
-    recipe.rigidMotions = 2;
     recipe.springs = springs;
     const Problem problem = test::randomProblem(recipe, random);
     const Index n = problem.size();

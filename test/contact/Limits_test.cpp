@@ -62,8 +62,7 @@ TEUCHOS_UNIT_TEST(Limits, aGapBeyondAllMeasureIsNoMotionThatNothingHolds) {
 /// λ balances the load, but it is open there, however r is rounded.
 TEUCHOS_UNIT_TEST(Limits, pressureFarFromContactIsNoSolution) {
   const Problem problem = floatingPoint(0, 3);
-  const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                   1e-10);
+  const contact::Equation equation = test::equationOf(problem, 1e-10);
   TEST_ASSERT(equation.at({3, 6}).converged);
   TEST_ASSERT(!equation.at({3, -1e17}).converged);
 }

@@ -17,12 +17,9 @@ struct ModelSample {
 /// A problem of a load of the given size, with gaps.
 inline ModelSample modelSample(const char* law, contact::Index rigidMotions,
                                double stress, std::mt19937& random) {
-  Recipe recipe;
-  recipe.law = law;
+  Recipe recipe = Recipe::of(law, 0.4, rigidMotions);
   recipe.normals = 12;
   recipe.softness = 1;
-  recipe.strength = 0.4;
-  recipe.rigidMotions = rigidMotions;
   ModelSample result{randomProblem(recipe, random), {}};
   contact::Problem& problem = result.problem;
   for (contact::Index i = 0; i < problem.normals; ++i)

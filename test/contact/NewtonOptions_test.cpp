@@ -35,11 +35,7 @@ using test::SolverOptions;
 
 Problem someProblem(const char* law, contact::Index rigidMotions) {
   std::mt19937 random(21);
-  test::Recipe recipe;
-  recipe.law = law;
-  recipe.strength = 0.4;
-  recipe.rigidMotions = rigidMotions;
-  return randomProblem(recipe, random);
+  return randomProblem(test::Recipe::of(law, 0.4, rigidMotions), random);
 }
 
 std::shared_ptr<const Teuchos::ParameterList> lineSearch(const char* key,
@@ -74,16 +70,12 @@ TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotientAndHasATransposeAndAn
   for (const char* normal : {"Rigid", "Linear", "Root", "Square", "Exponential"})
     for (const char* law : {"None", "Tresca", "Coulomb"})
       for (int k = 0; k < 6; ++k) {
-        test::Recipe recipe;
-        recipe.law = law;
-        recipe.strength = 0.5;
+        test::Recipe recipe = test::Recipe::of(law, 0.5, k % 3);
         recipe.normal = normal;
-        recipe.rigidMotions = k % 3;
         recipe.springs = k < 3 ? 0 : 2;
         const Problem problem = randomProblem(recipe, random);
         const bool yields = !problem.surface.places.empty();
-        const Equation equation(problem, Equation::Bound::Differentiated,
-                                yields ? 0 : 1e-12);
+        const Equation equation = test::equationOf(problem, yields ? 0 : 1e-12);
         Vector x = randomVector(equation.size(), random);
         if (yields) {
           const contact::Solution solution = solve(problem);
@@ -119,7 +111,7 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
   std::mt19937 random(23);
   for (contact::Index rigidMotions : {0, 2}) {
     const Problem problem = someProblem("Coulomb", rigidMotions);
-    const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
+    const Equation equation = test::equationOf(problem);
     const Vector x = randomVector(equation.size(), random);
     const Vector d = randomVector(x.size(), random);
     const double h = 1e-6;
@@ -242,7 +234,7 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
 /// A step that goes a part of the way leaves most of the residual, which is no rounding then.
 TEUCHOS_UNIT_TEST(NewtonOptions, shortStepsDoNotLeaveRounding) {
   const Problem problem = someProblem("Tresca", 0);
-  const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
+  const Equation equation = test::equationOf(problem);
   Vector start = pack(problem, solve(problem).state);
   for (double& x : start)
     x *= 1 + 1e-9;
@@ -282,7 +274,7 @@ TEUCHOS_UNIT_TEST(NewtonOptions, aBoundThatBendsIsNoCycle) {
         normal, contact::PointLaw(std::make_shared<const RootOfPressure>(), {}, 1));
   problem.offset = {0.02, 0.02, 100, 100};
   problem.rigid = contact::Matrix(4, 0);
-  const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
+  const Equation equation = test::equationOf(problem);
   const double start = 1e-3;
   const contact::NewtonRun run = contact::NoxNewton().run(
       equation, {start, start, std::sqrt(start), std::sqrt(start)}, 10);

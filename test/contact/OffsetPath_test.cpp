@@ -37,10 +37,8 @@ TEUCHOS_UNIT_TEST(OffsetPath, solvesRandomProblems) {
   for (const char* law : {"None", "Tresca", "Coulomb"})
     for (const bool bonded : {false, true})
       for (int k = 0; k < 120; ++k) {
-        test::Recipe recipe;
+        test::Recipe recipe = test::Recipe::of(law, 10);
         recipe.normals = 4 + static_cast<Index>(random() % 40);
-        recipe.law = law;
-        recipe.strength = 10;
         recipe.bonded = bonded && law != std::string("None");
         recipe.ties = k % 4 == 0;
         recipe.grading = k % 3 == 0 ? 1e3 : 1;
@@ -117,16 +115,12 @@ TEUCHOS_UNIT_TEST(OffsetPath, tellsHowFarItIs) {
 TEUCHOS_UNIT_TEST(OffsetPath, placesFreeBodies) {
   std::mt19937 random(9);
   for (int k = 0; k < 100; ++k) {
-    test::Recipe recipe;
+    test::Recipe recipe = test::Recipe::of("Coulomb", 1, 1 + k % 2);
     recipe.normals = 4 + static_cast<Index>(random() % 20);
-    recipe.law = "Coulomb";
-    recipe.strength = 1;
-    recipe.rigidMotions = 1 + k % 2;
     const Problem problem = randomProblem(recipe, random);
     const State state = stateOf(problem, pathOf(problem));
     const contact::NoxNewton newton;
-    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                     1e-12);
+    const contact::Equation equation = test::equationOf(problem);
     const contact::NewtonRun run = newton.run(equation, pack(problem, state), 5);
     TEST_ASSERT(run.end == contact::End::Converged);
   }

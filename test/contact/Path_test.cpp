@@ -265,7 +265,7 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   TEST_COMPARE(largest(residual(1, x)), >, 1e-4 * step.numbers().stress);
 
   const contact::Problem middle = family.at({1, 1, 0.5});
-  const contact::Equation equation(middle, contact::Equation::Bound::Differentiated, 0);
+  const contact::Equation equation = test::equationOf(middle, 0);
   const contact::Evaluation e = equation.at(x);
   const Vector derivative = family.incrementDerivative(equation, e);
   constexpr double h = 1e-6;

@@ -23,6 +23,14 @@ struct Recipe {
   const char* normal = "Rigid";
   double yield =
       1;  ///< φ'(1) is drawn from [0.01, 1] times this, in units of D's diagonal
+
+  static Recipe of(const char* law, double strength, contact::Index rigidMotions = 0) {
+    Recipe recipe;
+    recipe.law = law;
+    recipe.strength = strength;
+    recipe.rigidMotions = rigidMotions;
+    return recipe;
+  }
 };
 
 /// Contact-like: D is a logarithmic kernel on random points plus random coupling of

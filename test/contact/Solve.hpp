@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/equation/ContactState.hpp"
+#include "contact/equation/Equation.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/ContactSolver.hpp"
 #include "contact/solve/CoulombIteration.hpp"
@@ -26,6 +27,12 @@ inline contact::Solution solve(const contact::Problem& problem,
   if (problem.boundDependsOnPressure())
     solver = coulomb.get();
   return solver->solve(problem, start);
+}
+
+/// Bounds with their slopes.
+inline contact::Equation equationOf(const contact::Problem& problem,
+                                    double tolerance = 1e-12) {
+  return {problem, contact::Equation::Bound::Differentiated, tolerance};
 }
 
 /// rₜ at a state: the slip weighted by the multiplier's functions, stabilisation included.

@@ -72,10 +72,7 @@ void print(std::ostream& out, const char* what, const Statistics& s) {
 TEUCHOS_UNIT_TEST(SolverStatistics, everyProblemWithFixedBoundsIsSolved) {
   for (const char* law : {"None", "Tresca"})
     for (const contact::Index rigidMotions : {0, 1, 2}) {
-      test::Recipe recipe;
-      recipe.law = law;
-      recipe.rigidMotions = rigidMotions;
-      const Statistics s = statistics(out, recipe);
+      const Statistics s = statistics(out, test::Recipe::of(law, 1, rigidMotions));
       print(out, law, s);
       TEST_EQUALITY(s.unsolved, 0);
       TEST_COMPARE(s.violation, <, 1e-10);
@@ -85,9 +82,7 @@ TEUCHOS_UNIT_TEST(SolverStatistics, everyProblemWithFixedBoundsIsSolved) {
 TEUCHOS_UNIT_TEST(SolverStatistics,
                   coulombIsSolvedForSmallFrictionAndNearlyAlwaysForLarge) {
   for (const double strength : {0.3, 1.0, 3.0, 10.0}) {
-    test::Recipe recipe;
-    recipe.law = "Coulomb";
-    recipe.strength = strength;
+    test::Recipe recipe = test::Recipe::of("Coulomb", strength);
     const Statistics s = statistics(out, recipe);
     out << "f up to " << strength << ": ";
     print(out, recipe.law, s);
@@ -100,12 +95,10 @@ TEUCHOS_UNIT_TEST(SolverStatistics, surfacesYieldByAnyLawAndByAnyAmount) {
   for (const char* normal : {"Linear", "Root", "Square", "Exponential"})
     for (const double yield : {1e-3, 1.0, 1e3})
       for (const char* law : {"None", "Tresca", "Coulomb"}) {
-        test::Recipe recipe;
-        recipe.law = law;
-        recipe.strength = 0.3;
+        test::Recipe recipe =
+            test::Recipe::of(law, 0.3, law == std::string("None") ? 1 : 0);
         recipe.normal = normal;
         recipe.yield = yield;
-        recipe.rigidMotions = law == std::string("None") ? 1 : 0;
         const Statistics s = statistics(out, recipe);
         out << normal << ", " << yield << ", ";
         print(out, law, s);

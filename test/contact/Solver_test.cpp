@@ -30,10 +30,8 @@ using test::SolverOptions;
 
 // Recipes of every kind, one per number.
 Recipe recipeOf(int k, std::mt19937& random) {
-  Recipe recipe;
-  recipe.law = k % 2 == 0 ? "None" : "Tresca";
+  Recipe recipe = Recipe::of(k % 2 == 0 ? "None" : "Tresca", 1, (k / 2) % 3);
   recipe.normals = 4 + static_cast<Index>(random() % 22);
-  recipe.rigidMotions = (k / 2) % 3;
   const double softness[] = {1, 1e-2, 1e-10};
   recipe.softness = softness[(k / 6) % 3];
   recipe.ties = k % 5 == 0;
@@ -60,12 +58,9 @@ TEUCHOS_UNIT_TEST(Solver, findsTheContactStateOfRandomFixedBoundProblems) {
 TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
   std::mt19937 random(13);
   for (int k = 0; k < 120; ++k) {
-    Recipe recipe;
-    recipe.law = "Coulomb";
-    recipe.strength = 0.3;
+    Recipe recipe = Recipe::of("Coulomb", 0.3, k % 3 == 0 ? 1 : 0);
     recipe.softness = k % 2 == 0 ? 1 : 0.1;
     recipe.normals = 4 + k % 20;
-    recipe.rigidMotions = k % 3 == 0 ? 1 : 0;
     const Problem problem = randomProblem(recipe, random);
     SolverOptions options;
     const Solution newton = solve(problem, {}, options);
@@ -87,13 +82,10 @@ TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
   std::mt19937 random(29);
   int pulling = 0;
   for (int k = 0; k < 120; ++k) {
-    Recipe recipe;
+    Recipe recipe = Recipe::of(k % 2 == 0 ? "Tresca" : "Coulomb", 0.3, k % 3);
     recipe.bonded = true;
-    recipe.law = k % 2 == 0 ? "Tresca" : "Coulomb";
-    recipe.strength = 0.3;
     recipe.softness = k % 4 < 2 ? 1 : 0.01;
     recipe.normals = 4 + k % 20;
-    recipe.rigidMotions = k % 3;
     const Problem problem = randomProblem(recipe, random);
     for (const char* iteration : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
       SolverOptions options;
@@ -124,7 +116,7 @@ TEUCHOS_UNIT_TEST(Solver, theMeritFunctionFallsWithEachStepOfALineSearch) {
     Recipe recipe = recipeOf(k, random);
     recipe.law = k % 3 == 0 ? "Coulomb" : recipe.law;
     const Problem problem = randomProblem(recipe, random);
-    const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
+    const Equation equation = test::equationOf(problem);
     Vector now(equation.size(), 0.0);
     for (Index i = 0; i < problem.size(); ++i)
       now[i] = std::uniform_real_distribution<double>(-3, 3)(random);
@@ -146,11 +138,7 @@ TEUCHOS_UNIT_TEST(Solver, theSolutionNeedsNoStepAndItsNeighboursFew) {
   std::mt19937 random(15);
   for (const char* law : {"None", "Tresca", "Coulomb"})
     for (int k = 0; k < 20; ++k) {
-      Recipe recipe;
-      recipe.law = law;
-      recipe.strength = 0.3;
-      recipe.rigidMotions = k % 2;
-      Problem problem = randomProblem(recipe, random);
+      Problem problem = randomProblem(Recipe::of(law, 0.3, k % 2), random);
       for (const auto coulomb : {"Newton", "Fixed Point"}) {
         SolverOptions options;
         options.coulomb.iteration = coulomb;

@@ -59,11 +59,8 @@ TEUCHOS_UNIT_TEST(Surface, aStiffExponentialLawStoresWhatALinearOneDoes) {
 }
 
 contact::Problem drawn(const char* normal, const char* law, std::mt19937& random) {
-  test::Recipe recipe;
-  recipe.law = law;
-  recipe.strength = 0.5;
+  test::Recipe recipe = test::Recipe::of(law, 0.5, 1);
   recipe.normal = normal;
-  recipe.rigidMotions = 1;
   return test::randomProblem(recipe, random);
 }
 
@@ -75,8 +72,7 @@ TEUCHOS_UNIT_TEST(Surface, aKeptFactorKnowsWhatIsAddedToD) {
     problem.surface.linear.push_back({0, 0, more});
     for (const double load : {1.0, 1.02, 1.05}) {
       problem.offset[0] *= load;
-      const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                       0);
+      const contact::Equation equation = test::equationOf(problem, 0);
       const contact::Evaluation e =
           equation.at(pack(problem, test::solve(problem).state));
       const Vector b(e.unknowns.size(), 1.0);
@@ -93,8 +89,7 @@ TEUCHOS_UNIT_TEST(Surface, tangentsTouch) {
   for (const char* normal : laws) {
     const contact::Problem problem = drawn(normal, "Coulomb", random);
     const contact::Solution solution = test::solve(problem);
-    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
-                                     0);
+    const contact::Equation equation = test::equationOf(problem, 0);
     const contact::Problem linear =
         equation.withTangent(equation.at(pack(problem, solution.state)));
     TEST_ASSERT(linear.surface.places.empty());

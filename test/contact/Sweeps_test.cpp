@@ -21,10 +21,6 @@ using contact::Problem;
 using contact::Vector;
 using test::solve;
 
-Equation equationOf(const Problem& problem) {
-  return {problem, Equation::Bound::Differentiated, 1e-12};
-}
-
 /// The classical frictionless problem on which full steps from zero visit three active
 /// sets for ever.
 Problem cyclingProblem() {
@@ -75,7 +71,7 @@ Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
 
 TEUCHOS_UNIT_TEST(ActiveSets, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
   const Problem problem = cyclingProblem();
-  const Equation equation = equationOf(problem);
+  const Equation equation = test::equationOf(problem);
   auto e = equation.at({0, 0, 0});
   std::vector<contact::ActiveSet> sets;
   for (int step = 0; step < 9; ++step) {
@@ -125,7 +121,7 @@ TEUCHOS_UNIT_TEST(Smoothing, staysInTheBoxAndLowersTheEnergy) {
   std::mt19937 random(64);
   for (int k = 0; k < 40; ++k) {
     const Problem problem = stronglyCoupled(4, k % 2 == 0 ? "None" : "Tresca", random);
-    const Equation equation = equationOf(problem);
+    const Equation equation = test::equationOf(problem);
     const Vector start(problem.offset.size(), 0.1);
     const Evaluation e = equation.at(smoothed(equation, start));
     TEST_ASSERT(equation.projected(e) == e.unknowns);
@@ -135,12 +131,8 @@ TEUCHOS_UNIT_TEST(Smoothing, staysInTheBoxAndLowersTheEnergy) {
 
 TEUCHOS_UNIT_TEST(Smoothing, leavesASolutionAlone) {
   std::mt19937 random(65);
-  test::Recipe recipe;
-  recipe.law = "Coulomb";
-  recipe.strength = 0.3;
-  recipe.rigidMotions = 1;
-  const Problem problem = randomProblem(recipe, random);
-  const Equation equation = equationOf(problem);
+  const Problem problem = randomProblem(test::Recipe::of("Coulomb", 0.3, 1), random);
+  const Equation equation = test::equationOf(problem);
   const Vector solution = pack(problem, solve(problem, {}, {}).state);
   TEST_ASSERT(smoothed(equation, solution) == solution);
 }
