@@ -2,7 +2,7 @@
 compressed ones, of which it has subtrees: history.csv, steps.csv and contact.csv.
 
 The paper's scenes, several bodies, arcs, a rigid body and load paths, with each form that
-compressed operators take; levels that are refined uniformly, adaptively and graded from warm starts.
+compressed operators take; levels that are refined uniformly, and graded, from warm starts.
 Numbers agree to a bound of their column's scale."""
 import functools
 import os
@@ -15,7 +15,8 @@ EVERY = sys.argv[6:] == ["all"]
 UNIFORM = ("Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Degrees of Freedom=100000")
 NONE = ("Discretization->Stabilization->Form=None", "Discretization->Multiplier=Biorthogonal")
 DENSITY = ("Discretization->Stabilization->Form=Density",)
-METHODS = {method: ("Solver->Linear->Method=" + method,) for method in ("Dense", "Compressed", "Belos")}
+METHODS = {method: ("Solver->Linear->Method=" + method,)
+           for method in ("Dense", "Compressed", "Belos")}
 
 
 def levels(count):
@@ -31,8 +32,8 @@ def solve(count, scene, settings):
     """The tables of a run."""
     folder, text = ranks.solved(count, scene, scene, settings)
     ranks.claim(text.count("ended ") == 1, "one rank speaks: %s on %d" % (scene, count))
-    files = {name: os.path.join(folder, name) for name in ("history.csv", "steps.csv", "contact.csv")}
-    return {name: ranks.table(file) for name, file in files.items() if os.path.exists(file)}
+    return {name: ranks.table(os.path.join(folder, name))
+            for name in ("history.csv", "steps.csv", "contact.csv") if name in os.listdir(folder)}
 
 
 def compare(scene, settings, method, counts, bound, contact=None, aside=(), alone="the same"):
@@ -72,8 +73,8 @@ for scene, settings, counts in (
         ("tilting-punch", (levels(1),), (2, 3))):
     compare(scene, settings, "Compressed", counts, 1e-9)
 
-# a load path.  At nu = 1/2 the density knows the mean pressure from gamma alone, so that rounding of
-# u comes back in it 1e7 times as large: in the residuals of the estimate and in the contact
+# a load path.  At nu = 1/2 the density knows the mean pressure from gamma alone, so that rounding
+# of u comes back in it 1e7 times as large: in the residuals of the estimate and in the contact
 PATH = (edges(2, 2, 2, 3, 1, 9, 20, 9, 1, 3, 2, 2, 2, 3, 3, 3), "History->Times={1, 2, 4}",
         "History->Steps={1, 2, 4}")
 RATIO = "Bodies->block->Material->Poisson's Ratio=%g"
