@@ -200,7 +200,7 @@ TEUCHOS_UNIT_TEST(Opposite, breaksAreTheFeetOfNodes) {
     for (const double t : breaks)
       TEST_INEQUALITY(fit.facing.at(element, t - 1e-9).element,
                       fit.facing.at(element, t + 1e-9).element);
-    for (const auto& [middle, half] : stretches(fit.facing, element))
+    for (const auto& [middle, half, opposite] : stretches(fit.facing, element))
       TEST_EQUALITY(fit.facing.at(element, middle - 0.99 * half).element,
                     fit.facing.at(element, middle + 0.99 * half).element);
   }

@@ -143,7 +143,7 @@ std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& e
   std::vector<Stretch> result;
   double start = -1;
   for (const double end : ends) {
-    result.push_back({(start + end) / 2, (end - start) / 2});
+    result.push_back({(start + end) / 2, (end - start) / 2, &opposite});
     start = end;
   }
   return result;

@@ -118,6 +118,7 @@ class Opposite {
 struct Stretch {
   double middle = 0;
   double half = 1;
+  const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
 };
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);

@@ -32,26 +32,21 @@ struct SidePoint {
   }
 };
 
-/// On what the contact quadrature is.
-struct QuadratureOn {
-  const Opposite* opposite = nullptr;  ///< null: the points' opposite is not asked for
-  Stretch stretch{};                   ///< all of the element, or a part of it
-};
-
 /// The contact quadrature: calls visit(point) for the points of a rule on a stretch of a contact
 /// element, in order.
+/// \param stretch one of stretches(), or all of the element without what lies opposite
 template <class Visit>
 void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::Mesh& side,
                     const MultiplierBasis& basis, const bem::Rule& rule,
-                    const Visit& visit, const QuadratureOn& on = {}) {
-  const auto& [opposite, stretch] = on;
+                    const Visit& visit, const Stretch& stretch = {}) {
   const bem::Element& element = side[contact.element];
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
     visit(SidePoint{contact, q, t, stretch.half * rule.weights[at(q)] * element.half,
                     basis.values(contact.degree, t), element.curve.normal(t),
                     element.curve.tangent(t),
-                    opposite != nullptr ? opposite->at(contact, t) : Opposite::Point{}});
+                    stretch.opposite != nullptr ? stretch.opposite->at(contact, t)
+                                                : Opposite::Point{}});
   }
 }
 
@@ -74,8 +69,7 @@ void forEachSidePoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
   for (const auto& contact : multiplier.elements())
     for (const Stretch& stretch : stretches(opposite, contact))
       if (const bem::Rule* rule = ruleOf(contact, opposite.at(contact, stretch.middle)))
-        forEachPointOf(contact, side, multiplier.basis(), *rule, visit,
-                       {&opposite, stretch});
+        forEachPointOf(contact, side, multiplier.basis(), *rule, visit, stretch);
 }
 
 }  // namespace epafi::contact
