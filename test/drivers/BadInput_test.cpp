@@ -29,11 +29,11 @@ TEUCHOS_UNIT_TEST(BadInput, theSceneThatTheTestsSpoilIsValid) {
 TEUCHOS_UNIT_TEST(BadInput, anUnknownKeyNamesTheNearestOne) {
   TEST_COMPLAINT(withDiscretization(entry("Degre", "int", "2")).xml(),
                  "Discretization->Degre", "'Degree'");
-  SceneText scene;
-  scene.rest = R"(<ParameterList name="Adaptivty"/>)";
-  TEST_COMPLAINT(scene.xml(), "Adaptivty", "'Adaptivity'");
-  scene.rest = list("Solver", list("Linear", parameter("Methd", "Dense")));
-  TEST_COMPLAINT(scene.xml(), "Solver->Linear->Methd", "'Method'");
+  TEST_COMPLAINT(withRest(R"(<ParameterList name="Adaptivty"/>)").xml(), "Adaptivty",
+                 "'Adaptivity'");
+  const std::string method = list("Linear", parameter("Methd", "Dense"));
+  TEST_COMPLAINT(withRest(list("Solver", method)).xml(), "Solver->Linear->Methd",
+                 "'Method'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aKeyOfAnotherTypeOfConditionSaysWhereItBelongs) {
@@ -48,11 +48,10 @@ TEUCHOS_UNIT_TEST(BadInput, aWrongTypeSaysWhatIsWanted) {
                  "Discretization->Degree", "double", "int");
   TEST_COMPLAINT(withDiscretization(list("Degree", "")).xml(), "Discretization->Degree",
                  "sublist", "int");
-  SceneText scene;
-  scene.rest = parameter("Solver", "Newton");
-  TEST_COMPLAINT(scene.xml(), "Solver", "'Newton'", "sublist");
-  scene.rest = list("Output", entry("Fields", "int", "1"));
-  TEST_COMPLAINT(scene.xml(), "Output->Fields", "int", "true");
+  TEST_COMPLAINT(withRest(parameter("Solver", "Newton")).xml(), "Solver", "'Newton'",
+                 "sublist");
+  TEST_COMPLAINT(withRest(list("Output", entry("Fields", "int", "1"))).xml(),
+                 "Output->Fields", "int", "true");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aValueOutOfRangeSaysWhatIsAllowed) {
@@ -81,11 +80,9 @@ TEUCHOS_UNIT_TEST(BadInput, lettersHexDExponentsAndOverflowAreNoNumbers) {
   for (const char* text : {"3.7", "99999999999", "0x2", "two", "1e1", "+", "+-2"})
     TEST_COMPLAINT(withDiscretization(entry("Degree", "int", text)).xml(),
                    "Discretization->Degree", "'" + std::string(text));
-  for (const char* text : {"2", "yes", "True", ""}) {
-    SceneText scene;
-    scene.rest = list("Output", entry("Fields", "bool", text));
-    TEST_COMPLAINT(scene.xml(), "Output->Fields", "'" + std::string(text));
-  }
+  for (const char* text : {"2", "yes", "True", ""})
+    TEST_COMPLAINT(withRest(list("Output", entry("Fields", "bool", text))).xml(),
+                   "Output->Fields", "'" + std::string(text));
 }
 
 TEUCHOS_UNIT_TEST(BadInput, arraysAndTablesAreReadEntryByEntry) {
@@ -108,11 +105,9 @@ TEUCHOS_UNIT_TEST(BadInput, arraysAndTablesAreReadEntryByEntry) {
 TEUCHOS_UNIT_TEST(BadInput, duplicatesAndMissingAttributesAreRefused) {
   TEST_COMPLAINT(withDiscretization(elements("{4, 2, 4, 2}")).xml(),
                  "Discretization->Elements per Edge", "twice");
-  SceneText scene;
-  scene.rest = list("Solver", "") + entry("Solver", "int", "1");
-  TEST_COMPLAINT(scene.xml(), "Solver", "twice");
-  scene.rest = R"(<ParameterList/>)";
-  TEST_COMPLAINT(scene.xml(), "ParameterList", "name");
+  TEST_COMPLAINT(withRest(list("Solver", "") + entry("Solver", "int", "1")).xml(),
+                 "Solver", "twice");
+  TEST_COMPLAINT(withRest("<ParameterList/>").xml(), "ParameterList", "name");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter type="int" value="1"/>)").xml(),
                  "Discretization", "Parameter", "name");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Degree" value="1"/>)").xml(),

@@ -79,9 +79,7 @@ TEUCHOS_UNIT_TEST(BadScenes, unnamedEdgesAndConditionsForNoEdgeAreRefused) {
 }
 
 std::string withHistory(const std::string& content) {
-  SceneText scene;
-  scene.rest = list("History", content);
-  return scene.xml();
+  return withRest(list("History", content)).xml();
 }
 
 std::string times(const std::string& value) {
@@ -115,9 +113,7 @@ TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
 /// A used.xml of an earlier program holds all defaults of its time.
 TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
   const auto withSolver = [](const std::string& content) {
-    SceneText scene;
-    scene.rest = list("Solver", content);
-    return scene;
+    return withRest(list("Solver", content));
   };
   TEST_COMPLAINT(withSolver(entry("Load Steps", "int", "4")).xml(), "Solver->Load Steps",
                  "History");
@@ -126,9 +122,7 @@ TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
                  "Solver->Complementarity", "merit");
   TEST_NOTHROW(test::read(withSolver(parameter("Complementarity", "Projection"))));
   const auto withReach = [](const std::string& reach) {
-    SceneText scene;
-    scene.rest = list("Adaptivity", list("Grading", real("Reach", reach)));
-    return scene;
+    return withRest(list("Adaptivity", list("Grading", real("Reach", reach))));
   };
   TEST_COMPLAINT(withReach("0.5").xml(), "Adaptivity->Grading->Reach", "nodes stay");
   TEST_NOTHROW(test::read(withReach("1.0")));
@@ -199,10 +193,10 @@ TEUCHOS_UNIT_TEST(BadScenes, checkLooksWhereARunIntegratesLoads) {
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, interiorPointsLieInside) {
-  SceneText scene;
-  scene.rest = list(
-      "Output", entry("Interior Points", "TwoDArray(double)", "2x2:{1, 0.5, 2, 0.5}"));
-  TEST_COMPLAINT(scene.xml(), "Output->Interior Points", "1", "(2, 0.5)");
+  const std::string points =
+      entry("Interior Points", "TwoDArray(double)", "2x2:{1, 0.5, 2, 0.5}");
+  TEST_COMPLAINT(withRest(list("Output", points)).xml(), "Output->Interior Points", "1",
+                 "(2, 0.5)");
 }
 
 }  // namespace epafi

@@ -43,9 +43,7 @@ TEUCHOS_UNIT_TEST(Constants, areKnownToAllExpressions) {
 
 TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   const auto complaint = [](const std::string& list) {
-    SceneText text;
-    text.rest = constants(list);
-    return complaintOf(text.xml());
+    return complaintOf(withRest(constants(list)).xml());
   };
   for (const char* taken : {"x", "t", "ny", "pi"})
     TEST_ASSERT(contains(complaint(parameter(taken, "1")), "already"));
@@ -58,8 +56,7 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   TEST_ASSERT(contains(complaint(parameter("a", "x")), "Constants->a = 'x'"));
   TEST_ASSERT(contains(complaint(parameter("a", "t")), "Constants->a = 't'"));
   TEST_ASSERT(contains(complaint(parameter("a", "1/0")), "one finite number is needed"));
-  SceneText text;
-  text.rest = constants(parameter("load", "1"));
+  SceneText text = withRest(constants(parameter("load", "1")));
   text.conditions = neumann("right", parameter("Traction X", "laod"));
   TEST_ASSERT(
       contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
@@ -137,9 +134,7 @@ TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {
 
 TEUCHOS_UNIT_TEST(Tables, thatCannotBeAreRefused) {
   const auto complaint = [](const std::string& list) {
-    SceneText text;
-    text.rest = list;
-    return complaintOf(text.xml());
+    return complaintOf(withRest(list).xml());
   };
   const std::string good = points("2x2:{0,0, 1,1}");
   TEST_ASSERT(contains(complaint(table("sin", good)), "Tables->sin: is a function"));

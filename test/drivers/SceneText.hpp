@@ -74,6 +74,13 @@ struct SceneText {
   }
 };
 
+/// With further lists.
+inline SceneText withRest(const std::string& content) {
+  SceneText scene;
+  scene.rest = content;
+  return scene;
+}
+
 /// A file that exists while the object does.
 class TemporaryFile {
  public:
