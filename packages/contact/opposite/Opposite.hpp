@@ -52,7 +52,6 @@ class Opposite {
   /// \param sides by the contacts' names.  Refers to the multiplier's elements, too.
   Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
            const std::map<std::string, OppositeSide>& sides);
-  virtual ~Opposite() = default;
 
   struct Point {
     double gap = 0;    ///< along the outward normal, dimensionless
@@ -63,10 +62,10 @@ class Opposite {
     bem::Vec2 arm{};   ///< from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
-  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const;
+  Point at(const MultiplierSpace::ContactElement& element, double t) const;
 
   /// Kinks and jumps of at() in an element, ascending in (-1, 1).
-  virtual Vector breaks(const MultiplierSpace::ContactElement& element) const;
+  Vector breaks(const MultiplierSpace::ContactElement& element) const;
 
   /// The largest degree of the elements opposite to an element; 0 if none is deformable.
   int degree(const MultiplierSpace::ContactElement& element) const;
@@ -86,10 +85,7 @@ class Opposite {
   bool isStill() const { return sides_.empty(); }
 
   /// Indices of the opposite deformable bodies, each once.
-  virtual std::vector<int> bodies() const;
-
- protected:
-  const bem::Mesh& mesh_;  ///< of the side
+  std::vector<int> bodies() const;
 
  private:
   struct Sight {
@@ -106,6 +102,7 @@ class Opposite {
   template <class Visit>
   void forEachFacing(int body, int element, const Visit& visit) const;
 
+  const bem::Mesh& mesh_;  ///< of the side
   double length_;
   std::map<std::string, OppositeSide> sides_{};
   std::vector<Sight> sights_;  ///< by element of the mesh

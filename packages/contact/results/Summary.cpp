@@ -74,7 +74,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                    if (point.opposite.element < 0)
                      add({force.x, force.y, cross(place, force)}, summary.obstacle);
                  },
-                 {&solved.problem.opposite()});
+                 {0, 1, &solved.problem.opposite()});
   summary.contactLength += length * side.half * closedPart(fields, element);
   if (element.tangential >= 0)
     summary.slipLength +=
