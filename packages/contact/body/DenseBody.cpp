@@ -97,6 +97,17 @@ double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>&
          bem::singularValues(bem::transposedProduct(reduced, reduced)).s.front();
 }
 
+// x - along (tested · x) / square
+void takeOff(const double* tested, double square, const double* along,
+             std::vector<long double>& x) {
+  long double share = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    share += tested[i] * x[i];
+  share /= square;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] -= share * along[i];
+}
+
 }  // namespace
 
 DenseBody::DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
@@ -235,31 +246,15 @@ double DenseBody::stiffnessWork(const Vector& u) const {
 // P u
 DenseBody::Extended DenseBody::withoutMotions(const Vector& u) const {
   Extended result(u.begin(), u.end());
-  for (Index k = 0; k < motions; ++k) {
-    const double* functional = modes_.functionals.column(k);
-    const double* motion = modes_.motions.column(k);
-    long double mean = 0;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      mean += functional[i] * result[i];
-    mean /= squares_[k];
-    for (std::size_t i = 0; i < u.size(); ++i)
-      result[i] -= mean * motion[i];
-  }
+  for (Index k = 0; k < motions; ++k)
+    takeOff(modes_.functionals.column(k), squares_[k], modes_.motions.column(k), result);
   return result;
 }
 
 // Pᵀ f
 DenseBody::Extended DenseBody::balanced(Extended forces) const {
-  for (Index k = motions; k-- > 0;) {
-    const double* functional = modes_.functionals.column(k);
-    const double* motion = modes_.motions.column(k);
-    long double work = 0;
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      work += motion[i] * forces[i];
-    work /= squares_[k];
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      forces[i] -= work * functional[i];
-  }
+  for (Index k = motions; k-- > 0;)
+    takeOff(modes_.motions.column(k), squares_[k], modes_.functionals.column(k), forces);
   return forces;
 }
 
