@@ -63,6 +63,15 @@ void findJumps(const Body& body, const contact::Conditions& conditions, Warnings
   }
 }
 
+/// A function need not exist where no run looks at it.
+std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
+  try {
+    return function(place);
+  } catch (const bem::InputError&) {
+    return std::nullopt;
+  }
+}
+
 /// Contacts with friction at a line of symmetry whose other surface slides along there: its mirror
 /// image slides against it.
 void findSlidingAcross(const Body& body, const contact::Conditions& conditions,
@@ -73,26 +82,17 @@ void findSlidingAcross(const Body& body, const contact::Conditions& conditions,
     if (conditions.isBoundary(line.boundary) || contact == conditions.contact.end() ||
         !contact->second.sliding || contact->second.friction.law == nullptr)
       return;
-    const double slid = contact->second.sliding(body.outline->physical(corner));
-    if (!areAlike(slid, 0, 0, body))
-      warn("slid " + contact->second.path, contact->second.path, ": Sliding is ", slid,
+    const std::optional<double> slid =
+        valueAt(contact->second.sliding, body.outline->physical(corner));
+    if (slid && !areAlike(*slid, 0, 0, body))
+      warn("slid " + contact->second.path, contact->second.path, ": Sliding is ", *slid,
            " on the line of symmetry, where the mirror image slides the other way: it "
-           "jumps "
-           "there; let it be zero on the line, or draw the whole");
+           "jumps there; let it be zero on the line, or draw the whole");
   };
   for (const bem::Edge& edge : body.outline->edges()) {
     const bem::Edge& next = body.outline->edge(edge.next);
     compare(edge, next, edge.curve.to());
     compare(next, edge, edge.curve.to());
-  }
-}
-
-/// A function need not exist where no run looks at it.
-std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
-  try {
-    return function(place);
-  } catch (const bem::InputError&) {
-    return std::nullopt;
   }
 }
 

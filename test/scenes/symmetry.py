@@ -362,6 +362,8 @@ for side in (1, -1):
               "a body that moves by %g, to the line or beyond" % (side * motion))
 for law, sliding, jumps in (({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*t", True),
                             ({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*x*t", False),
+                            ({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*t*log(abs(x))",
+                             False),
                             ({"Law": "None"}, "0.01*t", False)):
     joint = {"joint": {**JOINT["joint"], "Friction": law, "Sliding": sliding}}
     if law["Law"] == "None":

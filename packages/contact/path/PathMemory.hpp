@@ -35,8 +35,9 @@ class PathMemory {
   /// Adds a solved step.  \pre the step was told slip(), defect(), largestLoad() and wear().
   void add(const ContactSystem& step, const Configuration& at);
 
-  const Vector& slip() const { return slip_; }      ///< rₜ, see ContactSystem::Step
-  const Vector& defect() const { return defect_; }  ///< see ContactSystem::Step
+  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactSystem::Step
+  /// See ContactSystem::Step; without what r is where contact is closed.
+  const Vector& defect() const { return defect_; }
   double largestLoad() const { return largestLoad_; }
   const std::vector<Wear>& wear() const { return wear_; }  ///< of each body
 

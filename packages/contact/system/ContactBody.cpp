@@ -151,7 +151,7 @@ Vector ContactBody::rigidLoad() const {
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   Vector force = load_;
   axpy(-1, contactForce, force);
-  Vector u = elastic_->solve(std::move(force));
+  Vector u = elastic_->solve(force);
   axpy(1, constant_, u);
   for (std::size_t k = 0; k < state.rigid.size(); ++k)
     axpy(state.rigid[k],
