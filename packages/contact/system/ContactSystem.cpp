@@ -316,11 +316,11 @@ double ContactSystem::wearBy(const Configuration& at) {
     return worn;
   };
   Vector change = wornBy();
-  wear_.setSlips(at.penetration, surface);
+  const double share = wear_.setSlips(at.penetration, surface);
   const Vector worn = wornBy();
   axpy(-1, worn, change);
   const double all = largestEntry(worn);
-  return all > 0 ? largestEntry(change) / all : 0;
+  return all > 0 ? largestEntry(change) / (std::min(share, 1.0) * all) : 0;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,

@@ -32,20 +32,27 @@ class StepWear {
   const Vector& testedBefore() const { return testedBefore_; }
 
   /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
-  /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.
-  void setSlips(const Vector& slip, Surface& surface);
+  /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.  From
+  /// the third time on |Δs| takes a share ω of its change, by Aitken's rule: slips may jump to and
+  /// fro or settle slowly.  Returns ω.
+  double setSlips(const Vector& slip, Surface& surface);
 
   /// Of each body behind the step, `states` their own.
   std::vector<Wear> behind(const std::vector<State>& states) const;
 
  private:
+  void takeSlips(const Vector& slip);
+
   std::shared_ptr<const std::vector<ContactBody>> bodies_;
   Numbering numbering_;
   std::vector<Wear> before_;
   bool wears_ = false;
   Vector testedBefore_;
-  std::vector<Vector> slips_;  ///< |Δs| of each body at the points
-  std::vector<Vector> rates_;  ///< n k |Δs|
+  std::vector<Vector> slips_;    ///< |Δs| of each body at the points
+  std::vector<Vector> changes_;  ///< what setSlips found to be their change
+  double share_ = 1;             ///< ω
+  bool known_ = false;           ///< are slips_ those of a solution?
+  std::vector<Vector> rates_;    ///< n k |Δs|
 };
 
 }  // namespace epafi::contact
