@@ -221,7 +221,7 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
   std::mutex failing;
   // an LU factor, the answers to a skeleton and what they do outside
   const auto work = [&](int cluster) {
-    const double n = static_cast<double>(operators_->part(cluster).active.size());
+    const auto n = static_cast<double>(operators_->part(cluster).active.size());
     return workOfFlops(5 * n * n * n);
   };
   const auto visit = [&](int cluster) {
@@ -252,6 +252,7 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
 }
 
 // What the processes have eliminated of the roots of their subtrees.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one exchange
 void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
                                          const std::string& failure) {
   const Subtrees& subtrees = operators_->subtrees();

@@ -20,6 +20,7 @@ std::vector<ElementFunctions> byElements(const Space& space,
       add(space.mesh()[unknown.element].previous, unknown.local + 2, i);
   }
   std::vector<ElementFunctions> result;
+  result.reserve(found.size());
   for (auto& [element, own] : found)
     result.push_back({element, std::move(own.functions)});
   return result;

@@ -19,6 +19,7 @@ class PairByParts {
       : space_(space), runs_(space.mesh()), blocks_(space, lame) {}
 
   /// Functions of e by functions of f, row by row.
+  // NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that copy
   void evaluate(int e, int f, double* out) {
     const int r = runs_.runOf(e);
     tile_.evaluate(runs_, f, r, {e, e + 1});

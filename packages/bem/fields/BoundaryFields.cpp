@@ -222,6 +222,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   return sources;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that add
 std::vector<BoundaryFields::SmoothSeries> BoundaryFields::smoothSeries(
     int element, const Sources& sources) const {
   const Element& target = mesh_[element];

@@ -72,8 +72,8 @@ std::vector<CauchyIntegral::Pair> CauchyIntegral::at(
     for (int e = 0; e < mesh_.size(); ++e) {
       Source source(mesh_[e].curve, terms_[bem::at(e)], densities_[bem::at(e)]);
       for (std::size_t k = first; k < last; k += lanes) {
-        AlignedLane x;
-        AlignedLane y;
+        AlignedLane x{};
+        AlignedLane y{};
         for (std::size_t lane = 0; lane < lanes; ++lane) {
           const Vec2 point = points[std::min(k + lane, last - 1)];
           x.lane[lane] = point.x;

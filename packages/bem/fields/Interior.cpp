@@ -13,8 +13,8 @@ namespace {
 
 /// Eight points, and what the elements so far give there.
 struct Targets {
-  AlignedLane x;
-  AlignedLane y;
+  AlignedLane x{};
+  AlignedLane y{};
   ComplexLanes displacement{};
   PointSources::Sums sums;
 };
@@ -65,6 +65,7 @@ void addElement(const Lame& lame, const Element& element, const LocalField& fiel
   ElementPotential kernels(element.curve, std::max(element.degree, element.densities) + 1,
                            ElementPotential::Need::All);
   std::vector<Share> shares;
+  shares.reserve(static_cast<std::size_t>(kernels.size()));
   for (int k = 0; k < kernels.size(); ++k)
     shares.push_back({kernels.share(field.value, k), kernels.share(field.slope, k),
                       kernels.share(field.density, k)});

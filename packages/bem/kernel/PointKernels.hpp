@@ -33,6 +33,7 @@ struct PointKernels {
   Pack w[3];  ///< W: xx, xy, yy
 
   template <Division How>
+  // NOLINTNEXTLINE(readability-function-*): of one formula
   EPAFI_INLINE void evaluate(const KernelConstants& c, const Pack& dx, const Pack& dy,
                              const Pack& tx, const Pack& ty, double sx, double sy) {
     const Pack square = dx * dx + dy * dy;

@@ -57,11 +57,12 @@ struct ArcKernel {
   KernelLanes* weights;
 
   template <Division>
+  // NOLINTNEXTLINE(readability-function-*): one formula, in order
   EPAFI_INLINE void run() const {
     const int n = rule.size();
     const double alpha = 0.5 * rule.curve().angle();
     // e^{iA} and A = α conj(z)/2
-    ComplexLanes turn;
+    ComplexLanes turn{};
     for (int lane = 0; lane < lanes; ++lane)
       turn.set(lane,
                std::exp(Complex(0.5 * alpha * x.z.im[lane], 0.5 * alpha * x.z.re[lane])));
@@ -84,6 +85,7 @@ struct ArcKernel {
         isFar[lane] = 1;
         ++far;
       }
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
     LegendreLanes<Parts, ArcRule::largestSize> legendre;
     if (far < lanes)
       legendre.evaluate(x, n);

@@ -37,7 +37,7 @@ EPAFI_INLINE void OfSegment<Parts>::run() const {
   const double logOfHalf = std::log(half);
   const int logs = need == Need::Sums ? 0 : need == Need::Moments ? terms - 1 : terms;
   const bool cubics = need == Need::Sums || need == Need::All;
-  LegendreLanes<Parts> legendre;
+  LegendreLanes<Parts> legendre;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   legendre.evaluate(x, (Parts == 2 && cubics) || logs == terms ? terms : terms - 1);
   for (int j = 0; j < logs; ++j)
     store(to[j].log.lane, half * legendre.l[j] + (j == 0 ? 2 * half * logOfHalf : 0));
@@ -62,6 +62,7 @@ EPAFI_INLINE void OfSegment<Parts>::run() const {
 
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): evaluate() sets what is used
 ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
     : curve_(curve), terms_(terms), need_(need) {
   if (!curve.isStraight())

@@ -77,7 +77,7 @@ EPAFI_INLINE void segmentKernel(const Work& work) {
   const Pack a = load(far.half);
   const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
   const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
-  SegmentSums<Degree> in;
+  SegmentSums<Degree> in;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (int q = 0; q < work.outer.size(); ++q) {
     const double s = halfE * work.outer.points[q];
     const Pack wx = load(far.wx) + s * e.tangent.x;

@@ -57,7 +57,7 @@ struct LegendreLanes {
     if (count < lanes)
       forward(x, top);
     if (count > 0) {
-      LegendreLanes other;
+      LegendreLanes other;  // NOLINT(cppcoreguidelines-pro-type-member-init)
       other.backward(x, top, std::acosh(0.5 * nearest), *this);
       const auto isFar = focal > limit;
       for (int part = 0; part < Parts; ++part)

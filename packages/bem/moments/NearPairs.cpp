@@ -130,6 +130,7 @@ void nearMoments(const Mesh& mesh, int e, int f, Tile& m, int lane, InstructionS
   m.log[0][lane] += 4 * std::log(x.half);
 }
 
+// NOLINTNEXTLINE(readability-function-*): the pair, where, how
 void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, Tile& m,
                  int lane, InstructionSet set) {
   const InOrder pair(mesh, e, f);

@@ -20,8 +20,8 @@ struct AlongSegment {
   EPAFI_INLINE void run() const {
     const std::size_t last = points.size() - 1;
     for (std::size_t first = 0; first <= last; first += lanes) {
-      AlignedLane starts;
-      AlignedLane ends;
+      AlignedLane starts{};
+      AlignedLane ends{};
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const EndPoint& point = points[std::min(first + lane, last)];
         starts.lane[lane] = point.fromStart;

@@ -125,6 +125,7 @@ struct Integrate {
 
   /// Degree: of the trial element, whose sums then stay in registers; 0: any.
   template <Division How, int Degree, Rows Wanted>
+  // NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that add
   EPAFI_INLINE void sumInner(int p, int anyNodes, int anyDensities) const {
     const int nodes = Degree > 0 ? Degree + 1 : anyNodes;
     const int densities = Degree > 0 ? Degree : anyDensities;
@@ -141,7 +142,7 @@ struct Integrate {
     for (int q = 0; q < work.inner; ++q) {
       const double* s = inner + 4 * q;
       const double* values = innerValues + (nodes + densities) * q;
-      PointKernels g;
+      PointKernels g;  // NOLINT(cppcoreguidelines-pro-type-member-init)
       g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
       for (int j = 0; j < nodes; ++j) {
         for (int i = 0; i < 3 && Wanted != Rows::Fields; ++i)

@@ -137,6 +137,7 @@ class TileBlocks::Filling {
   // neighbours cancel at every node but the edge's ends: adding and subtracting it would
   // leave rounding, which is large beside the rest as ν -> 1/2.  `half` of the test's
   // element; `phases`: 1 where the phase counts, else 0.
+  // NOLINTNEXTLINE(readability-function-*): of one formula
   EPAFI_INLINE void doubleBlock(const Pack& half, double slope, const Pack& phases,
                                 const Pack& log, const ComplexPack& phase,
                                 const Pack& laplace, PackBlock& block) const {

@@ -168,7 +168,7 @@ GradedRule touchingRule(const std::vector<Feature>& features, int degree, int po
   refine({fromStart(0), toEnd(0)}, features, std::vector<double>(features.size()),
          leaves);
   GradedRule rule;
-  const std::size_t most = static_cast<std::size_t>(std::max(order, softened));
+  const auto most = static_cast<std::size_t>(std::max(order, softened));
   rule.points.reserve(leaves.size() * most);
   rule.weights.reserve(leaves.size() * most);
   for (const Interval& leaf : leaves) {

@@ -91,8 +91,8 @@ Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
     {
       const auto view = b->getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (Index j = 0; j < count; ++j)
-        for (std::size_t i = 0; i < view.extent(0); ++i)
-          view(i, j) = right(map->getGlobalElement(asInt(i)), first + j);
+        for (int i = 0; i < static_cast<int>(view.extent(0)); ++i)
+          view(i, j) = right(map->getGlobalElement(i), first + j);
     }
     processes_.consent().confirm();
     const auto problem = rcp(new Problem(matrix, x, b));

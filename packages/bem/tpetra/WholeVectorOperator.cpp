@@ -19,8 +19,8 @@ void WholeVectorOperator::apply(const MultiVector& x, MultiVector& y,
   const Matrix image = action_(whole(x));
   const auto out = y.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (Index j = 0; j < image.columns(); ++j)
-    for (std::size_t i = 0; i < out.extent(0); ++i)
-      out(i, j) = alpha * image(map_->getGlobalElement(asInt(i)), j) +
+    for (int i = 0; i < static_cast<int>(out.extent(0)); ++i)
+      out(i, j) = alpha * image(map_->getGlobalElement(i), j) +
                   (beta == 0 ? 0 : beta * out(i, j));
 }
 

@@ -39,8 +39,8 @@ TEUCHOS_UNIT_TEST(SteklovPoincareOperator, appliesSToSeveralVectors) {
   {
     const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (Index j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < view.extent(0); ++i)
-        view(i, j) = entry(map->getGlobalElement(bem::asInt(i)), j);
+      for (int i = 0; i < static_cast<int>(view.extent(0)); ++i)
+        view(i, j) = entry(map->getGlobalElement(i), j);
   }
   y.putScalar(2);
   op.apply(x, y, Teuchos::NO_TRANS, -3, 0.5);
@@ -80,8 +80,8 @@ TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse
     {
       const auto view = in.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (Index j = 0; j < 2; ++j)
-        for (std::size_t i = 0; i < view.extent(0); ++i)
-          view(i, j) = x(map->getGlobalElement(bem::asInt(i)), j);
+        for (int i = 0; i < static_cast<int>(view.extent(0)); ++i)
+          view(i, j) = x(map->getGlobalElement(i), j);
     }
     result.putScalar(2);
     TEST_THROW(op.apply(in, result, Teuchos::TRANS), std::logic_error);
