@@ -242,6 +242,15 @@ QuadVec nodeOf(const bem::Mesh& mesh, int e) {
              : to - Quad(piece.start.toEnd) * tau;
 }
 
+/// Elements of a mesh in 33 digits: neighbours share their common node exactly.
+std::vector<QuadCurve> segments(const bem::Mesh& mesh) {
+  std::vector<QuadCurve> result;
+  result.reserve(mesh.size());
+  for (int e = 0; e < mesh.size(); ++e)
+    result.push_back(segment(nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)));
+  return result;
+}
+
 /// Of all entries, or of those on and below the diagonal.
 double largestError(const bem::Matrix& matrix, const QuadMatrix& exact, bool lower) {
   Quad largest = 0;
@@ -260,36 +269,6 @@ QuadMatrix::QuadMatrix(Index rows, Index columns)
 void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm) {
   values_[at(i, j)] += value;
   scales_[at(i, j)] += blockNorm;
-}
-
-std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
-  std::vector<Quad> result(rows_);
-  for (Index i = 0; i < rows_; ++i)
-    for (Index j = 0; j < columns_; ++j)
-      result[i] += (*this)(i, j) * x[j];
-  return result;
-}
-
-std::vector<QuadCurve> segments(const bem::Mesh& mesh) {
-  std::vector<QuadCurve> result;
-  result.reserve(mesh.size());
-  for (int e = 0; e < mesh.size(); ++e)
-    result.push_back(segment(nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)));
-  return result;
-}
-
-std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space) {
-  std::vector<std::vector<Quad>> motions(3, std::vector<Quad>(space.displacements()));
-  const std::vector<QuadCurve> lines = segments(space.mesh());
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    const std::size_t x = space.displacement(e, 0, 0);
-    const std::size_t y = space.displacement(e, 0, 1);
-    motions[0][x] = 1;
-    motions[1][y] = 1;
-    motions[2][x] = -lines[e].from.y;
-    motions[2][y] = lines[e].from.x;
-  }
-  return motions;
 }
 
 QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
