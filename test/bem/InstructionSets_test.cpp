@@ -1,5 +1,4 @@
-// Every instruction set that this processor has gives the same angles and sums of sources;
-// moments: TileBlocks.
+// Every instruction set that this processor has gives the same sums of sources; moments: TileBlocks.
 #include "bem/fields/PointSources.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -14,36 +13,6 @@ namespace {
 TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
   TEST_ASSERT(bem::instructionSets().front() == bem::InstructionSet::Baseline);
   TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
-}
-
-struct Angles {
-  const bem::Pack& y;
-  const bem::Pack& x;
-  bem::Pack& result;
-  template <bem::Division>
-  EPAFI_INLINE void run() const {
-    bem::angle(y, x, result);
-  }
-};
-
-TEUCHOS_UNIT_TEST(InstructionSets, measureAngles) {
-  for (const bem::InstructionSet set : bem::instructionSets())
-    for (int k = 0; k < 100; ++k) {
-      bem::Pack x{};
-      bem::Pack y{};
-      for (int lane = 0; lane < bem::lanes; ++lane) {
-        const double turn = 0.008 * (8 * k + lane) - 3.2;
-        const double size = std::pow(10, 2 * lane - 8);
-        x[lane] = size * std::cos(turn);
-        y[lane] = size * std::sin(turn);
-      }
-      bem::Pack result{};
-      bem::dispatch(set, Angles{y, x, result});
-      for (int lane = 0; lane < bem::lanes; ++lane) {
-        const double exact = std::atan2(y[lane], x[lane]);
-        TEST_COMPARE(std::abs(result[lane] - exact), <=, 4.5e-16 * std::abs(exact));
-      }
-    }
 }
 
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {

@@ -1,6 +1,7 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
 #include "Largest.hpp"
+#include "Message.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
@@ -145,6 +146,19 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
     TEST_COMPARE(test::relativeDifference(other.doubleLayer, one.doubleLayer), <, 1e-14);
     TEST_COMPARE(test::relativeDifference(other.hypersingular, one.hypersingular), <,
                  1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(CholeskyFactor, namesTheRowWhereAMatrixIsIndefinite) {
+  constexpr bem::Index n = 130;
+  for (const bem::Index row : {bem::Index(0), n / 2, n - 1}) {
+    bem::Matrix a(n, n);
+    for (bem::Index i = 0; i < n; ++i)
+      a(i, i) = i == row ? -1 : 1;
+    const std::string told = test::messageOf<bem::NumericalError>(
+        [&] { bem::CholeskyFactor(std::move(a), "A"); });
+    TEST_ASSERT(test::contains(told, "A is not positive definite"));
+    TEST_ASSERT(test::contains(told, bem::message("row ", row + 1, " of ", n)));
   }
 }
 

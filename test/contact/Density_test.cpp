@@ -265,20 +265,6 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Density, incompressibilityIsALimitLikeAnyOther) {
-  Case c{{6, 4, 6, 4}, 2, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.5, 0.5};
-  const Condensed limit = condensed(c);
-  double last = 1;
-  for (const double nu : {0.4999, 0.499999, 0.49999999}) {
-    c.nu = nu;
-    const Condensed near = condensed(c);
-    const double distance = apart(near.residual, limit.residual);
-    TEST_COMPARE(distance, <, 10 * (0.5 - nu));
-    TEST_COMPARE(distance, <, 0.1 * last);
-    last = distance;
-  }
-}
-
 }  // namespace
 
 }  // namespace epafi

@@ -1,5 +1,4 @@
-// A problem in numbers: what its parts must fit, what is shared, and a path in steps.
-#include "Largest.hpp"
+// A problem in numbers: what its parts must fit and what is shared.
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
@@ -15,9 +14,7 @@ namespace {
 
 using contact::Index;
 using contact::Problem;
-using contact::State;
 using contact::Vector;
-using test::largestDifference;
 using test::solve;
 
 /// A point on springs of flexibility 1 that is pressed by 1 and pulled sideways; γ of the
@@ -30,43 +27,6 @@ Problem pressedPoint(double pull) {
   problem.offset = {1, pull};
   problem.rigid = contact::Matrix(2, 0);
   return problem;
-}
-
-/// Shears after each step of a path: every step starts at the slip of the one before.
-Vector shears(const std::vector<double>& pulls) {
-  Vector result;
-  Vector slipBefore = {0};
-  State state;
-  for (const double pull : pulls) {
-    const Problem total = pressedPoint(pull);
-    state = solve(withSlipBefore(total, slipBefore), state, {}).state;
-    slipBefore = test::slip(total, state);
-    result.push_back(state.multiplier[1]);
-  }
-  return result;
-}
-
-/// Pull 0.8: it slips, at the bound 0.5, by 0.3. Without pull the spring that is left
-/// stretched by the slip pushes back with 0.3, and friction holds it.
-TEUCHOS_UNIT_TEST(Path, shearIsRememberedAfterUnloading) {
-  TEST_COMPARE(largestDifference(shears({0.8, 0}), {0.5, -0.3}), <, 1e-14);
-  TEST_COMPARE(largestDifference(shears({0}), {0}), <, 1e-14);
-}
-
-/// -0.4 beyond the slip 0.3 is within the other bound's reach: 0.4 + 0.3 > 0.5.
-TEUCHOS_UNIT_TEST(Path, slipTurnsRoundAtTheOtherBound) {
-  TEST_COMPARE(largestDifference(shears({0.8, -0.4, 0}), {0.5, -0.5, -0.1}), <, 1e-14);
-}
-
-TEUCHOS_UNIT_TEST(Path, aStickingContactDoesNotCreep) {
-  const Vector many(50, 0.4);
-  TEST_COMPARE(largestDifference(shears(many), many), <, 1e-14);
-}
-
-/// An elastic answer: halving the steps changes nothing while nothing slips back.
-TEUCHOS_UNIT_TEST(Path, stepsOfOneDirectionAreOneStep) {
-  TEST_COMPARE(std::abs(shears({0.2, 0.4, 0.6, 0.8, 1.1}).back() - shears({1.1}).back()),
-               <, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
