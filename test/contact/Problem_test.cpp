@@ -101,10 +101,14 @@ TEUCHOS_UNIT_TEST(Problem, whatDoesNotFitIsRefusedAtTheDoor) {
     p.rigidLoad = {1};
     p.rigid = contact::Matrix(1, 1);
   });
+  refuses([](Problem& p) { p.rigidStiffness = {1}; });
   for (const Index normal : {-1, 1})
     refuses([normal](Problem& p) {
       p.tangentials[0] = {normal, test::pointLaw("Coulomb", {0.5})};
     });
+  Problem problem = test::block(0.5, {2, 0});
+  problem.rigidStiffness = {-1, -1};
+  TEST_THROW(problem.check(), bem::NumericalError);
 }
 
 }  // namespace

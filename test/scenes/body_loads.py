@@ -283,6 +283,31 @@ for key, exact in (("body_force_x", RHO * (OMEGA ** 2 * 2.5 + GAMMA * 0.5)),
     claim(abs(row[key] - exact) < 1e-13, "a rigid square: %s %.12f" % (key, row[key]))
 balanced("square")
 
+# loads of all kinds at once: Hooke's law and equilibrium inside by differences
+X, Y, STEP = 0.4, 0.3, 1e-4
+QUARTIC = "0.5 + 0.2*x - 0.3*y + 0.7*x*y - 0.4*x^2*y + 0.3*x^3*y - 0.6*x^2*y^2 + 0.4*x^4 - 0.2*y^4"
+for plane, ratio in (("Plane Strain", 0.3), ("Plane Stress", 0.3), ("Plane Strain", 0.5)):
+    name = "all loads %s %g" % (plane, ratio)
+    loaded = body("block", block(0, 0, 1, 1), E, condition("bottom", "Dirichlet", CLAMPED), ratio=ratio,
+                  Density=RHO, Thermal_Expansion=ALPHA, Plane_State=plane,
+                  inside=loads(Gravity_X=0.3, Gravity_Y=-0.7, Spin=OMEGA, Angular_Acceleration=GAMMA,
+                               Temperature=QUARTIC))
+    run(written(name, [loaded], NONE, "Density", 0.5, 4, points_at(
+        [(X + STEP * i, Y + STEP * j) for i, j in ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))])), name)
+    p, *around = rows(name, "interior.csv")
+    ux, uy, sxx, syy, sxy = ([(a[key] - b[key]) / 2 / STEP for a, b in (around[:2], around[2:])]
+                             for key in ("ux", "uy", "sxx", "syy", "sxy"))  # along x, along y
+    e, nu, al = primed(ratio, ALPHA, plane)
+    heat = al * eval(QUARTIC.replace("^", "**"), {"x": X, "y": Y})
+    error = largest((ux[0] - (p["sxx"] - nu * p["syy"]) / e / E - heat,
+                     uy[1] - (p["syy"] - nu * p["sxx"]) / e / E - heat,
+                     ux[1] + uy[0] - 2 * (1 + nu) * p["sxy"] / e / E))
+    claim(error < 1e-7, "%s: strains are those of stress and heat, %.1e" % (name, error))
+    error = largest((sxx[0] + sxy[1] + RHO * (0.3 + OMEGA ** 2 * X + GAMMA * Y),
+                     sxy[0] + syy[1] + RHO * (-0.7 + OMEGA ** 2 * Y - GAMMA * X)))
+    claim(error < 1e-7, "%s: stresses carry the forces, %.1e" % (name, error))
+    balanced(name)
+
 # a guide that pulls: held along one axis, loaded along the other
 pulled = body("bar", block(0, 0, 2, 1), E,
               condition("left", "Dirichlet", Displacement_X=0) +
