@@ -1,4 +1,5 @@
-// A problem in numbers: what its parts must fit and what is shared.
+// A problem in numbers: what its parts must fit, what is shared, and a path in steps.
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
@@ -27,6 +28,21 @@ Problem pressedPoint(double pull) {
   problem.offset = {1, pull};
   problem.rigid = contact::Matrix(2, 0);
   return problem;
+}
+
+/// Every step starts at the slip of the one before. Pull 0.8 slips at the bound 0.5, by 0.3;
+/// -0.4 is within the other bound's reach; without pull the slip left pushes back.
+TEUCHOS_UNIT_TEST(Path, everyStepStartsAtTheSlipBefore) {
+  Vector shears;
+  Vector slipBefore = {0};
+  contact::State state;
+  for (const double pull : {0.3, 0.3, 0.8, -0.4, 0.0}) {
+    const Problem total = pressedPoint(pull);
+    state = solve(withSlipBefore(total, slipBefore), state, {}).state;
+    slipBefore = test::slip(total, state);
+    shears.push_back(state.multiplier[1]);
+  }
+  TEST_COMPARE(test::largestDifference(shears, {0.3, 0.3, 0.5, -0.5, -0.1}), <, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
