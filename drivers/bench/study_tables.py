@@ -66,6 +66,15 @@ def markdown(head, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
+def append(file, rows):
+    """Rows, dictionaries, below those of a csv file, which begins with their names."""
+    with open(file, "a", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        if stream.tell() == 0:
+            writer.writeheader()
+        writer.writerows(rows)
+
+
 def work_table(study, bounds, column="error"):
     def work(level):
         return "-" if level is None else "%s, %.2f s" % (level["dof"], float(level["seconds_total"]))
