@@ -1,5 +1,7 @@
 """The two blocks of [P] sec. 8, under Tresca's and under Coulomb's law: friction's work, complementarity,
 symmetry.  That they balance is a claim of test/hard/cases.py."""
+import math
+
 from runs import ENERGIES, claim, differ, finish, largest, levels, run, scene, whole
 
 both = {name: run(scene(name + ".xml"), name, levels(6)) for name in ("tresca", "coulomb")}
@@ -7,6 +9,9 @@ for name, (history, contact) in both.items():
     claim(len(history) == 6 and all(row["dof"] == row["dof_displacement"] + row["dof_multiplier"] and
                                     row["newton_iterations"] <= 15 and row["status"] == "converged"
                                     for row in history), name + ": six levels")
+    parts = [[row[key] for key in row if key.startswith("eta_")] for row in history]
+    claim(all(min(part) >= 0 and differ(math.hypot(*part), row["estimate"]) < 1e-12
+              for part, row in zip(parts, history)), name + ": contributions make the estimate")
     sizes = {key: largest(point[key] for point in contact) for key in (
         "lambda_n", "lambda_t", "u_n", "bound")}
     points = whole(contact)
