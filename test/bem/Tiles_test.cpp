@@ -50,7 +50,13 @@ std::vector<Sample> samples() {
     }
     return cutMesh(outline, cuts, degrees);
   };
-  return {{"degree 1", mesh(7, {1})},
+  const bem::Mesh plain = mesh(4, {2});
+  std::vector<int> densities;  // of a side, and of one element beside others
+  for (const bem::Element& element : plain.elements())
+    densities.push_back(element.piece.edge == 2 || element.piece.edge == 0 ? 3 : 2);
+  densities.back() = 3;
+  return {{"more densities", plain.withDensities(densities)},
+          {"degree 1", mesh(7, {1})},
           {"degree 3", mesh(5, {3})},
           {"mixed degrees", mesh(6, {1, 1, 4, 2, 1, 7})},
           {"25 beside 1", mesh(5, {25, 1, 1, 1, 1})},

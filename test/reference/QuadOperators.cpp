@@ -152,10 +152,10 @@ struct DoubleLayerKernel {
 };
 
 /// The double layer of a pair.
-Block doubleLayerBlock(const Constants& constants, int firstDegree,
+Block doubleLayerBlock(const Constants& constants, int densities,
                        const PairMoments& moments, const QuadCurve& second,
                        int secondDegree) {
-  const auto psi = legendreBasis(firstDegree - 1);
+  const auto psi = legendreBasis(densities - 1);
   const auto phi = displacementBasis(secondDegree);
   const QuadVec n = second.normal(0);
   return tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n},
@@ -185,16 +185,18 @@ PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<QuadCurve>& segme
                       int f) {
   const int p = mesh[e].degree;
   const int q = mesh[f].degree;
+  const int m = mesh[e].densities;  // p, or more
+  const int n = mesh[f].densities;
   const QuadCurve& first = segments[e];
   const QuadCurve& second = segments[f];
   const Quad length = 2 * first.half;
   const Quad otherLength = 2 * second.half;
-  const PairMoments moments = integrate(first, p, second, q, meeting(mesh, e, f));
+  const PairMoments moments = integrate(first, m, second, n, meeting(mesh, e, f));
   const Quad area = length * otherLength;
-  return {tested(legendreBasis(p - 1), LogKernel{constants.a, constants.b, moments, area},
-                 legendreBasis(q - 1)),
-          doubleLayerBlock(constants, p, moments, second, q),
-          doubleLayerBlock(constants, q, moments.transposed(), first, p),
+  return {tested(legendreBasis(m - 1), LogKernel{constants.a, constants.b, moments, area},
+                 legendreBasis(n - 1)),
+          doubleLayerBlock(constants, m, moments, second, q),
+          doubleLayerBlock(constants, n, moments.transposed(), first, p),
           tested(displacementSlopes(p, length),
                  LogKernel{constants.d, constants.d, moments, area},
                  displacementSlopes(q, otherLength))};
@@ -278,7 +280,7 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
   const std::vector<QuadCurve> lines = segments(mesh);
   int degree = 1;
   for (const bem::Element& element : mesh.elements())
-    degree = std::max(degree, element.degree);
+    degree = std::max(degree, element.densities);
   const PairIntegrator integrate(degree, tolerance);
 
   const Index n = space.densities();
