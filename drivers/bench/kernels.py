@@ -5,12 +5,13 @@
 
 BENCH_KERNELS is built by cmake -DEPAFI_BENCHMARKS=ON (Debian's libbenchmark-dev).
 """
-import csv
 import datetime
 import json
 import os
 import subprocess
 import sys
+
+from study_tables import append, markdown
 
 
 def medians(program):
@@ -32,18 +33,13 @@ def cpu():
 
 def main():
     program, path = sys.argv[1:]
-    isNew = not os.path.exists(path)
-    core = os.environ.get("OPENBLAS_CORETYPE", "SkylakeX")
-    print("| kernel | CPU time |\n|---|---:|")
-    with open(path, "a", newline="") as file:
-        writer = csv.writer(file)
-        if isNew:
-            writer.writerow(["date", "cpu", "blas_core", "kernel", "cpu_time", "unit"])
-        for run in medians(program):
-            name = run["run_name"]
-            writer.writerow([datetime.date.today().isoformat(), cpu(), core, name,
-                             "%.4g" % run["cpu_time"], run["time_unit"]])
-            print("| %s | %.4g %s |" % (name, run["cpu_time"], run["time_unit"]))
+    runs = medians(program)
+    print(markdown(["kernel", "CPU time"], [
+        [run["run_name"], "%.4g %s" % (run["cpu_time"], run["time_unit"])] for run in runs]))
+    append(path, [{
+        "date": datetime.date.today().isoformat(), "cpu": cpu(),
+        "blas_core": os.environ.get("OPENBLAS_CORETYPE", "SkylakeX"), "kernel": run["run_name"],
+        "cpu_time": "%.4g" % run["cpu_time"], "unit": run["time_unit"]} for run in runs])
 
 
 if __name__ == "__main__":

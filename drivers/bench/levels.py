@@ -17,7 +17,9 @@ import statistics
 import subprocess
 import tempfile
 
-SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "tresca.xml")
+from study_tables import ROOT, append, markdown
+
+SCENE = os.path.join(ROOT, "drivers", "scenes", "tresca.xml")
 EDGES = (4, 4, 1, 2, 1, 4)  # of 16 elements
 OVERKILL = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Marking Fraction=0.6",
             "Adaptivity->Maximum Levels=60", "Adaptivity->Maximum Degrees of Freedom=1400"]
@@ -27,7 +29,7 @@ COSTS = ["seconds_" + phase for phase in ("assembly", "factorization", "stabiliz
 
 
 def environment():
-    script = os.path.join(os.path.dirname(SCENE), "..", "..", "cmake", "environment.sh")
+    script = os.path.join(ROOT, "cmake", "environment.sh")
     lines = subprocess.run(["bash", script], stdout=subprocess.PIPE, check=True,
                            universal_newlines=True).stdout.split()
     return {**os.environ, **dict(line.split("=", 1) for line in lines),
@@ -63,7 +65,7 @@ def main():
     parser.add_argument("--csv")
     options = parser.parse_args()
     names = ["elements", "ranks", "dof", "newton_iterations", "energy_error", *COSTS]
-    print("| " + " | ".join(names) + " |\n|" + "---|" * len(names))
+    print(markdown(names, []))
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         exact = float(last_row(options.epafi, 1, folder, OVERKILL)["energy_strain"])
@@ -81,12 +83,7 @@ def main():
                 row = {**own[0], **medians}
                 print("| " + " | ".join(str(row[name]) for name in names) + " |", flush=True)
     if options.csv:
-        isNew = not os.path.exists(options.csv)
-        with open(options.csv, "a", newline="") as file:
-            writer = csv.DictWriter(file, list(rows[0]))
-            if isNew:
-                writer.writeheader()
-            writer.writerows(rows)
+        append(options.csv, rows)
 
 
 if __name__ == "__main__":

@@ -42,12 +42,23 @@ class Study:
         return next((row for row in self.levels(scene, variant)
                      if float(row[column]) <= bound), None)
 
-    def failures(self):
-        return [row for row in self.rows if row["status"] in ("failed", "not converged")]
+    def dof(self, scene, variant, bound):
+        level = self.first(scene, variant, bound)
+        return "-" if level is None else level["dof"]
+
+    def pairs(self, kind):
+        """Scenes with those of their variants that have that strategy in their names, and how a
+        table calls both."""
+        return {scene + ", " + variant.replace(", " + kind, ""): (scene, variant)
+                for scene in self.scenes for variant in self.variants if kind in variant}
 
 
 def unique(names):
     return list(dict.fromkeys(names))
+
+
+def told(bound):
+    return ("%.0e" % bound).replace("e-0", "e-")
 
 
 def markdown(head, rows):
@@ -55,20 +66,22 @@ def markdown(head, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def work(level):
-    if level is None:
-        return "-"
-    return "%s, %.2f s" % (level["dof"], float(level["seconds_total"]))
+def append(file, rows):
+    """Rows, dictionaries, below those of a csv file, which begins with their names."""
+    with open(file, "a", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        if stream.tell() == 0:
+            writer.writeheader()
+        writer.writerows(rows)
 
 
 def work_table(study, bounds, column="error"):
-    tables = []
-    for scene in study.scenes:
-        rows = [[variant] + [work(study.first(scene, variant, bound, column))
-                             for bound in bounds]
-                for variant in study.variants if study.levels(scene, variant)]
-        tables.append(markdown([scene] + ["%.0e" % bound for bound in bounds], rows))
-    return "\n\n".join(tables).replace("e-0", "e-")
+    def work(level):
+        return "-" if level is None else "%s, %.2f s" % (level["dof"], float(level["seconds_total"]))
+
+    return "\n\n".join(markdown([scene, *map(told, bounds)], [
+        [variant, *(work(study.first(scene, variant, bound, column)) for bound in bounds)]
+        for variant in study.variants if study.levels(scene, variant)]) for scene in study.scenes)
 
 
 def effectivity_table(study):
@@ -79,20 +92,15 @@ def effectivity_table(study):
         outside = sum(value < 1.5 or value > 4.5 for value in values)
         return "%.3g .. %.3g (%d of %d)" % (min(values), max(values), outside, len(values))
 
-    return markdown(["estimate over true error, levels outside 1.5 .. 4.5"] + study.scenes,
-                    [[variant] + [band(scene, variant) for scene in study.scenes]
+    return markdown(["estimate over true error, levels outside 1.5 .. 4.5", *study.scenes],
+                    [[variant, *(band(scene, variant) for scene in study.scenes)]
                      for variant in study.variants])
 
 
 def dof_table(study, variant, bounds):
-    def dof(scene, bound):
-        level = study.first(scene, variant, bound)
-        return "-" if level is None else level["dof"]
-
-    return markdown(["relative error"] + ["%s, unknowns" % scene.split()[0]
-                                          for scene in study.scenes],
-                    [["%.0e" % bound] + [dof(scene, bound) for scene in study.scenes]
-                     for bound in bounds]).replace("e-0", "e-")
+    return markdown(["relative error", *(scene.split()[0] + ", unknowns" for scene in study.scenes)],
+                    [[told(bound), *(study.dof(scene, variant, bound) for scene in study.scenes)]
+                     for bound in bounds])
 
 
 def reference_lines(study):
@@ -105,7 +113,8 @@ def reference_lines(study):
 def failure_lines(study):
     return "\n".join("* %s, %s, level %s: %s" % (row["scene"], row["variant"], row["level"],
                                                  row["reason"])
-                     for row in study.failures()) or "No level failed."
+                     for row in study.rows if row["status"] in ("failed", "not converged")
+                     ) or "No level failed."
 
 
 def replace(path, tables):
@@ -120,26 +129,6 @@ def replace(path, tables):
         file.write(text)
 
 
-def write_work_precision(folder):
-    study = Study(folder)
-    replace(os.path.join(BENCHMARKS, "work-precision.md"), {
-        "work": work_table(study, [1e-1, 1e-2, 1e-3, 1e-4, 1e-5]),
-        "effectivity": effectivity_table(study),
-        "references": reference_lines(study),
-        "failures": failure_lines(study)})
-    replace(os.path.join(ROOT, "README.md"),
-            {"unknowns": dof_table(study, "graded hp", [1e-3, 1e-4, 1e-5])})
-    shutil.copy(os.path.join(folder, "work-precision.png"), BENCHMARKS)
-
-
-def write_ablation(folder):
-    study = Study(folder)
-    replace(os.path.join(BENCHMARKS, "ablation.md"), {
-        "work": work_table(study, [1e-3, 1e-4, 1e-5]),
-        "references": reference_lines(study),
-        "failures": failure_lines(study)})
-
-
 def finest_table(study, kind):
     """The last level of the variants with that strategy in their names."""
     def numbers(rows):
@@ -152,24 +141,15 @@ def finest_table(study, kind):
 
     return markdown(["%s, finest mesh" % kind, "unknowns", "u, ψ", "λ",
                      "estimate / error, all levels", "Newton, most"],
-                    [[scene + ", " + variant.replace(", " + kind, "")]
-                     + numbers(study.levels(scene, variant))
-                     for scene in study.scenes for variant in study.variants
-                     if kind in variant and study.levels(scene, variant)])
+                    [[name, *numbers(study.levels(*pair))]
+                     for name, pair in study.pairs(kind).items() if study.levels(*pair)])
 
 
 def reached_table(study, kind, bounds):
     """Unknowns of the first level below each bound."""
-    def dof(scene, variant, bound):
-        level = study.first(scene, variant, bound)
-        return "-" if level is None else level["dof"]
-
-    return markdown(["%s, unknowns for an error of u, ψ of" % kind]
-                    + ["%.0e" % bound for bound in bounds],
-                    [[scene + ", " + variant.replace(", " + kind, "")]
-                     + [dof(scene, variant, bound) for bound in bounds]
-                     for scene in study.scenes for variant in study.variants
-                     if kind in variant]).replace("e-0", "e-")
+    return markdown(["%s, unknowns for an error of u, ψ of" % kind, *map(told, bounds)],
+                    [[name, *(study.dof(*pair, bound) for bound in bounds)]
+                     for name, pair in study.pairs(kind).items()])
 
 
 def sweep_table(study):
@@ -185,41 +165,50 @@ def sweep_table(study):
     for row in swept:
         name = row["scene"] + ", " + row["variant"].rsplit(", ", 1)[0].replace(", gamma0", "")
         cells.setdefault(name, {})[row["sweep_value"]] = cell(row)
-    return markdown(["u, ψ and λ at γ₀ ="] + ["%g" % float(value) for value in values],
-                    [[name] + [row.get(value, "-") for value in values]
+    return markdown(["u, ψ and λ at γ₀ =", *("%g" % float(value) for value in values)],
+                    [[name, *(row.get(value, "-") for value in values)]
                      for name, row in cells.items()])
 
 
-def write_stabilization(folder):
-    study = Study(folder)
-    replace(os.path.join(BENCHMARKS, "stabilization.md"), {
+# Of each study the tables of its page, and what is copied beside it as what.
+PAGES = {
+    "work-precision": lambda study: {
+        "work": work_table(study, [1e-1, 1e-2, 1e-3, 1e-4, 1e-5]),
+        "effectivity": effectivity_table(study)},
+    "ablation": lambda study: {"work": work_table(study, [1e-3, 1e-4, 1e-5])},
+    "stabilization": lambda study: {
         "uniform": "\n\n".join(finest_table(study, kind)
                                for kind in ("uniform h, p=1", "uniform h, p=2")),
         "graded": reached_table(study, "graded hp", [1e-3, 1e-4, 1e-5]),
-        "sweep": sweep_table(study),
-        "references": reference_lines(study)})
-
-
-def write_paths(folder):
-    study = Study(folder)
-    replace(os.path.join(BENCHMARKS, "path-errors.md"), {
+        "sweep": sweep_table(study)},
+    "path-errors": lambda study: {
         "energy": work_table(study, [1e-2, 1e-3, 1e-4, 1e-5], "error_path"),
         "pressure": work_table(study, [1e-1, 1e-2, 3e-3], "error_path_multiplier"),
-        "friction": work_table(study, [1e-2, 1e-3, 1e-4], "error_path_friction"),
-        "references": reference_lines(study),
-        "failures": failure_lines(study)})
-    shutil.copy(os.path.join(folder, "path_time.png"),
-                os.path.join(BENCHMARKS, "path-errors.png"))
+        "friction": work_table(study, [1e-2, 1e-3, 1e-4], "error_path_friction")}}
+PICTURES = {"work-precision": "work-precision.png", "path-errors": "path_time.png"}
 
 
-WRITERS = {"work-precision": write_work_precision, "ablation": write_ablation,
-           "stabilization": write_stabilization, "paths": write_paths}
+def write(page, folder):
+    study = Study(folder)
+    tables = {**PAGES[page](study), "references": reference_lines(study)}
+    if page != "stabilization":
+        tables["failures"] = failure_lines(study)
+    replace(os.path.join(BENCHMARKS, page + ".md"), tables)
+    if page == "work-precision":
+        replace(os.path.join(ROOT, "README.md"),
+                {"unknowns": dof_table(study, "graded hp", [1e-3, 1e-4, 1e-5])})
+    if page in PICTURES:
+        shutil.copy(os.path.join(folder, PICTURES[page]), os.path.join(BENCHMARKS, page + ".png"))
+
+
+PAGE_OF = {"work-precision": "work-precision", "ablation": "ablation",
+           "stabilization": "stabilization", "paths": "path-errors"}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("epafi")
-    parser.add_argument("--study", action="append", choices=sorted(WRITERS))
+    parser.add_argument("--study", action="append", choices=sorted(PAGE_OF))
     parser.add_argument("--output", default="studies.out")
     parser.add_argument("--threads", default="")
     parser.add_argument("--tables-only", action="store_true")
@@ -228,13 +217,13 @@ def main():
     if arguments.threads:
         environment.update(OMP_NUM_THREADS=arguments.threads,
                            OPENBLAS_NUM_THREADS=arguments.threads)
-    for name in arguments.study or sorted(WRITERS):
+    for name in arguments.study or sorted(PAGE_OF):
         folder = os.path.join(arguments.output, name)
         if not arguments.tables_only:
             study = os.path.join(ROOT, "drivers", "studies", name + ".xml")
             subprocess.run([arguments.epafi, "study", study, "--output", folder, "--force"],
                            check=True, env=environment)
-        WRITERS[name](folder)
+        write(PAGE_OF[name], folder)
 
 
 if __name__ == "__main__":

@@ -235,15 +235,20 @@ class Run:
     def _repr_html_(self) -> str:
         """For notebooks: the levels, and a picture where matplotlib is installed."""
         names = [name for name in HISTORY if name in self.history]
-        page = "<p>%s</p>%s" % (html.escape(repr(self)), html_table(
-            names, zip(*(self.history[name] for name in names))))
-        try:
-            from epafi.plot.report import embedded
+        what = "contact" if read(self.folder, "contact.csv") else "deformed"
+        return "<p>%s</p>%s" % (html.escape(repr(self)), html_table(
+            names, zip(*(self.history[name] for name in names)))) + pictured(
+                lambda: self.plot(what)[0], what)
 
-            what = "contact" if read(self.folder, "contact.csv") else "deformed"
-            return page + embedded(self.plot(what)[0], what)
-        except (ImportError, InputError):
-            return page
+
+def pictured(draw: Callable[[], Figure], text: str) -> str:
+    """A picture as HTML, where matplotlib is installed and there is something to draw."""
+    try:
+        from epafi.plot.report import embedded
+
+        return embedded(draw(), text)
+    except (ImportError, InputError):
+        return ""
 
 
 def _unknown(kind: str, name: str, known: Sequence[str]) -> InputError:

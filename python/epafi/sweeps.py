@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 import numpy as np
 
 from epafi.program import RUNNING, EpafiError, InputError, NotConverged
-from epafi.runs import Run, run, scene_of
+from epafi.runs import Run, pictured, run, scene_of
 from epafi.scenes import Scene
 from epafi.tables import (HISTORY, frame_of, html_table, nearest, read, text_table,
                           unknown_column)
@@ -88,13 +88,7 @@ class Sweep:
 
     def _repr_html_(self) -> str:
         """For notebooks: the table, and a picture where matplotlib is installed."""
-        page = html_table(*self.rows())
-        try:
-            from epafi.plot.report import embedded
-
-            return page + embedded(self.plot()[0], "contact of all cases")
-        except (ImportError, InputError):
-            return page
+        return html_table(*self.rows()) + pictured(lambda: self.plot()[0], "contact of all cases")
 
     def plot(self, file: Optional[str | os.PathLike[str]] = None,
              axes: Any = None) -> tuple[Figure, Any]:

@@ -1,6 +1,7 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
 #include "Largest.hpp"
+#include "Message.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
@@ -148,6 +149,19 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
   }
 }
 
+TEUCHOS_UNIT_TEST(CholeskyFactor, namesTheRowWhereAMatrixIsIndefinite) {
+  constexpr bem::Index n = 130;
+  for (const bem::Index row : {bem::Index(0), n / 2, n - 1}) {
+    bem::Matrix a(n, n);
+    for (bem::Index i = 0; i < n; ++i)
+      a(i, i) = i == row ? -1 : 1;
+    const std::string told = test::messageOf<bem::NumericalError>(
+        [&] { bem::CholeskyFactor(std::move(a), "A"); });
+    TEST_ASSERT(test::contains(told, "A is not positive definite"));
+    TEST_ASSERT(test::contains(told, bem::message("row ", row + 1, " of ", n)));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Mesh, refusesDensitiesBeyondTheLargestDegree) {
   const auto outline = outlineOf(square());
   const bem::Mesh mesh = bem::makeMesh(outline, {1, 1, 1, 1}, bem::largestDegree - 1);
@@ -166,51 +180,6 @@ TEUCHOS_UNIT_TEST(Mesh, refusesPiecesInAnotherOrderThanTheEdges) {
   TEST_EQUALITY(bem::Mesh(outline, pieces).size(), 8);
   std::rotate(pieces.begin(), pieces.begin() + 2, pieces.end());
   TEST_THROW(bem::Mesh(outline, pieces), bem::InputError);
-}
-
-// Bases are hierarchical: a mesh of higher degree has the same entries among its own.
-TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
-  const bem::Loop outline{{{0, 0}, {2, 0}, {2, 1}, {0.5, 1.5}}, {"a", "b", "c", "d"}};
-  std::vector<bem::Piece> pieces;
-  std::vector<int> densities;
-  const auto shared = outlineOf(outline);
-  const bem::Mesh plain = bem::makeMesh(shared, {9, 3, 10, 2}, 2);
-  for (int e = 0; e < plain.size(); ++e) {
-    const bool raised = plain[e].piece.edge == 0 || e == plain.size() - 1;
-    pieces.push_back(plain[e].piece);
-    pieces.back().degree += raised ? 1 : 0;
-    densities.push_back(pieces.back().degree);
-  }
-  const bem::Space space(plain.withDensities(densities));
-  const bem::Space higher({shared, pieces});
-  const bem::Lame lame = lameOf(0.3);
-  const bem::Operators mine = bem::assembleOperators(space, lame);
-  const bem::Operators theirs = bem::assembleOperators(higher, lame);
-  double apart = 0;
-  int compared = 0;
-  for (int e = 0; e < plain.size(); ++e)
-    for (int i = 0; i < 2 * densities[e]; ++i) {
-      const bem::Index row = space.density(e, i / 2, i % 2);
-      const bem::Index theirRow = higher.density(e, i / 2, i % 2);
-      for (int f = 0; f < plain.size(); ++f) {
-        for (int j = 0; j < 2 * densities[f]; ++j) {
-          const bem::Index column = space.density(f, j / 2, j % 2);
-          const bem::Index theirColumn = higher.density(f, j / 2, j % 2);
-          const double theirEntry = theirs.singleLayer(std::max(theirRow, theirColumn),
-                                                       std::min(theirRow, theirColumn));
-          const double entry =
-              mine.singleLayer(std::max(row, column), std::min(row, column));
-          apart = std::max(apart, std::abs(entry - theirEntry));
-        }
-        for (int k = 0; k < 2 * (plain[f].degree + 1); ++k, ++compared)
-          apart = std::max(
-              apart, std::abs(mine.doubleLayer(row, space.displacement(f, k / 2, k % 2)) -
-                              theirs.doubleLayer(theirRow,
-                                                 higher.displacement(f, k / 2, k % 2))));
-      }
-    }
-  TEST_COMPARE(compared, >, 1000);
-  TEST_COMPARE(apart, <, 1e-13 * largest(theirs.doubleLayer));
 }
 
 }  // namespace

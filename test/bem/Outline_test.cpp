@@ -116,6 +116,7 @@ TEUCHOS_UNIT_TEST(Outline, refusesClockwiseOpenAndDegeneratePolygons) {
   TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}, {1, 1}, {0, 0}})),
                        "do not repeat the first vertex"));
   TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}, {1, NAN}})), "not finite"));
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}, {1, 0}, {1, 1}})), "no length"));
   for (const double size : {1e-300, 1e300})
     TEST_ASSERT(contains(complaint(rectangle(0, 0, size, size)), "unit of length"));
   Loop open = rectangle(0, 0, 1, 1);

@@ -1,6 +1,9 @@
-// What pairs of elements give tile by tile, against 33 digits.
+// What pairs of elements give tile by tile, against 33 digits, and sources in sums; the same by every
+// instruction set that this processor has.
 #include "Largest.hpp"
+#include "bem/fields/PointSources.hpp"
 #include "bem/operators/TileWriter.hpp"
+#include "bem/simd/Dispatch.hpp"
 #include "reference/QuadOperators.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -47,7 +50,13 @@ std::vector<Sample> samples() {
     }
     return cutMesh(outline, cuts, degrees);
   };
-  return {{"degree 1", mesh(7, {1})},
+  const bem::Mesh plain = mesh(4, {2});
+  std::vector<int> densities;  // of a side, and of one element beside others
+  for (const bem::Element& element : plain.elements())
+    densities.push_back(element.piece.edge == 2 || element.piece.edge == 0 ? 3 : 2);
+  densities.back() = 3;
+  return {{"more densities", plain.withDensities(densities)},
+          {"degree 1", mesh(7, {1})},
           {"degree 3", mesh(5, {3})},
           {"mixed degrees", mesh(6, {1, 1, 4, 2, 1, 7})},
           {"25 beside 1", mesh(5, {25, 1, 1, 1, 1})},
@@ -155,6 +164,44 @@ TEUCHOS_UNIT_TEST(TileBlocks, areTheSameForEveryInstructionSet) {
         const bem::Vector other = evaluated(set);
         TEST_COMPARE(test::relativeDifference(other, baseline), <, 1e-13);
       }
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
+  TEST_ASSERT(bem::instructionSets().front() == bem::InstructionSet::Baseline);
+  TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
+}
+
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
+  for (const std::size_t states : {1, 3}) {
+    bem::PointSources sources(states);
+    for (std::size_t k = 0; k < 1001; ++k) {
+      const auto at = static_cast<double>(k);
+      sources.add({std::cos(0.1 * at), std::sin(0.1 * at)});
+      for (std::size_t i = 0; i < states; ++i)
+        sources.carry(i,
+                      {std::sin((1.3 + static_cast<double>(i)) * at), std::cos(0.4 * at)},
+                      {std::cos(2.1 * at), 0.3});
+    }
+    const bem::Complex x(0.2, -0.1);
+    const auto sumsBy = [&](bem::InstructionSet set) {
+      std::vector<bem::PointSources::Sums> sums(states);
+      sources.addAt(x, 3, sources.size(), sums, set);
+      std::vector<bem::FieldSums> totals;
+      for (const auto& of : sums)
+        totals.push_back(of.total());
+      return totals;
+    };
+    const auto baseline = sumsBy(bem::InstructionSet::Baseline);
+    for (const bem::InstructionSet set : bem::instructionSets()) {
+      const auto sums = sumsBy(set);
+      for (std::size_t i = 0; i < states; ++i)
+        for (const auto part : {&bem::FieldSums::density, &bem::FieldSums::slope})
+          for (const auto kernel : {&bem::SourceSums::overW, &bem::SourceSums::overConj,
+                                    &bem::SourceSums::cubic})
+            TEST_COMPARE(std::abs(sums[i].*part.*kernel - baseline[i].*part.*kernel), <,
+                         1e-10);
     }
   }
 }

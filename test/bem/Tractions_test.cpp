@@ -1,6 +1,6 @@
 #include "Largest.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/fields/Interior.hpp"
+#include "bem/basis/Legendre.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tractions/TractionRows.hpp"
@@ -142,52 +142,6 @@ TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {
                                            exact->rows(i, exact->start[k] + c)));
     out << sample.name << ": ";
     TEST_COMPARE(error, <, 1e-12 * largest(projected->rows));
-  }
-}
-
-/// Points inside the unit square at 1e-1 to 1e-9 element lengths from its boundary,
-/// beside the middle of an element, a node and a corner.
-std::vector<Vec2> pointsNearTheBoundary() {
-  std::vector<Vec2> points = {{0, 0}, {0.3, -0.2}};
-  for (const double distance : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
-    const double d = 0.25 * distance;
-    for (const double x : {-0.5 + d, -0.37, -0.25, 0.1234})
-      points.push_back({x, -0.5 + d});
-  }
-  return points;
-}
-
-TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
-  const auto outline = test::outlineOf(
-      reference::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
-  for (const double nu : {0.3, 0.45}) {
-    const bem::Lame lame(bem::Material{1, nu, false});
-    const bem::Space space(bem::makeMesh(outline, {4, 4, 4, 4}, 14));
-    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
-    for (const auto& field :
-         {reference::constantStress(lame, {0.4, -0.3, 0.2}, 0.7),
-          reference::pointForce(lame, outline->scaled({1.0, -1.2}), {0.6, -0.8})}) {
-      const Vector u = reference::displacementOf(space, field);
-      const Vector psi = stiffness.density(u);
-      double displacementError = 0;
-      double stressError = 0;
-      std::vector<Vec2> points;
-      for (const Vec2 x : pointsNearTheBoundary())
-        points.push_back(outline->scaled(x));
-      const auto values = bem::Interior(space, lame, u, psi).at(points);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        const Vec2 scaled = points[k];
-        const bem::InteriorValue& value = values[k];
-        const Vec2 exact = field.displacement(scaled);
-        const auto stress = field.stress(scaled);
-        displacementError = std::max(displacementError, norm(value.displacement - exact));
-        stressError =
-            std::max({stressError, std::abs(value.xx - stress.xx),
-                      std::abs(value.yy - stress.yy), std::abs(value.xy - stress.xy)});
-      }
-      TEST_COMPARE(displacementError, <, 1e-11);
-      TEST_COMPARE(stressError, <, 1e-10);
-    }
   }
 }
 

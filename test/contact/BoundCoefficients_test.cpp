@@ -95,56 +95,6 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, valuesStayValuesWhereCoefficientsAreValues)
     }
 }
 
-using Factor = std::function<double(double)>;
-
-/// Coulomb's law with a coefficient on an element.
-std::vector<contact::Tangential> coulomb(const contact::MultiplierBasis& basis,
-                                         int degree, const Factor& factor) {
-  std::vector<bem::Index> normals(degree + 1);
-  std::iota(normals.begin(), normals.end(), 0);
-  return contact::elementTangentials(
-      basis, normals, std::make_shared<const contact::CoulombLaw>(),
-      [&](double t) { return Vector{factor(t)}; }, 1);
-}
-
-/// s_i of an element's pressure.
-Vector limited(const std::vector<contact::Tangential>& bounds, const Vector& pressure) {
-  Vector result;
-  for (const contact::Tangential& bound : bounds)
-    result.push_back(bound.bound(pressure));
-  return result;
-}
-
-/// Largest error of the bound f λ on an element of length 2 h around x, for a smooth
-/// pressure that the element has as exactly as its degree allows.
-double productErrorOn(double x, int degree, double h,
-                      const std::function<double(double)>& f) {
-  const auto pressure = [&](double t) { return 2 + std::cos(2 * (x + h * t)); };
-  const auto factor = [&](double t) { return f(x + h * t); };
-  const Vector nodes = contact::multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
-  Vector pressures;
-  for (const double t : nodes)
-    pressures.push_back(pressure(t));
-  contact::interpolation(bernstein(), nodes).solve(pressures);
-  const Vector coefficients = limited(coulomb(bernstein(), degree, factor), pressures);
-  double largest = 0;
-  for (int k = -64; k <= 64; ++k) {
-    const double t = k / 64.0;
-    largest =
-        std::max(largest, std::abs(valueAt(coefficients, t) - factor(t) * pressure(t)));
-  }
-  return largest;
-}
-
-/// Control points of a product are not the products of control points.
-TEUCHOS_UNIT_TEST(PressureBound, productsAreMetToSecondOrder) {
-  for (const double x : {0.1, 0.3, 0.5, 0.52, 0.6})
-    for (const int q : {1, 2, 3, 4, 5})
-      TEST_COMPARE(std::log2(productErrorOn(x, q, 0.1, smooth) /
-                             productErrorOn(x, q, 0.05, smooth)),
-                   >, 1.8);
-}
-
 }  // namespace
 
 }  // namespace epafi

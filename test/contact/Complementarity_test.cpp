@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <utility>
-#include <vector>
 
 namespace epafi::contact {
 
 namespace {
-
-double projectedTo(double x, double low, double high) { return std::clamp(x, low, high); }
 
 struct Function {
   bool meritIsSmooth;
@@ -22,16 +18,6 @@ struct Function {
 
 constexpr Function functions[] = {{false, projectedNormal, projectedTangential},
                                   {true, fischerNormal, fischerTangential}};
-
-// Away from the kinks of either function by this much.
-constexpr double distance = 1e-2;
-
-bool nearKink(double multiplier, double y, double s) {
-  return std::abs(multiplier + y - s) < distance ||
-         std::abs(multiplier + y + s) < distance ||
-         std::hypot(multiplier - s, y) < distance ||
-         std::hypot(multiplier + s, y) < distance;
-}
 
 TEUCHOS_UNIT_TEST(Complementarity, normalVanishesExactlyOnSignorinisGraph) {
   for (const auto& f : functions) {
@@ -64,39 +50,6 @@ TEUCHOS_UNIT_TEST(Complementarity, tangentialVanishesExactlyOnTrescasGraph) {
           TEST_COMPARE(std::abs(f.tangential(0, a, s).value), >, 0.02);
         }
       }
-    }
-}
-
-TEUCHOS_UNIT_TEST(Complementarity, slopesAreDifferenceQuotientsAwayFromKinks) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> number(-2, 2);
-  const double h = 1e-6;
-  for (const auto& f : functions)
-    for (int k = 0; k < 2000; ++k) {
-      const double multiplier = number(random);
-      const double y = number(random);
-      const double s = k % 5 == 0 ? 0.0 : std::abs(number(random));
-      if (nearKink(multiplier, y, 0) || nearKink(multiplier, y, s))
-        continue;
-      const auto n = f.normal(multiplier, y);
-      const auto t = f.tangential(multiplier, y, s);
-      const auto quotient = [h](const auto& value) {
-        return (value(h).value - value(-h).value) / (2 * h);
-      };
-      std::vector<std::pair<double, double>> slopes = {
-          {n.multiplier, quotient([&](double d) { return f.normal(multiplier + d, y); })},
-          {n.penetration,
-           quotient([&](double d) { return f.normal(multiplier, y + d); })},
-          {t.multiplier,
-           quotient([&](double d) { return f.tangential(multiplier + d, y, s); })},
-          {t.penetration,
-           quotient([&](double d) { return f.tangential(multiplier, y + d, s); })}};
-      if (s > h)
-        slopes.emplace_back(t.bound, quotient([&](double d) {
-                              return f.tangential(multiplier, y, s + d);
-                            }));
-      for (const auto& [slope, expected] : slopes)
-        TEST_COMPARE(std::abs(slope - expected), <, 1e-7);
     }
 }
 
@@ -153,20 +106,6 @@ TEUCHOS_UNIT_TEST(Complementarity, slopesHaveTheirSignsAndNeverVanishTogether) {
         TEST_COMPARE(row.penetration, <=, 0.0);
         TEST_COMPARE(row.multiplier - row.penetration, >, 0.1);
       }
-    }
-}
-
-TEUCHOS_UNIT_TEST(Complementarity, projectionIsTheProjection) {
-  for (int i = 0; i <= 13; ++i)
-    for (int k = 0; k <= 13; ++k) {
-      const double multiplier = -2 + 0.3 * i;
-      const double y = -2 + 0.3 * k;
-      TEST_COMPARE(std::abs(projectedNormal(multiplier, y).value -
-                            (multiplier - std::max(0.0, multiplier + y))),
-                   <, 1e-15);
-      TEST_COMPARE(std::abs(projectedTangential(multiplier, y, 0.7).value -
-                            (multiplier - projectedTo(multiplier + y, -0.7, 0.7))),
-                   <, 1e-15);
     }
 }
 

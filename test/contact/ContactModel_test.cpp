@@ -2,7 +2,7 @@
 
 #include "Largest.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/ModelSample.hpp"
+#include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -12,6 +12,7 @@
 #include <Thyra_TestingTools.hpp>
 #include <Thyra_VectorStdOps.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -27,12 +28,37 @@ using contact::Problem;
 using contact::State;
 using contact::Vector;
 using test::largestDifference;
-using test::ModelSample;
-using test::modelSample;
 using test::solve;
 using Teuchos::RCP;
 using Teuchos::rcp;
 using ThyraVector = Thyra::VectorBase<double>;
+
+struct ModelSample {
+  Problem problem;
+  Vector gap;
+};
+
+/// A problem of a load of the given size, with gaps.
+ModelSample modelSample(const char* law, Index rigidMotions, double stress,
+                        std::mt19937& random) {
+  test::Recipe recipe = test::Recipe::of(law, 0.4, rigidMotions);
+  recipe.normals = 12;
+  recipe.softness = 1;
+  ModelSample result{randomProblem(recipe, random), {}};
+  Problem& problem = result.problem;
+  for (Index i = 0; i < problem.normals; ++i)
+    result.gap.push_back(0.1 * std::sqrt(problem.flexibility(i, i)) *
+                         std::uniform_real_distribution<double>(0, 1)(random));
+  const auto scale = [&](double& value) { value *= stress; };
+  std::for_each(problem.offset.begin(), problem.offset.end(), scale);
+  std::for_each(problem.rigidLoad.begin(), problem.rigidLoad.end(), scale);
+  std::for_each(result.gap.begin(), result.gap.end(), scale);
+  for (contact::Tangential& t : problem.tangentials)
+    if (!t.followsPressure())
+      t = t.scaled(stress);
+  problem.stress = stress;
+  return result;
+}
 
 RCP<ThyraVector> randomVector(const ContactModel& model, std::mt19937& random) {
   std::normal_distribution<double> normal;

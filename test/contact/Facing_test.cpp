@@ -27,44 +27,6 @@ Curve arc(double radius, double from, double to) {
   return {point(from), point(to), std::tan((to - from) / 4)};
 }
 
-TEUCHOS_UNIT_TEST(NormalRay, findsASegmentThatFacesAndNoOther) {
-  const Curve below({1, -2}, {-1, -2});
-  const auto found = crossing({0.5, 0}, {0, -1}, below);
-  TEST_ASSERT(found && isOn(*found));
-  TEST_FLOATING_EQUALITY(found->distance, 2.0, 1e-15);
-  TEST_FLOATING_EQUALITY(found->t, -0.5, 1e-15);
-  TEST_ASSERT(!crossing({0.5, 0}, {0, -1}, Curve({-1, -2}, {1, -2})));  // its back
-  TEST_ASSERT(!crossing({0.5, 0}, {1, 0}, below));                      // beside it
-  TEST_ASSERT(!isOn(*crossing({3, 0}, {0, -1}, below)));                // past its end
-}
-
-/// An overlap is a negative distance.
-TEUCHOS_UNIT_TEST(NormalRay, looksBackwardsIntoAnOverlap) {
-  const auto found = crossing({0.5, 0}, {0, -1}, Curve({1, 0.25}, {-1, 0.25}));
-  TEST_FLOATING_EQUALITY(found->distance, -0.25, 1e-15);
-}
-
-/// A line meets a circle twice; the near half of it faces.
-TEUCHOS_UNIT_TEST(NormalRay, meetsTheHalfOfACircleThatFaces) {
-  const auto found = crossing({0.6, 3}, {0, -1}, arc(1, 0, pi));
-  TEST_ASSERT(found && isOn(*found));
-  TEST_FLOATING_EQUALITY(found->distance, 3 - 0.8, 1e-14);
-  TEST_ASSERT(!isOn(*crossing({0.6, 3}, {0, -1}, arc(1, pi, 2 * pi))));
-  TEST_ASSERT(!crossing({1.1, 3}, {0, -1}, arc(1, 0, pi)));
-}
-
-TEUCHOS_UNIT_TEST(NormalRay, goesByAngleBetweenArcsOfOneCentre) {
-  const Curve hole = arc(1.25, 1.5, 0.5);  // clockwise: its normals lead inwards
-  const Curve disc = arc(1, 0.25, 2);
-  for (const double t : {-1.0, -0.3, 0.0, 0.99}) {
-    const auto found = crossing(hole.point(t), hole.normal(t), disc);
-    TEST_ASSERT(found && isOn(*found));
-    TEST_FLOATING_EQUALITY(found->distance, 0.25, 1e-13);
-    const double angle = 1 - 0.5 * t;
-    TEST_COMPARE(std::abs(found->t - (angle - 1.125) / 0.875), <, 1e-14);
-  }
-}
-
 /// The foot of what a normal meets is where the normal begins.
 TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginnings) {
   const Curve sides[] = {Curve({-0.4, 0}, {0.5, 0.1}), Curve({-0.4, 0}, {0.5, 0.1}, 0.3),

@@ -158,25 +158,6 @@ std::vector<contact::Tangential> onElement(std::shared_ptr<const FrictionLaw> la
       1);
 }
 
-TEUCHOS_UNIT_TEST(CappedCoulomb, isCoulombBelowTheCapAndTheCapAboveInEveryBasis) {
-  const auto coefficient = [](bem::Vec2 x) { return 0.5 + 0.1 * x.x; };
-  const auto cap = [](bem::Vec2) { return 0.2; };
-  for (const contact::MultiplierBasis& basis : contact::multiplierBases())
-    for (const int q : {1, 2, 5}) {
-      const auto bounds = onElement(std::make_shared<const contact::CappedCoulombLaw>(),
-                                    basis, q, coefficient, cap);
-      for (const contact::Tangential& bound : bounds) {
-        const Vector high(bounds.size(), 2.0);
-        TEST_FLOATING_EQUALITY(bound.bound(high), 0.2, 1e-12);
-        TEST_EQUALITY(bound.slope(high), 0);
-        const Vector low(bounds.size(), 0.01);
-        TEST_COMPARE(bound.bound(low), >=, 0.4 * 0.01 * (1 - 1e-12));
-        TEST_COMPARE(bound.bound(low), <=, 0.6 * 0.01 * (1 + 1e-12));
-        TEST_EQUALITY(bound.bound(Vector(bounds.size(), 0.0)), 0);
-      }
-    }
-}
-
 // Of pressures of which some are negative.
 TEUCHOS_UNIT_TEST(Tangential, slopesAreTheDerivativeAlsoAcrossTheCapAndBoundsScale) {
   std::mt19937 random(52);

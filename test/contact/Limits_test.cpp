@@ -95,6 +95,31 @@ TEUCHOS_UNIT_TEST(Limits, frictionAloneHoldsABodyUpToGlobalSliding) {
   }
 }
 
+/// A pad on two points, pressed by q and pulled along, both by springs as well:
+///   λₙ + λₙ' + K α = q,  μ q at most along.
+TEUCHOS_UNIT_TEST(Limits, softSpringsWantNoOtherStageThanNewtons) {
+  for (const double stiffness : {1.0, 1e-3, 1e-6, 1e-9})
+    for (const double gap : {0.0, 3.0})
+      for (const double pull : {0.5, 0.9, -0.9}) {
+        const double press = 1 + stiffness * (0.5 + gap);  // λₙ = 1/2 each
+        Problem problem = test::block(0.6, {press, pull});
+        problem.offset = {-gap, -gap, 0, 0};
+        problem.rigidStiffness = {stiffness, stiffness};
+        const Solution solution = solve(problem);
+        const auto& [multiplier, rigid] = solution.state;
+        TEST_ASSERT(solution.report.status == Status::Converged);
+        TEST_EQUALITY(solution.report.stages.size(), std::size_t{1});
+        TEST_COMPARE(std::abs(multiplier[0] + multiplier[1] - 1), <, 1e-10);
+        TEST_COMPARE(std::abs(rigid[0] - 0.5 - gap), <, 1e-10);
+        // sticks up to q = (1 + K/2) μ, α = λₜ; then α = (q - μ) / K
+        const double stuck = pull / (1 + 0.5 * stiffness) / 2;
+        const double shear = std::clamp(stuck, -0.3, 0.3);
+        TEST_COMPARE(std::abs(multiplier[2] + multiplier[3] - 2 * shear), <, 1e-10);
+        const double slid = shear == stuck ? shear : (pull - 2 * shear) / stiffness;
+        TEST_COMPARE(std::abs(rigid[1] - slid), <, 1e-10 * (1 + std::abs(slid)));
+      }
+}
+
 TEUCHOS_UNIT_TEST(Limits, tooFewStepsAreReportedByEveryStage) {
   std::mt19937 random(18);
   const Problem problem = test::randomProblem({30, "Tresca"}, random);

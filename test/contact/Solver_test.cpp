@@ -39,6 +39,20 @@ Recipe recipeOf(int k, std::mt19937& random) {
   return recipe;
 }
 
+TEUCHOS_UNIT_TEST(Solver, solvesWithSpringsOfEveryStiffness) {
+  std::mt19937 random(5);
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 200; ++k) {
+      Recipe recipe = Recipe::of(law, 0.5, 1 + k % 2);
+      recipe.normals = 4 + static_cast<Index>(random() % 20);
+      recipe.springs = 9;
+      const Problem problem = randomProblem(recipe, random);
+      const Solution solution = solve(problem);
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-10);
+    }
+}
+
 /// Complementarity, friction and balance, computed from D, d₀, G, q alone.
 TEUCHOS_UNIT_TEST(Solver, findsTheContactStateOfRandomFixedBoundProblems) {
   std::mt19937 random(11);

@@ -104,6 +104,9 @@ void PairMoments::add(const std::array<Quad, fields>& values,
     }
 }
 
+namespace {
+
+/// The Gauss-Legendre rule on [-1, 1] to 33 digits: Newton's method on P_n.
 QuadRule quadGauss(int n) {
   QuadRule rule;
   for (int i = 0; i < n; ++i) {
@@ -120,91 +123,53 @@ QuadRule quadGauss(int n) {
   return rule;
 }
 
+/// On [0, 1], for functions with a logarithm at 0: the trapezoidal rule in x, where the place is
+/// 1 / (1 + exp(-π sinh x)).
+QuadRule doubleExponential(double tolerance) {
+  QuadRule rule;
+  const double digits = -std::log(tolerance);
+  const Quad step = 2.4 / digits;
+  const Quad pi = acos(Quad(-1));
+  const int count = static_cast<int>(std::asinh(digits / 3) * digits / 2.4) + 1;
+  for (int k = -count; k <= count; ++k) {
+    const Quad at = 1 / (1 + exp(-pi * sinh(k * step)));
+    const Quad rest = 1 / (1 + exp(pi * sinh(k * step)));
+    rule.points.push_back(at);
+    rule.weights.push_back(step * pi * cosh(k * step) * at * rest);
+  }
+  return rule;
+}
+
+}  // namespace
+
 PairIntegrator::PairIntegrator(int largestDegree, double tolerance)
-    : degree_(largestDegree), tolerance_(tolerance) {
-  const int most = std::max(points(1, 1, degree_), degree_ + 3);
+    : degree_(largestDegree),
+      tolerance_(tolerance),
+      ends_(doubleExponential(tolerance)),
+      unit_(largestDegree, largestDegree) {
+  const int most = std::max(points(1, 1, degree_), degree_ + 2);
   rules_.resize(1);
   for (int n = 1; n <= most; ++n)
     rules_.push_back(quadGauss(n));
-  selfLog_ = tabulateSelfLog();
-  selfPole_ = tabulateSelfPole();
+  unit_ = withItself(segment({-1, 0}, {1, 0}), degree_, degree_, degree_ + 2);
   logMaximum_ = tabulateLogMaximum();
-}
-
-/// Calls use(v, weight) so that the sum of weight f(v) is ∫₀¹ f(v) log v dv for
-/// polynomials f, by rules for polynomials only:
-///   ∫₀¹ f(v) log v dv = -∫₀¹∫₀¹ f(vw) dv dw,   because -log v = ∫_v^1 dw/w.
-template <class Use>
-void PairIntegrator::againstLog(const Use& use) const {
-  const QuadRule& exact = polynomialRule();
-  for (std::size_t a = 0; a < exact.points.size(); ++a)
-    for (std::size_t b = 0; b < exact.points.size(); ++b)
-      use((1 + exact.points[a]) * (1 + exact.points[b]) / 4,
-          -exact.weights[a] * exact.weights[b] / 4);
-}
-
-// With u = |s-t|:  ∫₀² log u ∫_{-1}^{1-u} [P_i(t+u) P_j(t) + P_i(t) P_j(t+u)] dt du;
-// u = 2v, log u = log 2 + log v, and all of the basis but P_0 is orthogonal to 1.
-std::vector<Quad> PairIntegrator::tabulateSelfLog() const {
-  std::vector<Quad> table(tableSize());
-  const QuadRule& exact = polynomialRule();
-  againstLog([&](const Quad& v, const Quad& weight) {
-    const Quad u = 2 * v;
-    for (std::size_t q = 0; q < exact.points.size(); ++q) {
-      const Quad t = -1 + (2 - u) * (1 + exact.points[q]) / 2;
-      const std::vector<Quad> low = legendre(degree_, t);
-      const std::vector<Quad> high = legendre(degree_, t + u);
-      const Quad w = 2 * weight * exact.weights[q] * (2 - u) / 2;
-      for (int i = 0; i <= degree_; ++i)
-        for (int j = 0; j <= degree_; ++j)
-          table[at(i, j)] += w * (high[i] * low[j] + low[i] * high[j]);
-    }
-  });
-  table[0] += 4 * log(Quad(2));
-  return table;
-}
-
-// ∫ P_j(t)/(s-t) dt = ∫ (P_j(t) - P_j(s))/(s-t) dt + P_j(s) log((1+s)/(1-s)), times
-// P_i(s).
-std::vector<Quad> PairIntegrator::tabulateSelfPole() const {
-  std::vector<Quad> table(tableSize());
-  const QuadRule& outer = polynomialRule();
-  const QuadRule& inner = rule(degree_ + 3);  // shares no point with the outer one
-  for (std::size_t q = 0; q < outer.points.size(); ++q) {
-    const std::vector<Quad> ps = legendre(degree_, outer.points[q]);
-    for (std::size_t r = 0; r < inner.points.size(); ++r) {
-      const std::vector<Quad> pt = legendre(degree_, inner.points[r]);
-      const Quad w =
-          outer.weights[q] * inner.weights[r] / (outer.points[q] - inner.points[r]);
-      for (int i = 0; i <= degree_; ++i)
-        for (int j = 0; j <= degree_; ++j)
-          table[at(i, j)] += w * ps[i] * (pt[j] - ps[j]);
-    }
-  }
-  againstLog([&](const Quad& v, const Quad& weight) {
-    const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
-    for (int i = 0; i <= degree_; ++i)
-      for (int j = 0; j <= degree_; ++j)
-        if ((i + j) % 2 == 1)  // ∫ f(s) log((1+s)/(1-s)) ds vanishes for even f = P_i P_j
-          table[at(i, j)] += 4 * weight * p[i] * p[j];
-  });
-  return table;
 }
 
 // log max(s,t) is log s where t < s, and log t elsewhere.
 std::vector<Quad> PairIntegrator::tabulateLogMaximum() const {
-  std::vector<Quad> table(tableSize());
-  const QuadRule& exact = polynomialRule();
-  againstLog([&](const Quad& v, const Quad& weight) {
+  std::vector<Quad> table(static_cast<std::size_t>((degree_ + 1) * (degree_ + 1)));
+  const QuadRule& exact = rule(degree_ + 2);
+  for (std::size_t k = 0; k < ends_.points.size(); ++k) {
+    const Quad v = ends_.points[k];
     const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
     for (std::size_t q = 0; q < exact.points.size(); ++q) {
       const std::vector<Quad> below = legendre(degree_, v * (1 + exact.points[q]) - 1);
-      const Quad w = weight * exact.weights[q] * v / 2;
+      const Quad w = ends_.weights[k] * log(v) * exact.weights[q] * v / 2;
       for (int i = 0; i <= degree_; ++i)
         for (int j = 0; j <= degree_; ++j)
           table[at(i, j)] += w * (p[i] * below[j] + below[i] * p[j]);
     }
-  });
+  }
   return table;
 }
 
@@ -245,38 +210,40 @@ PairMoments PairIntegrator::operator()(const QuadCurve& first, int firstDegree,
     return same(first, firstDegree, secondDegree);
   if (meeting != Meeting::Apart && straight)
     return touching(first, firstDegree, second, secondDegree, meeting);
-  PairMoments sum(firstDegree, secondDegree);
   if (meeting == Meeting::Same)
-    addSelf(sum, first);
-  else
-    addApart(sum, first, {-1, 1}, second, {-1, 1});
+    return withItself(first, firstDegree, secondDegree, points(1, 1, degree_));
+  PairMoments sum(firstDegree, secondDegree);
+  addApart(sum, first, {-1, 1}, second, {-1, 1});
   return sum;
 }
 
-void PairIntegrator::addSelf(PairMoments& sum, const QuadCurve& arc) const {
-  const QuadRule& gauss = rule(points(1, 1, degree_));
-  const auto add = [&](const Quad& s, const Quad& t, const Quad& weight) {
-    auto values = fieldsAt(arc.point(s) - arc.point(t), {arc.normal(s), arc.normal(t)});
-    for (Quad& v : values)
-      v *= weight;
-    sum.add(values, legendre(sum.firstDegree(), s), legendre(sum.secondDegree(), t));
-  };
-  Quad to = 2;
-  for (int level = 0; level < 2 * deepest; ++level) {
-    const Quad from = to / 2;
-    for (std::size_t q = 0; q < gauss.points.size(); ++q) {
-      const Quad r = (from + to) / 2 + (to - from) / 2 * gauss.points[q];
-      const Quad scale = (2 - r) / 2;
-      for (std::size_t k = 0; k < gauss.points.size(); ++k) {
-        const Quad t = -1 + scale * (1 + gauss.points[k]);
-        const Quad weight = arc.half * arc.half * (to - from) / 2 * gauss.weights[q] *
-                            scale * gauss.weights[k];
-        add(t + r, t, weight);
-        add(t, t + r, weight);
-      }
+PairMoments PairIntegrator::withItself(const QuadCurve& curve, int firstDegree,
+                                       int secondDegree, int points) const {
+  const int degree = std::max(firstDegree, secondDegree);
+  PairMoments half(degree, degree);  // s > t
+  const QuadRule& gauss = rule(points);
+  for (std::size_t q = 0; q < ends_.points.size(); ++q) {
+    const Quad r = 2 * ends_.points[q];
+    const Quad scale = (2 - r) / 2;
+    for (std::size_t k = 0; k < gauss.points.size(); ++k) {
+      const Quad t = -1 + scale * (1 + gauss.points[k]);
+      const Quad s = t + r;
+      auto values =
+          fieldsAt(curve.point(s) - curve.point(t), {curve.normal(s), curve.normal(t)});
+      for (Quad& v : values)
+        v *= curve.half * curve.half * 2 * ends_.weights[q] * scale * gauss.weights[k];
+      half.add(values, legendre(degree, s), legendre(degree, t));
     }
-    to = from;
   }
+  const PairMoments other = half.transposed();
+  PairMoments sum(firstDegree, secondDegree);
+  for (int f = 0; f < fields; ++f)
+    for (int i = 0; i <= firstDegree; ++i)
+      for (int j = 0; j <= secondDegree; ++j) {
+        const auto field = static_cast<Field>(f);
+        sum(field, i, j) = half(field, i, j) + other(field, i, j);
+      }
+  return sum;
 }
 
 PairMoments PairIntegrator::same(const QuadCurve& segment, int firstDegree,
@@ -287,8 +254,9 @@ PairMoments PairIntegrator::same(const QuadCurve& segment, int firstDegree,
   for (int i = 0; i <= firstDegree; ++i)
     for (int j = 0; j <= secondDegree; ++j) {
       const Quad one = i == 0 && j == 0 ? Quad(4) : Quad(0);
-      const Quad pole = half * selfPole_[at(i, j)];
-      result(Field::LogR, i, j) = half * half * (selfLog_[at(i, j)] + one * log(half));
+      const Quad pole = half * unit_(Field::Xxx, i, j);
+      result(Field::LogR, i, j) =
+          half * half * (unit_(Field::LogR, i, j) + one * log(half));
       result(Field::Xx, i, j) = half * half * one * tau.x * tau.x;
       result(Field::Xy, i, j) = half * half * one * tau.x * tau.y;
       result(Field::Xxx, i, j) = pole * tau.x * tau.x * tau.x;
@@ -302,10 +270,9 @@ PairMoments PairIntegrator::same(const QuadCurve& segment, int firstDegree,
 PairMoments PairIntegrator::touching(const QuadCurve& first, int firstDegree,
                                      const QuadCurve& second, int secondDegree,
                                      Meeting meeting) const {
-  const bool firstAtStart = meeting == Meeting::FromFrom || meeting == Meeting::FromTo;
-  const bool secondAtStart = meeting == Meeting::FromFrom || meeting == Meeting::ToFrom;
+  const bool firstAtStart = meeting == Meeting::FromTo;
   const QuadVec a = ((firstAtStart ? 2 : -2) * first.half) * first.middleTangent;
-  const QuadVec b = ((secondAtStart ? 2 : -2) * second.half) * second.middleTangent;
+  const QuadVec b = ((firstAtStart ? -2 : 2) * second.half) * second.middleTangent;
   const Normals normals{first.normal(0), second.normal(0)};
 
   PairMoments sum(firstDegree, secondDegree);
@@ -316,7 +283,7 @@ PairMoments PairIntegrator::touching(const QuadCurve& first, int firstDegree,
     for (int j = 0; j <= secondDegree; ++j) {
       sum(Field::LogR, i, j) += logMaximum_[at(i, j)];
       // so far from the common point on: P_i(2s-1); where that is an end, t = 1-2s
-      const bool odd = ((firstAtStart ? 0 : i) + (secondAtStart ? 0 : j)) % 2 == 1;
+      const bool odd = (firstAtStart ? j : i) % 2 == 1;
       for (int f = 0; f < fields; ++f)
         sum(static_cast<Field>(f), i, j) *= odd ? -area : area;
     }

@@ -36,8 +36,8 @@ struct QuadCurve {
 QuadCurve segment(const QuadVec& from, const QuadVec& to);
 
 /// How the second of two curves meets the first, which is known from the mesh and need
-/// not be guessed from coordinates.  `FromFrom`: the starts of both are one point.
-enum class Meeting { Apart, Same, FromFrom, FromTo, ToFrom, ToTo };
+/// not be guessed from coordinates.  `ToFrom`: the end of the first is the start of the second.
+enum class Meeting { Apart, Same, FromTo, ToFrom };
 
 /// Seven fields of d = x - y, r = |d|, of which all kernels of plane elasticity are made, and
 /// d.n(y)/r², -d.n(x)/r².
@@ -80,15 +80,11 @@ struct QuadRule {
   std::vector<Quad> weights;
 };
 
-/// The Gauss-Legendre rule on [-1, 1] to 33 digits: Newton's method on P_n.
-QuadRule quadGauss(int n);
-
 /// Computes PairMoments by plain quadrature in 33 digits: slow, simple, and nothing in
 /// common with the closed forms under test.
 ///
-///   same      on a segment the inner integral over s + t is a polynomial: one-dimensional,
-///             exact for the principal value of 1/(s-t), graded toward 0 for log|s-t|; on an
-///             arc over s - t, graded toward 0;
+///   same      over s - t by a double exponential rule, for what has a logarithm or, of both signs
+///             together, a pole at 0; segments once for all;
 ///   touching  segments: s = rho, t = rho eta and the other triangle: polynomials in rho (exact
 ///             rules), so that one integral over eta is left, bisected until it keeps off the
 ///             point where the two lines meet again in complex numbers;
@@ -112,7 +108,9 @@ class PairIntegrator {
   };
   static std::array<Quad, fields> fieldsAt(const QuadVec& d, const Normals& normals);
   PairMoments same(const QuadCurve& segment, int firstDegree, int secondDegree) const;
-  void addSelf(PairMoments& sum, const QuadCurve& arc) const;
+  /// \param points  of Gauss's rule along the curve
+  PairMoments withItself(const QuadCurve& curve, int firstDegree, int secondDegree,
+                         int points) const;
   PairMoments touching(const QuadCurve& first, int firstDegree, const QuadCurve& second,
                        int secondDegree, Meeting meeting) const;
   enum class Leader { First, Second };  // the one whose parameter is rho
@@ -123,25 +121,16 @@ class PairIntegrator {
                 const QuadCurve& second, std::array<Quad, 2> t) const;
   int points(const Quad& distance, const Quad& length, int degree) const;
   const QuadRule& rule(int n) const { return rules_[n]; }
-  /// Exact for products of two basis polynomials and two factors more.
-  const QuadRule& polynomialRule() const { return rule(degree_ + 2); }
-  template <class Use>
-  void againstLog(const Use& use) const;
-  std::vector<Quad> tabulateSelfLog() const;
-  std::vector<Quad> tabulateSelfPole() const;
   std::vector<Quad> tabulateLogMaximum() const;
-  std::size_t tableSize() const {
-    return static_cast<std::size_t>((degree_ + 1) * (degree_ + 1));
-  }
   std::size_t at(int i, int j) const {
     return static_cast<std::size_t>(i * (degree_ + 1) + j);
   }
 
   int degree_;
   double tolerance_;
-  std::vector<QuadRule> rules_;   // by number of points
-  std::vector<Quad> selfLog_;     // ∫∫ P_i(s) P_j(t) log|s-t|   on [-1,1]²
-  std::vector<Quad> selfPole_;    // ∫∫ P_i(s) P_j(t) / (s-t)    on [-1,1]²
+  std::vector<QuadRule> rules_;  // by number of points
+  QuadRule ends_;
+  PairMoments unit_;              // of the segment from -1 to 1 with itself
   std::vector<Quad> logMaximum_;  // ∫∫ P_i(2s-1) P_j(2t-1) log max(s,t)  on [0,1]²
 };
 

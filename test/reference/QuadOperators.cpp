@@ -152,10 +152,10 @@ struct DoubleLayerKernel {
 };
 
 /// The double layer of a pair.
-Block doubleLayerBlock(const Constants& constants, int firstDegree,
+Block doubleLayerBlock(const Constants& constants, int densities,
                        const PairMoments& moments, const QuadCurve& second,
                        int secondDegree) {
-  const auto psi = legendreBasis(firstDegree - 1);
+  const auto psi = legendreBasis(densities - 1);
   const auto phi = displacementBasis(secondDegree);
   const QuadVec n = second.normal(0);
   return tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n},
@@ -185,16 +185,18 @@ PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<QuadCurve>& segme
                       int f) {
   const int p = mesh[e].degree;
   const int q = mesh[f].degree;
+  const int m = mesh[e].densities;  // p, or more
+  const int n = mesh[f].densities;
   const QuadCurve& first = segments[e];
   const QuadCurve& second = segments[f];
   const Quad length = 2 * first.half;
   const Quad otherLength = 2 * second.half;
-  const PairMoments moments = integrate(first, p, second, q, meeting(mesh, e, f));
+  const PairMoments moments = integrate(first, m, second, n, meeting(mesh, e, f));
   const Quad area = length * otherLength;
-  return {tested(legendreBasis(p - 1), LogKernel{constants.a, constants.b, moments, area},
-                 legendreBasis(q - 1)),
-          doubleLayerBlock(constants, p, moments, second, q),
-          doubleLayerBlock(constants, q, moments.transposed(), first, p),
+  return {tested(legendreBasis(m - 1), LogKernel{constants.a, constants.b, moments, area},
+                 legendreBasis(n - 1)),
+          doubleLayerBlock(constants, m, moments, second, q),
+          doubleLayerBlock(constants, n, moments.transposed(), first, p),
           tested(displacementSlopes(p, length),
                  LogKernel{constants.d, constants.d, moments, area},
                  displacementSlopes(q, otherLength))};
@@ -242,6 +244,15 @@ QuadVec nodeOf(const bem::Mesh& mesh, int e) {
              : to - Quad(piece.start.toEnd) * tau;
 }
 
+/// Elements of a mesh in 33 digits: neighbours share their common node exactly.
+std::vector<QuadCurve> segments(const bem::Mesh& mesh) {
+  std::vector<QuadCurve> result;
+  result.reserve(mesh.size());
+  for (int e = 0; e < mesh.size(); ++e)
+    result.push_back(segment(nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)));
+  return result;
+}
+
 /// Of all entries, or of those on and below the diagonal.
 double largestError(const bem::Matrix& matrix, const QuadMatrix& exact, bool lower) {
   Quad largest = 0;
@@ -262,36 +273,6 @@ void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm)
   scales_[at(i, j)] += blockNorm;
 }
 
-std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
-  std::vector<Quad> result(rows_);
-  for (Index i = 0; i < rows_; ++i)
-    for (Index j = 0; j < columns_; ++j)
-      result[i] += (*this)(i, j) * x[j];
-  return result;
-}
-
-std::vector<QuadCurve> segments(const bem::Mesh& mesh) {
-  std::vector<QuadCurve> result;
-  result.reserve(mesh.size());
-  for (int e = 0; e < mesh.size(); ++e)
-    result.push_back(segment(nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)));
-  return result;
-}
-
-std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space) {
-  std::vector<std::vector<Quad>> motions(3, std::vector<Quad>(space.displacements()));
-  const std::vector<QuadCurve> lines = segments(space.mesh());
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    const std::size_t x = space.displacement(e, 0, 0);
-    const std::size_t y = space.displacement(e, 0, 1);
-    motions[0][x] = 1;
-    motions[1][y] = 1;
-    motions[2][x] = -lines[e].from.y;
-    motions[2][y] = lines[e].from.x;
-  }
-  return motions;
-}
-
 QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
                             double tolerance) {
   const bem::Mesh& mesh = space.mesh();
@@ -299,7 +280,7 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
   const std::vector<QuadCurve> lines = segments(mesh);
   int degree = 1;
   for (const bem::Element& element : mesh.elements())
-    degree = std::max(degree, element.degree);
+    degree = std::max(degree, element.densities);
   const PairIntegrator integrate(degree, tolerance);
 
   const Index n = space.densities();

@@ -23,9 +23,6 @@ class QuadMatrix {
 
   void add(bem::Index i, bem::Index j, const Quad& value, const Quad& blockNorm);
 
-  /// A x for a vector in 33 digits.
-  std::vector<Quad> operator*(const std::vector<Quad>& x) const;
-
  private:
   std::size_t at(bem::Index i, bem::Index j) const {
     return static_cast<std::size_t>(i * columns_ + j);
@@ -62,11 +59,5 @@ struct OperatorErrors {
 
 OperatorErrors operatorErrors(const bem::Operators& operators,
                               const QuadOperators& exact);
-
-/// Elements of a mesh in 33 digits: neighbours share their common node exactly.
-std::vector<QuadCurve> segments(const bem::Mesh& mesh);
-
-/// (1,0), (0,1), (-y,x) as coefficients of the displacement space.
-std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space);
 
 }  // namespace epafi::reference

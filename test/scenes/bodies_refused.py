@@ -5,12 +5,8 @@ PAIR = scene("two-blocks.xml")
 PAD, PLATE, JOINT = "Bodies->pad->", "Bodies->plate->", "Contacts->joint->"
 SIDES = JOINT + "Between"
 BETWEEN = SIDES + "={%s}"
-GEOMETRY = PAD + "Geometry"
-OUTLINE, BULGES = GEOMETRY + "={%s}", GEOMETRY + "->Bulges"
-CORNERS = GEOMETRY + "->Vertices=4x2:{%s}"
-HOLE = OUTLINE % ("Vertices=4x2:{-1,0, 1,0, 1,2, -1,2}, Edges={bottom, right, top, left}, "
-                  "Hole 1 Vertices=2x2:{%s}, Hole 1 Edges={s, s}, Hole 1 Bulges={1, 1}")
-CIRCLE = OUTLINE % "Vertices=2x2:{0,0, 1,0}, Edges={bottom, top}%s"
+OUTLINE = PAD + "Geometry={%s}"
+CORNERS = PAD + "Geometry->Vertices=4x2:{%s}"
 NO_MESH = PAD + "Mesh="
 
 
@@ -75,21 +71,7 @@ for what, settings, *words in (
          [OUTLINE % "Vertices=2x2:{0.3,0.3, -0.3,0.3}, Edges={bottom, bottom}, Bulges={1, 1}",
           NO_MESH, PAD + "Boundary Conditions=", PAD + "Rigid Motions={Fix={X}}",
           JOINT + "Friction="],
-         "Bodies->pad", "nothing resists"),
-        # outlines
-        ("a bulge beyond a circle", [BULGES + "={0, 1e300, 0, 0}"], BULGES, "from -10 to 10"),
-        ("a bulge that is no number", [BULGES + "={0, nan, 0, 0}"], BULGES, "not a number"),
-        ("too few bulges", [BULGES + "={0, 0, 0}"], BULGES, "one bulge each"),
-        ("arcs that cross", [BULGES + "={0, -1, -1, 0}"], GEOMETRY, "crosses itself"),
-        ("two arcs that lie on each other", [CIRCLE % ", Bulges={1, -1}", NO_MESH], GEOMETRY,
-         "crosses itself"),
-        ("a circle without arcs", [CIRCLE % "", NO_MESH], GEOMETRY, "at least 3"),
-        ("a circle the wrong way round", [CIRCLE % ", Bulges={-1, -1}", NO_MESH], GEOMETRY,
-         "clockwise"),
-        ("a side without length", [CORNERS % "0,0, 1,0, 1,0, 1,1"], GEOMETRY, "no length"),
-        ("a hole outside", [HOLE % "5.1,5, 4.9,5", NO_MESH], GEOMETRY, "hole 1", "inside"),
-        ("a hole that an arc makes too large", [HOLE % "0.99,1, -0.99,0.9", NO_MESH], GEOMETRY,
-         "hole 1", "touch or cross")):
+         "Bodies->pad", "nothing resists")):
     refused(what, PAIR, *words, settings=settings)
 whole = saved("whole", keys_of(PAIR).changed({"Contacts->two": {"Between": ["pad:top", "a:b"]}}))
 for what, second, first, key in (("two bodies of one name", "plate", "pad", PAD),

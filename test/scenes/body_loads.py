@@ -3,7 +3,8 @@ import functools
 import math
 
 from runs import balanced as balanced_within
-from runs import claim, epafi, finish, fresh, largest, points, refused, rows, run
+from runs import (claim, epafi, finish, fresh, largest, never_falls, points, refused, rows,
+                  run)
 from written import (CLAMPED, NONE, WALLS, block, body, condition, contact, disc, friction, history,
                      keys, listed, points_at, primed, rigid, round_hole, with_more, written)
 
@@ -114,13 +115,17 @@ for plane, ratio, x in (("Plane Strain", 0.3, 0.0), ("Plane Stress", 0.3, 7.0)):
 
 # a disc in a rigid hole, heated and spinning; the clearance is lost, by every form
 CLEARANCE = 1e-3
-for form, ratio, plane in ([(form, 0.3, "Plane Strain") for form in FORMS] +
-                           [("Density", 0.3, "Plane Stress")]):
-    name = "disc in hole %s %s %g" % (form, plane, ratio)
+GAUSS = "Gauss-Legendre-Lagrange"
+for form, plane, basis in (
+        *((form, "Plane Strain", GAUSS) for form in FORMS), ("Density", "Plane Stress", GAUSS),
+        *((form, "Plane Strain", basis) for form in ("Projected", "Density")
+          for basis in ("Gauss-Lobatto-Lagrange", "Bernstein")),
+        ("None", "Plane Strain", "Biorthogonal")):
+    name, ratio = "disc in hole %s %s %s" % (form, plane, basis), 0.3
     filled = body("disc", disc(R, "rim"), E, condition("rim", "Contact", Gap=CLEARANCE), FREE, ratio=ratio,
                   Density=RHO, Thermal_Expansion=ALPHA, Plane_State=plane,
                   inside=loads(Spin=OMEGA, Temperature=2))
-    levels, contacts = run(written(name, [filled], NONE, form, 1, 10), name)
+    levels, contacts = run(written(name, [filled], NONE, form, 1, 10, Multiplier=basis), name)
     e, nu, al = primed(ratio, ALPHA, plane)
     c = RHO * OMEGA ** 2
     exact = E * e / (1 - nu) * (2 * al - CLEARANCE / R) + c * R ** 2 / 4
@@ -134,6 +139,12 @@ for form, ratio, plane in ([(form, 0.3, "Plane Strain") for form in FORMS] +
     exact = 2 * math.pi / (E * e) * sum(x * y for x, y in zip(terms, squares))
     claim(abs(levels[-1]["energy_strain"] / exact - 1) < 1e-9,
           "%s: strain energy %.9e, exact %.9e" % (name, levels[-1]["energy_strain"], exact))
+
+# a disc of arcs that turns as a whole is strained at no degree
+whirl = body("disc", disc(R, "rim"), E, condition("rim", "Dirichlet", Displacement_X="-0.01*y",
+                                                  Displacement_Y="0.01*x"))
+level = run(written("turned", [whirl], form="None", size=1, degree=1), "turned")[0][-1]
+claim(abs(level["energy_strain"]) < 1e-19 * E, "a disc that turns has no strain: %.1e" % level["energy_strain"])
 
 # nu = 1/2: a spinning ring on a shaft, in a housing: u = a/r on both; the other line is pinned
 MU_HALF, INNER, OVERLAP = E / 3, 1.0, 0.1
@@ -273,6 +284,31 @@ for key, exact in (("body_force_x", RHO * (OMEGA ** 2 * 2.5 + GAMMA * 0.5)),
     claim(abs(row[key] - exact) < 1e-13, "a rigid square: %s %.12f" % (key, row[key]))
 balanced("square")
 
+# loads of all kinds at once: Hooke's law and equilibrium inside by differences
+X, Y, STEP, HOT = 0.4, 0.3, 2e-5, 0.8
+QUARTIC = "0.5 + 0.2*x - 0.3*y + 0.7*x*y - 0.4*x^2*y + 0.3*x^3*y - 0.6*x^2*y^2 + 0.4*x^4 - 0.2*y^4"
+for plane, ratio in (("Plane Strain", 0.3), ("Plane Stress", 0.3), ("Plane Strain", 0.5)):
+    name = "all loads %s %g" % (plane, ratio)
+    loaded = body("block", block(0, 0, 1, 1), E, condition("bottom", "Dirichlet", CLAMPED), ratio=ratio,
+                  Density=RHO, Thermal_Expansion=HOT, Plane_State=plane,
+                  inside=loads(Gravity_X=0.3, Gravity_Y=-0.7, Spin=OMEGA, Angular_Acceleration=GAMMA,
+                               Temperature=QUARTIC))
+    run(written(name, [loaded], NONE, "Density", 0.5, 4, points_at(
+        [(X + STEP * i, Y + STEP * j) for i, j in ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))])), name)
+    p, *around = rows(name, "interior.csv")
+    ux, uy, sxx, syy, sxy = ([(a[key] - b[key]) / 2 / STEP for a, b in (around[:2], around[2:])]
+                             for key in ("ux", "uy", "sxx", "syy", "sxy"))  # along x, along y
+    e, nu, al = primed(ratio, HOT, plane)
+    heat = al * eval(QUARTIC.replace("^", "**"), {"x": X, "y": Y})
+    error = largest((ux[0] - (p["sxx"] - nu * p["syy"]) / e / E - heat,
+                     uy[1] - (p["syy"] - nu * p["sxx"]) / e / E - heat,
+                     ux[1] + uy[0] - 2 * (1 + nu) * p["sxy"] / e / E))
+    claim(error < 1e-7, "%s: strains are those of stress and heat, %.1e" % (name, error))
+    error = largest((sxx[0] + sxy[1] + RHO * (0.3 + OMEGA ** 2 * X + GAMMA * Y),
+                     sxy[0] + syy[1] + RHO * (-0.7 + OMEGA ** 2 * Y - GAMMA * X)))
+    claim(error < 1e-7, "%s: stresses carry the forces, %.1e" % (name, error))
+    balanced(name)
+
 # a guide that pulls: held along one axis, loaded along the other
 pulled = body("bar", block(0, 0, 2, 1), E,
               condition("left", "Dirichlet", Displacement_X=0) +
@@ -312,16 +348,18 @@ for form in FORMS:
     balanced(name)
 
 # up and down again, weight and heat, without friction and with it
-for law, friction_law in (("smooth", NONE), ("rough", friction(0.2))):
+for law, form in (("smooth", "Density"), *(("rough", form) for form in FORMS)):
     errors = []
     for steps in (4, 16):
-        name = "there and back %s %d" % (law, steps)
-        held = condition("bottom", "Contact", friction_law, Gap="0.02*x^2")
+        name = "there and back %s %s %d" % (law, form, steps)
+        held = condition("bottom", "Contact", friction(0.2) if law == "rough" else NONE,
+                         Gap="0.02*x^2")
         lying = body("block", block(-1, 0, 1, 1), E, held, "X, Rotation", Density=RHO,
                      Thermal_Expansion=ALPHA,
                      inside=loads(Gravity_Y="-2*min(t, 1)",
                                   Temperature="(t < 1 ? 0 : 1 - abs(t - 2))*(1 + 2*x + x*y)"))
-        run(written(name, [lying], NONE, "Density", 0.5, 3, history([1, 2, 3], steps)), name)
+        run(written(name, [lying], NONE, form, 0.5, 3, history([1, 2, 3], steps)), name)
+        never_falls(name)
         first, last = (points(name, k) for k in (steps, 3 * steps))
         size = largest(p["lambda_n"] for p in first)
         apart = largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(first, last)) / size
@@ -332,7 +370,7 @@ for law, friction_law in (("smooth", NONE), ("rough", friction(0.2))):
         else:
             claim(apart > 1e-4, "with friction it leaves something: %.1e" % apart)
         balanced(name)
-    claim(errors[1] < errors[0] / 5, "%s: balance of energy to %.1e, %.1e" % (law, *errors))
+    claim(errors[1] < errors[0] / 5, "%s %s: balance of energy to %.1e, %.1e" % (law, form, *errors))
 
 # a strip of 1 : 1000 has the same polynomials as a block
 STRIP = body("block", block(0, 0, 1, 1e-3), E, condition("bottom", "Contact"), "X, Rotation")

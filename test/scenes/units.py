@@ -30,6 +30,7 @@ for law in ("Coulomb", "Tresca"):
         units.update({key: energy for key in MOMENTS})
         units.update(contact_length=1e3, slip_length=1e3,
                      size_min=1e3, size_max=1e3)
+        units.update({key: 1.0 for key in a if key.startswith("eta_") or key == "estimate"})
         size = {1.0: a["energy_load"], force: a["force_normal"], 1e3: 1.0}
         for key, unit in units.items():
             scale = max(abs(a[key]), size.get(unit, 0) if unit != energy else 1e-3)

@@ -1,9 +1,23 @@
-"""convergence and time: how the error of a run falls with degrees of freedom, with seconds."""
+"""convergence and time: how the error of a run falls with degrees of freedom, with seconds;
+contributions: what its estimate is made of."""
 import math
 
 import numpy as np
 
-from epafi.plot.figures import loglog, plain_ticks
+from epafi.plot.figures import COLOURS, LINES, MARKERS, loglog, plain_ticks, plt
+
+DOF = "dof", "degrees of freedom"
+ERRORS = {"convergence": (DOF, "convergence"),
+          "time": (("seconds_total", "CPU seconds since the start, all threads"),
+                   "error against time")}
+CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
+                 ("eta_contact", "residual on contact sides"),
+                 ("eta_density", "residual of the density"),
+                 ("eta_complementarity", "complementarity"),
+                 ("eta_penetration", "penetration"),
+                 ("eta_tension", "tension"),
+                 ("eta_bound", "shear above its bound"),
+                 ("eta_slip", "stick and slip")]
 
 
 def total_energy(history):
@@ -11,33 +25,55 @@ def total_energy(history):
             + np.nan_to_num(history.numbers("energy_friction")))
 
 
-def error_curves(history):
+def error_curve(history):
     """What tells how far a run has come: the estimate, else the energy's distance to that of
-    the last level."""
+    the last level; and its labels."""
     estimate = history.numbers("estimate")
     if (estimate > 0).any():
-        return [("estimate", estimate)], "estimated error"
+        return estimate, "estimate", "estimated error"
     energy = total_energy(history)
     distance = np.abs(energy - energy[-1])
     distance[-1] = math.nan
-    return [("|energy - energy of the last level|", distance)], "energy difference"
+    return distance, "|energy - energy of the last level|", "energy difference"
 
 
-def draw(history, abscissa, name, title, pictures):
-    x = history.numbers(abscissa)
-    figure, axes = pictures.subplots(figsize=(6.4, 4.6))
-    curves, label = error_curves(history)
-    drawn = [loglog(axes, x, y, text, marker="o") for text, y in curves]
-    if not any(drawn):
-        axes.text(0.5, 0.5, "a single level: nothing to compare", ha="center",
-                  transform=axes.transAxes)
-    else:
-        for axis in (axes.xaxis, axes.yaxis):
-            plain_ticks(axis)
-    axes.set_xlabel("degrees of freedom" if abscissa == "dof" else
-                    "CPU seconds since the start, all threads")
-    axes.set_ylabel(label)
+def finish(axes, drawn, labels, title, pictures):
+    for axis in (axes.xaxis, axes.yaxis) if drawn else ():
+        plain_ticks(axis)
+    axes.set_xlabel(labels[0])
+    axes.set_ylabel(labels[1])
     pictures.title(axes, title)
-    if any(drawn):
-        axes.legend()
-    pictures.save(figure, name)
+
+
+def draw(history, title, pictures):
+    for name, ((abscissa, what), text) in ERRORS.items():
+        if pictures.wants(name):
+            figure, axes = pictures.subplots(figsize=(6.4, 4.6))
+            error, curve, label = error_curve(history)
+            drawn = loglog(axes, history.numbers(abscissa), error, curve, marker="o")
+            finish(axes, drawn, (what, label), "%s: %s" % (title, text), pictures)
+            if drawn:
+                axes.legend()
+            else:
+                axes.text(0.5, 0.5, "a single level: nothing to compare", ha="center",
+                          transform=axes.transAxes)
+            pictures.save(figure, name)
+    if pictures.wants("contributions"):
+        draw_contributions(history, title, pictures)
+
+
+def draw_contributions(history, title, pictures):
+    x, estimate = (history.numbers(name) for name in (DOF[0], "estimate"))
+    figure, axes = pictures.subplots(figsize=(8.6, 4.8))
+    drawn = loglog(axes, x, estimate, "estimate", color="black", marker="o", lw=2)
+    for k, ((name, text), marker) in enumerate(zip(CONTRIBUTIONS, MARKERS[1:])):
+        y = history.numbers(name)
+        drawn = loglog(axes, x, np.where(y > 1e-8 * estimate, y, math.nan), text, marker=marker,
+                       lw=1, ls=LINES[k // 6], color=COLOURS[k % 6], gaps=True) or drawn
+    if not drawn:
+        plt.close(figure)
+        return
+    finish(axes, drawn, (DOF[1], "contribution to the estimate"), title + ": contributions",
+           pictures)
+    pictures.legend(axes, loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.save(figure, "contributions")

@@ -10,8 +10,7 @@ from typing import Optional
 
 import numpy as np
 
-from epafi.plot import (contact, contributions, convergence, deformed, inside, mesh, path,
-                        study_curves, sweep)
+from epafi.plot import contact, convergence, deformed, inside, mesh, path, study_curves, sweep
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import Pictures, plt
@@ -31,13 +30,8 @@ def draw_run(pictures: Pictures) -> None:
     folder = pictures.folder
     title = title_of(folder)
     history = read(folder, "history.csv")
-    if history and pictures.wants("convergence"):
-        convergence.draw(history, "dof", "convergence", title + ": convergence", pictures)
-    if history and pictures.wants("time"):
-        convergence.draw(history, "seconds_total", "time", title + ": error against time",
-                         pictures)
-    if history and pictures.wants("contributions"):
-        contributions.draw(history, title, pictures)
+    if history:
+        convergence.draw(history, title, pictures)
     outline = read(folder, "boundary.csv")
     points = read(folder, "contact.csv")
     if outline and "degree" in outline:

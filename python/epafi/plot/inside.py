@@ -1,10 +1,12 @@
 """A field inside the body, on triangles that end at the boundary's elements."""
+import base64
+import xml.etree.ElementTree as xml
+
 import numpy as np
 from matplotlib.tri import Triangulation
 
 from epafi.plot.bodies import draw_rigid, roomy
 from epafi.plot.figures import equal_axes, shape_of
-from epafi.plot.movie import arrays
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",
@@ -13,6 +15,17 @@ NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_
          "temperature": "temperature"}
 # Of the area, that may be beyond the ends of the colours: singular stresses are.
 BEYOND = 1e-3
+TYPES = {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
+
+
+def arrays(file):
+    """The data of a .vtu by names; vectors as rows."""
+    result = {}
+    for item in xml.parse(file).getroot().iter("DataArray"):
+        values = np.frombuffer(base64.b64decode(item.text)[8:], TYPES[item.get("type")])
+        components = int(item.get("NumberOfComponents"))
+        result[item.get("Name")] = values.reshape(-1, components) if components > 1 else values
+    return result
 
 
 class Inside:

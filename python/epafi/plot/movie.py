@@ -1,9 +1,7 @@
 """movie: all bodies around the contact, or in a window, at steps of a path, moved by the
 displacements, in the colours of a field where steps/<k>/fields.vtu are; none where nothing can
 touch."""
-import base64
 import os
-import xml.etree.ElementTree as xml
 
 import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
@@ -11,20 +9,10 @@ from matplotlib.tri import Triangulation
 
 from epafi.plot.deformed import scale_of, within
 from epafi.plot.figures import COLOURS, equal_axes, plt, shape_of
+from epafi.plot.inside import NAMES, Inside, arrays, limits, shares
 from epafi.tables import read
 
 SHOWN = 120  # steps drawn at most
-TYPES = {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
-
-
-def arrays(file):
-    """The data of a .vtu by names; vectors as rows."""
-    result = {}
-    for item in xml.parse(file).getroot().iter("DataArray"):
-        values = np.frombuffer(base64.b64decode(item.text)[8:], TYPES[item.get("type")])
-        components = int(item.get("NumberOfComponents"))
-        result[item.get("Name")] = values.reshape(-1, components) if components > 1 else values
-    return result
 
 
 def outlines(step):
@@ -59,11 +47,8 @@ def draw(folder, rows, title, pictures):
     view = pictures.window or window_of(steps[0])
     if view is None:
         return
-    from epafi.plot.inside import NAMES, limits, shares  # which reads files by this module
-
     field = pictures.film
-    insides = [arrays(files[k].replace("boundary.vtu", "fields.vtu")) for k in chosen
-               if field]
+    insides = [Inside(files[k].replace("boundary.vtu", "fields.vtu")) for k in chosen if field]
     points = steps[0]["Points"]
     near = within(points[:, :2], view)
     moves = np.concatenate([step["displacement"][near][:, :2] for step in steps])
@@ -80,9 +65,9 @@ def draw(folder, rows, title, pictures):
     axes.set_ylim(view[1], view[3])
     drawn, colours = [], {}
     if field:
-        seen = [within(inside["Points"][:, :2], view) for inside in insides]
+        seen = [within(inside.points, view) for inside in insides]
         low, high, cmap, _ = limits(*(np.concatenate(parts) for parts in zip(*(
-            (inside[field][here], shares(inside["Points"], inside["connectivity"].reshape(-1, 3))[here])
+            (inside.values[field][here], shares(inside.points, inside.corners)[here])
             for inside, here in zip(insides, seen)))), field)
         colours = {"vmin": low, "vmax": high, "cmap": cmap, "shading": "gouraud"}
         bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(low, high), cmap), ax=axes)
@@ -96,9 +81,9 @@ def draw(folder, rows, title, pictures):
         for inside in insides[k:k + 1]:
             for old in drawn:
                 old.remove()
-            x, y = (inside["Points"] + scale * inside["displacement"]).T[:2]
-            drawn[:] = [axes.tripcolor(Triangulation(x, y, inside["connectivity"].reshape(-1, 3)),
-                                       inside[field], zorder=0.5, **colours)]
+            x, y = (inside.points + scale * inside.values["displacement"]).T
+            drawn[:] = [axes.tripcolor(Triangulation(x, y, inside.corners), inside.values[field],
+                                       zorder=0.5, **colours)]
         pictures.title(axes, "%s, t = %.4g, displacement x %g" % (
             title, rows["t"][chosen[k]], scale))
         return moved

@@ -2,13 +2,14 @@
 #include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
-#include "bem/tpetra/AllRanks.hpp"
 #include "bem/tpetra/BelosSolver.hpp"
+#include "bem/tpetra/MpiProcesses.hpp"
 #include "bem/tpetra/SteklovPoincareOperator.hpp"
 #include "bem/tractions/TractionRows.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
 
 #include <numeric>
 
@@ -28,7 +29,7 @@ double entry(Index i, Index j) {
 }
 
 TEUCHOS_UNIT_TEST(SteklovPoincareOperator, appliesSToSeveralVectors) {
-  const bem::MpiProcesses processes = test::allRanks();
+  const bem::MpiProcesses processes(Tpetra::getDefaultComm());
   const bem::Space space(reference::quickSamples().front().mesh);
   const bem::SteklovPoincare s(bem::assembleOperators(space, lame));
   const bem::SteklovPoincareOperator op(s, processes);
@@ -58,7 +59,7 @@ TEUCHOS_UNIT_TEST(SteklovPoincareOperator, appliesSToSeveralVectors) {
 }
 
 TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse) {
-  const bem::MpiProcesses processes = test::allRanks();
+  const bem::MpiProcesses processes(Tpetra::getDefaultComm());
   const bem::Space space(reference::quickSamples().front().mesh);
   bem::Compression options;
   options.leafUnknowns = 20;
@@ -98,7 +99,7 @@ TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse
 }
 
 TEUCHOS_UNIT_TEST(BelosSolver, givesTheOperatorThatCholeskyGives) {
-  const bem::MpiProcesses processes = test::allRanks();
+  const bem::MpiProcesses processes(Tpetra::getDefaultComm());
   const bem::BelosSolver solver(processes, {});
   for (const reference::Sample& sample : reference::quickSamples()) {
     const bem::Space space(sample.mesh);
@@ -126,7 +127,7 @@ TEUCHOS_UNIT_TEST(BelosSolver, givesTheOperatorThatCholeskyGives) {
 
 // Positive on each rank's own block, so that only the iteration can see it.
 TEUCHOS_UNIT_TEST(BelosSolver, refusesAnIndefiniteMatrix) {
-  const bem::MpiProcesses processes = test::allRanks();
+  const bem::MpiProcesses processes(Tpetra::getDefaultComm());
   if (processes.count() == 1)
     return;
   const Index n = 60;
@@ -143,7 +144,7 @@ TEUCHOS_UNIT_TEST(BelosSolver, refusesAnIndefiniteMatrix) {
 }
 
 TEUCHOS_UNIT_TEST(BelosSolver, saysThatItTakesTooLong) {
-  const bem::MpiProcesses processes = test::allRanks();
+  const bem::MpiProcesses processes(Tpetra::getDefaultComm());
   if (processes.count() == 1)
     return;
   const bem::Space space(reference::quickSamples().front().mesh);
