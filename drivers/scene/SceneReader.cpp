@@ -4,12 +4,8 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
-#include "drivers/scene/BodiesReader.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
-#include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/ContactsReader.hpp"
-#include "drivers/scene/GeometryReader.hpp"
-#include "drivers/scene/Override.hpp"
+#include "drivers/scene/Readers.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -236,15 +232,12 @@ void putBackTexts(const ParameterList& given, ParameterList& used) {
   for (const auto& item : given) {
     if (!used.isParameter(item.first))
       continue;
-    const Teuchos::ParameterEntry& entry = item.second;
-    const bool isText = entry.isType<std::string>() ||
-                        entry.isType<Teuchos::Array<std::string>>() ||
-                        entry.isType<Teuchos::TwoDArray<std::string>>();
-    if (entry.isList() && used.isSublist(item.first))
+    const auto text = bem::writtenIn(item.second);
+    if (item.second.isList() && used.isSublist(item.first))
       putBackTexts(given.sublist(item.first), used.sublist(item.first));
-    else if (isText &&
-             entry.getAny(false).type() != used.getEntry(item.first).getAny(false).type())
-      used.setEntry(item.first, entry);
+    else if (text && text->isText() &&
+             !bem::writtenIn(used.getEntry(item.first))->isText())
+      used.setEntry(item.first, item.second);
   }
 }
 
