@@ -219,10 +219,6 @@ void write(const std::string& file, const std::string& text) {
     throw InputError("fields: '", file, "' cannot be written: ", std::strerror(errno));
 }
 
-void writeVtu(const BodyInsides& insides, const std::string& file) {
-  write(file, vtuFile(fill(insides)));
-}
-
 /// Writes a file and prints the summary to `out`; "-" writes the text to `out`.
 void deliver(const std::string& file, const std::string& text, const std::string& summary,
              std::ostream& out) {
@@ -257,7 +253,7 @@ void writeSeries(const std::string& folder, std::ostream& out) {
   for (std::size_t k = 1; k <= times.size(); ++k) {
     const std::string file = folder + "/" + stepFile(k, "fields.vtu");
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-    writeVtu(run.insides(std::to_string(k)), file);
+    write(file, vtuFile(fill(run.insides(std::to_string(k)))));
   }
   write(folder + "/fields.pvd", stepsPvd(times, "fields.vtu"));
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";

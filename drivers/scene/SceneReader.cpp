@@ -202,7 +202,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   readNames(given, scene);
   scene.given = given;
   const auto constant = [&](const std::string& text, const std::string& path) {
-    return evaluateConstant(text, {file, path}, scene.names());
+    return makeExpression(text, {file, path}, scene.names(), Form::OfConstants)({});
   };
   scene.used = std::make_shared<ParameterList>(
       bem::complete(parameters(), given, raw.title, constant));
