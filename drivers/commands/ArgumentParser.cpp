@@ -1,7 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Command.hpp"
-#include "drivers/commands/Help.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -27,29 +26,26 @@ using bem::InputError;
 }
 
 /// Reports errors that CLI11 would report in other words.
-void checkValues(const Command& command, const std::vector<std::string>& arguments) {
+void checkForm(const Command& command, const std::vector<std::string>& arguments) {
   for (const Option& option : command.options) {
     const bool wanted = !option.value.empty();
     if (wanted && !arguments.empty() &&
         (arguments.back() == option.name || arguments.back() == option.name + "="))
       throw InputError(command.name, ": ", option.name, " needs a value: ", option.name,
                        " ", option.value);
-    int given = 0;
-    for (const std::string& argument : arguments) {
-      const bool withValue = argument.rfind(option.name + "=", 0) == 0;
-      if (withValue && !wanted)
+    for (const std::string& argument : arguments)
+      if (!wanted && argument.rfind(option.name + "=", 0) == 0)
         throw InputError(command.name, ": ", option.name, " takes no value");
-      given += withValue || argument == option.name ? 1 : 0;
-    }
-    if (given > 1 && wanted && !option.repeatable)
-      throw InputError(command.name, ": ", option.name, " is given ", given,
-                       " times; once is allowed");
   }
 }
 
-void checkWords(const Command& command, const Given& given) {
-  for (const Option& option : command.options)
-    for (const std::string& value : given.values(option.name)) {
+void checkValues(const Command& command, const Given& given) {
+  for (const Option& option : command.options) {
+    const std::vector<std::string> values = given.values(option.name);
+    if (values.size() > 1 && !option.repeatable)
+      throw InputError(command.name, ": ", option.name, " is given ", values.size(),
+                       " times; once is allowed");
+    for (const std::string& value : values) {
       if (value.empty())
         throw InputError(command.name, ": ", option.name, ": the value is empty; ",
                          option.value, " is needed");
@@ -58,6 +54,7 @@ void checkWords(const Command& command, const Given& given) {
         throw InputError(command.name, ": ", option.name, ": unknown value '", value, "'",
                          bem::suggestion(value, option.words));
     }
+  }
 }
 
 void takeArgument(const Command& command, const std::vector<std::string>& rest,
@@ -97,8 +94,20 @@ std::vector<std::string> Given::values(const std::string& option) const {
   return found == options.end() ? std::vector<std::string>() : found->second;
 }
 
+std::vector<std::string> Given::words() const {
+  std::vector<std::string> words;
+  for (const auto& [name, values] : options) {
+    if (values.empty())
+      words.push_back(name);
+    for (const std::string& value : values)
+      words.push_back(name + "=" + value);
+  }
+  words.insert(words.end(), {"--", argument});
+  return words;
+}
+
 Given parseArguments(const Command& command, const std::vector<std::string>& arguments) {
-  checkValues(command, arguments);
+  checkForm(command, arguments);
   CLI::App app;
   app.set_help_flag();  // this program has its own --help
   app.allow_extras();
@@ -109,8 +118,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
     else
       app.add_option(option.name)
           ->expected(1)
-          ->multi_option_policy(option.repeatable ? CLI::MultiOptionPolicy::TakeAll
-                                                  : CLI::MultiOptionPolicy::Throw);
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   try {
     // CLI11 expects the reverse order
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -120,9 +128,11 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
   Given given;
   for (const CLI::Option* option : app.get_options())
     if (option->count() > 0)
-      given.options[option->get_name()] = option->results();
+      given.options[option->get_name()] = option->get_items_expected() > 0
+                                              ? option->results()
+                                              : std::vector<std::string>();
   takeArgument(command, app.remaining(), given);
-  checkWords(command, given);
+  checkValues(command, given);
   return given;
 }
 

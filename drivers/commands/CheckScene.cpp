@@ -150,8 +150,7 @@ std::string contactOf(const Scene& scene, const SideOfBody& side) {
   return names;
 }
 
-}  // namespace
-
+/// The csv for drawScene: points along the first meshes with conditions, loads and gaps.
 std::string sceneCsv(const Scene& scene) {
   std::string csv;
   const BodySpaces spaces(scene, firstLevel(scene));
@@ -198,6 +197,8 @@ std::string sceneCsv(const Scene& scene) {
       }
   return csv;
 }
+
+}  // namespace
 
 std::string checkScene(const Scene& scene) {
   naming(scene.file, [&] { evaluateAll(scene); });
@@ -251,7 +252,7 @@ int checkCommand(const Given& given, std::ostream& out) {
   }
   out << checkScene(scene);
   return given.has("--plot")
-             ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"), Words::All)
+             ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"))
              : 0;
 }
 

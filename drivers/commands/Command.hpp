@@ -9,24 +9,22 @@
 namespace epafi::drivers {
 
 class Ranks;
-
-/// What the completion of the shell offers for a value.
-enum class Offer { Nothing, Scenes, Folders, Files, Words };
+struct ExitMeaning;
 
 /// The argument of a command that has no option name: a scene, a study, a folder.
 struct Argument {
   std::string name;  ///< as in the usage: "SCENE.xml"; empty: no argument
   std::string what;  ///< "scene", for messages
-  Offer offer = Offer::Nothing;
   bool required = true;
 };
 
 /// "--output DIR".
 struct Option {
-  std::string name;   ///< with its two hyphens
-  std::string value;  ///< as in the usage; empty: a switch without a value
+  std::string name;  ///< with its two hyphens
+  /// As in the usage, "DIR" or "FILE.png", by which completion knows what to offer; empty: a switch
+  /// without a value.
+  std::string value;
   std::string meaning;
-  Offer offer = Offer::Nothing;
   std::vector<std::string> words = {};  ///< allowed values; empty: any
   bool repeatable = false;
 };
@@ -35,12 +33,14 @@ struct Option {
 class Given {
  public:
   std::string argument;
-  std::map<std::string, std::vector<std::string>> options;
+  std::map<std::string, std::vector<std::string>> options;  ///< of a switch no values
 
   bool has(const std::string& option) const { return options.count(option) != 0; }
   /// The last value of an option; `otherwise` without it.
   std::string value(const std::string& option, const std::string& otherwise = "") const;
   std::vector<std::string> values(const std::string& option) const;
+  /// All of it, for another program: "--key=value", the argument last.
+  std::vector<std::string> words() const;
 };
 
 /// A command of the program, with all data for help, man page, completion and parser.
@@ -57,6 +57,29 @@ struct Command {
 /// parser, --help, the man page and the completion of the shell
 /// (`description`).
 const std::vector<Command>& commands();
+
+inline const std::string title =
+    "frictional contact of linear elastic bodies in the plane";
+
+/// "128 + signal"
+std::string nameOf(const ExitMeaning& exit);
+
+/// What an option does, and whether it may be given more than once.
+std::string meaningOf(const Option& option);
+
+/// "epafi run SCENE.xml [options]"
+std::string usageLine(const Command& command);
+
+/// What `epafi COMMAND --help` prints, and of all commands `epafi --help`.
+std::string helpOf(const Command& command);
+std::string helpOf(const std::vector<Command>& commands);
+
+/// The commands with their purposes, a line each.
+std::string listOf(const std::vector<Command>& commands);
+
+/// The commands, the exit codes and all keys of scenes and studies in JSON, of which
+/// python/epafi/describe.py makes the man page, the completion, the schemas and the tables.
+std::string description(const std::vector<Command>& commands);
 
 /// Runs the command that the arguments (without program name) give; returns its exit
 /// code.

@@ -1,7 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/commands/Help.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
@@ -75,8 +74,7 @@ int helpCommand(const Given& given, std::ostream& out) {
 
 Option outputOf(const std::string& what) {
   return {"--output", "DIR",
-          "the folder for the results; default: ./<" + what + " name>.out",
-          Offer::Folders};
+          "the folder for the results; default: ./<" + what + " name>.out"};
 }
 
 const Option threads{
@@ -88,30 +86,35 @@ const Option set{"--set",
                  "'A->B->Key=value'",
                  "replace a value of the scene; a list by {Key=value, Key=value}, "
                  "nothing behind the = removes a key or a list",
-                 Offer::Nothing,
                  {},
                  true};
 
+/// For how pictures look.
+const std::vector<Option> looks{
+    {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
+    {"--dpi", "N", "pixels per inch, above 10, at most 1200; default: 110"},
+    {"--font", "P", "points of the text; default: 10"},
+    {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
+    {"--pdf", "", "PDF beside PNG and SVG"},
+    {"--no-title", "", "without titles"}};
+
 Option format(const std::vector<std::string>& words) {
-  return {"--format", join(words, "|"), "default: " + words.front(), Offer::Words, words};
+  return {"--format", join(words, "|"), "default: " + words.front(), words};
 }
 
 Option of(const std::string& standard) {
-  return {"--of",
-          "scene|study",
-          "only these; default: " + standard,
-          Offer::Words,
-          {"scene", "study"}};
+  return {"--of", "scene|study", "only these; default: " + standard, {"scene", "study"}};
 }
 
-std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
-  options.insert(options.end(), more.begin(), more.end());
+/// Of a command that draws.
+std::vector<Option> withLooks(std::vector<Option> options) {
+  options.insert(options.end(), looks.begin(), looks.end());
   return options;
 }
 
 // NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Command> makeCommands() {
-  const Argument scene{"SCENE.xml", "scene", Offer::Scenes};
+  const Argument scene{"SCENE.xml", "scene"};
   return {
       {"run",
        "solve a scene; a table row per level, files into a folder",
@@ -121,11 +124,9 @@ std::vector<Command> makeCommands() {
         threads,
         {"--restart", "DIR",
          "go on from the last level in DIR, in DIR itself or in --output; what the scene "
-         "may change: caps, strategy, solver, output",
-         Offer::Folders},
+         "may change: caps, strategy, solver, output"},
         {"--reference", "FILE",
-         "the solution.hdf of a finer run: history.csv gets the true errors against it",
-         Offer::Files},
+         "the solution.hdf of a finer run: history.csv gets the true errors against it"},
         {"--smallest-eigenvalue", "",
          "history.csv gets that of the stabilised stiffness relative to the plain one"},
         force,
@@ -133,7 +134,7 @@ std::vector<Command> makeCommands() {
        runCommand},
       {"study",
        "run variants of scenes; error against unknowns and time, one table, pictures",
-       {"STUDY.xml", "study", Offer::Scenes},
+       {"STUDY.xml", "study"},
        {outputOf("study"),
         threads,
         {"--force", "", "replace the files of an earlier study, references are kept"},
@@ -147,7 +148,7 @@ std::vector<Command> makeCommands() {
         {"--used", "",
          "print the complete scene, as used.xml of a run; evaluate nothing"},
         {"--plot", "FILE.png",
-         "draw what was read: boundaries, conditions, loads, obstacles", Offer::Files}},
+         "draw what was read: boundaries, conditions, loads, obstacles"}},
        onFirst<checkCommand>},
       {"parameters",
        "every parameter of scenes and studies: path, type, default, range, meaning, unit",
@@ -156,38 +157,36 @@ std::vector<Command> makeCommands() {
        alone<parametersCommand>},
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
-       {"DIR", "folder", Offer::Folders},
-       with({{"--field", "NAME",
-              "this field inside the body, too: " + join(fieldNames(), ", "),
-              Offer::Words, fieldNames()},
-             {"--window", "X0,Y0,X1,Y1",
-              "this part alone of the field, the deformed bodies and the movie"},
-             {"--step", "K|all",
-              "the field at this step of a load path: 1, 2, ...; default: the last; all: "
-              "the movie shows it, too"}},
-            looks()),
+       {"DIR", "folder"},
+       withLooks(
+           {{"--field", "NAME",
+             "this field inside the body, too: " + join(fieldNames(), ", "),
+             fieldNames()},
+            {"--window", "X0,Y0,X1,Y1",
+             "this part alone of the field, the deformed bodies and the movie"},
+            {"--step", "K|all",
+             "the field at this step of a load path: 1, 2, ...; default: the last; all: "
+             "the movie shows it, too"}}),
        onFirst<plotCommand>},
       {"report",
        "a run as one page of HTML: scene, numbers, balance, pictures, warnings, versions",
-       {"DIR", "folder", Offer::Folders},
-       with({{"--output", "FILE.html", "default: report.html in DIR", Offer::Files},
-             {"--field", "NAME", "the field that is drawn; default: von_mises",
-              Offer::Words, fieldNames()}},
-            looks()),
+       {"DIR", "folder"},
+       withLooks({{"--output", "FILE.html", "default: report.html in DIR"},
+                  {"--field", "NAME", "the field that is drawn; default: von_mises",
+                   fieldNames()}}),
        onFirst<reportCommand>},
       {"fields",
        "displacement and stress inside, after a run; csv, or all of the inside for "
        "ParaView",
-       {"DIR", "folder", Offer::Folders},
+       {"DIR", "folder"},
        {{"--grid", "NX,NY", "middles of so many cells of the body's box; default: 60,60"},
         {"--window", "X0,Y0,X1,Y1", "the grid over this box instead"},
         {"--points", "FILE.csv",
-         "points that begin each line of a file: x,y; a row outside is empty",
-         Offer::Files},
+         "points that begin each line of a file: x,y; a row outside is empty"},
         {"--along", "BODY:BOUNDARY", "along a boundary, at the depth ..."},
         {"--depth", "D", "... below it, a length > 0"},
         {"--output", "FILE",
-         "default: fields.csv or fields.vtu in DIR; -: to standard output", Offer::Files},
+         "default: fields.csv or fields.vtu in DIR; -: to standard output"},
         {"--vtk", "",
          "triangles of the whole inside for ParaView, small at small elements"},
         {"--step", "K|all",
@@ -206,7 +205,7 @@ std::vector<Command> makeCommands() {
        "this page, or the options of one command; as man page or completion of bash; "
        "json: "
        "all commands and parameters",
-       {"COMMAND", "command", Offer::Nothing, false},
+       {"COMMAND", "command", false},
        {format({"text", "man", "bash", "json"})},
        alone<helpCommand>},
   };
@@ -220,16 +219,6 @@ std::string synonym(const std::string& name) {
 }
 
 }  // namespace
-
-std::vector<Option> looks() {
-  return {
-      {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
-      {"--dpi", "N", "pixels per inch, above 10, at most 1200; default: 110"},
-      {"--font", "P", "points of the text; default: 10"},
-      {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
-      {"--pdf", "", "PDF beside PNG and SVG"},
-      {"--no-title", "", "without titles"}};
-}
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = makeCommands();

@@ -39,33 +39,17 @@ const std::vector<Parameter>& studyParameters();
 /// \throws bem::InputError for a folder without a solution and for boundaries and steps that
 ///   there are not.
 int fieldsCommand(const Given& given, std::ostream& out);
-/// The value of --step for all steps.
-constexpr const char* everyStep = "all";
-/// Writes fields.vtu of the folder.  `step`: the value of --step; empty: the last step;
-/// `everyStep`: the last step and the series of all.
-void writeInside(const std::string& folder, const std::string& step);
-/// Writes fields-window.csv: a fine grid over a window "X0,Y0,X1,Y1" of the bodies.
-/// \throws bem::InputError for an invalid window, or one outside of the bodies.
-void writeWindow(const std::string& folder, const std::string& step,
-                 const std::string& window);
-/// \throws bem::InputError for an invalid window.
-void checkWindow(const std::string& window);
 
-/// Options for how pictures look.
-std::vector<Option> looks();
 /// `epafi plot DIR`: pictures of a run or a study by the Python package python/epafi/plot.
-/// Returns 0, or 1 if matplotlib or files of the folder are missing.
+/// Returns 0, or 1 if matplotlib or files of the folder are missing.  The package starts `epafi
+/// fields` for fields, and `epafi check` for the scene of a report.
 /// \throws bem::InputError if the package or Python is not there.
 int plotCommand(const Given& given, std::ostream& out);
 /// `epafi report DIR`: a page of HTML with the scene, the numbers and the pictures of a run.
-/// \throws bem::InputError for a folder without a run.
 int reportCommand(const Given& given, std::ostream& out);
-/// What the plotting program may print.
-enum class Words { All, Errors };
 /// Draws a scene, given as csv, into a file by the Python package, which lies in
 /// ../lib/python3.<n>/dist-packages seen from this program.  Returns the exit code.
-int drawScene(const std::string& csv, const std::string& title, const std::string& file,
-              Words words);
+int drawScene(const std::string& csv, const std::string& title, const std::string& file);
 
 /// `epafi check`: solves nothing, but makes loads, obstacle and bounds on the first mesh as
 /// a run does, so that every expression is evaluated where the run's first level does, and
@@ -74,8 +58,6 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
 /// negative, or for a mesh that cannot be made.
 int checkCommand(const Given& given, std::ostream& out);
 std::string checkScene(const Scene& scene);
-/// The csv for drawScene: points along the first meshes with conditions, loads and gaps.
-std::string sceneCsv(const Scene& scene);
 
 /// A kind of file that the program reads, by its table of keys.
 struct Grammar {

@@ -1,6 +1,5 @@
 #include "bem/base/Error.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/commands/Help.hpp"
 #include "drivers/process/ExitCode.hpp"
 
 #include <cmath>
@@ -62,16 +61,10 @@ std::string keyAsJson(const Parameter& row) {
                  {"unit", quoted(row.unit)}});
 }
 
-std::string offerAsJson(Offer offer) {
-  constexpr const char* names[] = {"nothing", "scenes", "folders", "files", "words"};
-  return quoted(names[static_cast<std::size_t>(offer)]);
-}
-
 std::string optionAsJson(const Option& option) {
   return object({{"name", quoted(option.name)},
                  {"value", quoted(option.value)},
                  {"meaning", quoted(meaningOf(option))},
-                 {"offer", offerAsJson(option.offer)},
                  {"words", array(option.words, quoted)}});
 }
 
@@ -79,7 +72,7 @@ std::string commandAsJson(const Command& command) {
   return object({{"name", quoted(command.name)},
                  {"usage", quoted(usageLine(command))},
                  {"purpose", quoted(command.purpose)},
-                 {"offer", offerAsJson(command.argument.offer)},
+                 {"argument", quoted(command.argument.name)},
                  {"options", array(command.options, optionAsJson)}});
 }
 

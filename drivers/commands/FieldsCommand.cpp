@@ -1,3 +1,4 @@
+#include "bem/base/Box.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
@@ -23,6 +24,7 @@ namespace epafi::drivers {
 
 namespace {
 
+using bem::Box;
 using bem::InputError;
 using bem::message;
 using Points = std::vector<InsidePoint>;
@@ -95,11 +97,6 @@ bool isInside(const InsidePoint& point, const BodyInsides& insides) {
   return point.body < insides.size();
 }
 
-struct Box {
-  bem::Vec2 low;
-  bem::Vec2 high;
-};
-
 Box windowOf(const std::string& text) {
   std::vector<double> ends;
   for (const std::string& piece : csvCells(text))
@@ -113,17 +110,12 @@ Box windowOf(const std::string& text) {
 }
 
 Box boxOf(const BodyInsides& insides) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  bem::Vec2 low{infinity, infinity};
-  bem::Vec2 high{-infinity, -infinity};
+  Box box;
   for (std::size_t b = 0; b < insides.size(); ++b)
     for (int e = 0; e < insides.mesh(b).size(); ++e)
-      for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        const bem::Vec2 x = insides.mesh(b).physicalPoint(e, t);
-        low = {std::min(low.x, x.x), std::min(low.y, x.y)};
-        high = {std::max(high.x, x.x), std::max(high.y, x.y)};
-      }
-  return {low, high};
+      for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0})
+        box.add(insides.mesh(b).physicalPoint(e, t));
+  return box;
 }
 
 /// Centres of those cells that lie inside a body.
@@ -131,8 +123,8 @@ Points cellsOf(const Box& box, int nx, int ny, const BodyInsides& insides) {
   Points points;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
-                        box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
+      const bem::Vec2 x{box.low.x + (i + 0.5) / nx * box.size().x,
+                        box.low.y + (j + 0.5) / ny * box.size().y};
       const InsidePoint point{insides.scene().bodyAt(x), x};
       if (isInside(point, insides))
         points.push_back(point);
@@ -227,10 +219,6 @@ void write(const std::string& file, const std::string& text) {
     throw InputError("fields: '", file, "' cannot be written: ", std::strerror(errno));
 }
 
-void writeVtu(const BodyInsides& insides, const std::string& file) {
-  write(file, vtuFile(fill(insides)));
-}
-
 /// Writes a file and prints the summary to `out`; "-" writes the text to `out`.
 void deliver(const std::string& file, const std::string& text, const std::string& summary,
              std::ostream& out) {
@@ -265,7 +253,7 @@ void writeSeries(const std::string& folder, std::ostream& out) {
   for (std::size_t k = 1; k <= times.size(); ++k) {
     const std::string file = folder + "/" + stepFile(k, "fields.vtu");
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-    writeVtu(run.insides(std::to_string(k)), file);
+    write(file, vtuFile(fill(run.insides(std::to_string(k)))));
   }
   write(folder + "/fields.pvd", stepsPvd(times, "fields.vtu"));
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
@@ -273,36 +261,10 @@ void writeSeries(const std::string& folder, std::ostream& out) {
 
 }  // namespace
 
-void writeInside(const std::string& folder, const std::string& step) {
-  std::ostream silence(nullptr);
-  if (step == everyStep)
-    writeSeries(folder, silence);
-  writeVtu(SavedRun(folder).insides(step == everyStep ? "" : step),
-           folder + "/fields.vtu");
-}
-
-void writeWindow(const std::string& folder, const std::string& step,
-                 const std::string& window) {
-  constexpr double cells = 240;  // along the longer side
-  const SavedRun run(folder);
-  const BodyInsides insides = run.insides(step);
-  const Box box = windowOf(window);
-  const bem::Vec2 size = box.high - box.low;
-  const auto along = [&](double side) {
-    return std::max(1, static_cast<int>(cells * (side / std::max(size.x, size.y))));
-  };
-  const Points points = cellsOf(box, along(size.x), along(size.y), insides);
-  if (points.empty())
-    throw InputError("--window: '", window, "' shows nothing of the bodies");
-  write(folder + "/fields-window.csv", insides.csv(points, insides.at(points)));
-}
-
-void checkWindow(const std::string& window) { windowOf(window); }
-
 int fieldsCommand(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;
   const std::string step = given.value("--step", "");
-  const bool all = step == everyStep;
+  const bool all = step == "all";
   if (all && (!given.has("--vtk") || given.has("--output")))
     throw InputError("fields: --step all writes --vtk files into DIR, without --output");
   if (given.has("--vtk"))
@@ -332,8 +294,11 @@ int fieldsCommand(const Given& given, std::ostream& out) {
   }
   const Points points = chosenPoints(given, insides);
   if (points.empty())
-    throw InputError("fields: --grid: none of its points lies inside a body; take more",
-                     given.has("--window") ? ", or another --window" : "");
+    throw given.has("--window")
+        ? InputError("fields: --window: '", given.value("--window"),
+                     "' shows nothing of the bodies; take another --window, or a finer "
+                     "--grid")
+        : InputError("fields: --grid: none of its points lies inside a body; take more");
   const std::vector<InsideValue> values = insides.at(points);
   const std::string file = given.value("--output", folder + "/fields.csv");
   deliver(file, insides.csv(points, values), summary(file, points, values, insides), out);

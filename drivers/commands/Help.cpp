@@ -1,4 +1,5 @@
-#include "drivers/commands/Help.hpp"
+#include "drivers/commands/Command.hpp"
+#include "drivers/process/ExitCode.hpp"
 
 #include <sstream>
 

@@ -42,13 +42,14 @@ std::vector<char*> wordsOf(std::vector<std::string>& arguments) {
                         "' cannot be started: ", std::strerror(cause), "; ", remedy);
 }
 
-/// Its path in the package.
+/// Its path in the package, which starts this program by the variable EPAFI.
 std::string inPackage(const std::string& program, const std::string& what) {
   const std::string path = besideProgram(EPAFI_PYTHON "/epafi/" + program);
   if (!fs::exists(path))
     throw bem::InputError(
         what, ": '", path,
         "' is missing; it is built and installed along with this program");
+  setenv("EPAFI", self().c_str(), 1);
   std::cout << std::flush;
   return path;
 }
@@ -79,7 +80,6 @@ bool runPackage(const std::string& program, std::vector<std::string> arguments,
 void becomePackage(const std::string& program, std::vector<std::string> arguments,
                    const std::string& what) {
   arguments.insert(arguments.begin(), {python, inPackage(program, what)});
-  setenv("EPAFI", self().c_str(), 1);
   execv(python, wordsOf(arguments).data());
   refuse(what, python, errno, remedyOfPython);
 }

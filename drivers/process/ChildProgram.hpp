@@ -11,11 +11,12 @@ namespace epafi::drivers {
 bool runChild(const std::string& program, std::vector<std::string> arguments,
               const std::string& what, const std::string& remedy);
 
-/// Runs a program of the Python package, "plot/__main__.py", in the same way.
+/// Runs a program of the Python package, "plot/__main__.py", in the same way; it starts this one
+/// by the variable EPAFI.
 /// \throws bem::InputError also if it is not there.
 bool runPackage(const std::string& program, std::vector<std::string> arguments,
                 const std::string& what);
-/// Becomes a program of the Python package, which starts this one by the variable EPAFI.
+/// Becomes a program of the Python package.
 /// \throws bem::InputError likewise.
 [[noreturn]] void becomePackage(const std::string& program,
                                 std::vector<std::string> arguments,

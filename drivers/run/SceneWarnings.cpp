@@ -3,7 +3,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Warnings.hpp"
-#include "drivers/scene/OverlapCheck.hpp"
+#include "drivers/scene/Readers.hpp"
 
 #include <algorithm>
 #include <cctype>

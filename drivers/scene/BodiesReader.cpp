@@ -1,10 +1,6 @@
-#include "drivers/scene/BodiesReader.hpp"
-
 #include "bem/base/Error.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
-#include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/GeometryReader.hpp"
-#include "drivers/scene/MeshReader.hpp"
+#include "drivers/scene/Readers.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -43,8 +39,7 @@ Body readBody(const Part& part, const std::string& name, const Scene& scene,
                        "have Boundary Conditions and Rigid Motions");
   body.outline = makeOutline(loops, length, part.path("Geometry"));
   body.conditions = readConditions(part, *body.outline, scene.symmetry);
-  readMesh(part.list->sublist("Mesh"), scene.used->sublist("Discretization"),
-           part.place.path, body);
+  readMesh(part.sub("Mesh"), scene.root().sub("Discretization"), body);
   return body;
 }
 

@@ -2,9 +2,10 @@
 
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Box.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "drivers/scene/ConditionsReader.hpp"
+#include "drivers/scene/Readers.hpp"
 
 #include <algorithm>
 #include <boost/math/special_functions/binomial.hpp>
@@ -176,20 +177,16 @@ void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
 contact::BodyLoads::Terms BodyLoadsReader::temperature(
     const bem::Outline& outline) const {
   const bem::Function given = loads_.function("Temperature");
-  Vec2 low{1, 1};
-  Vec2 high{-1, -1};
+  bem::Box box;
   for (const bem::Edge& edge : outline.edges())
-    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-      const Vec2 y = edge.curve.point(t);
-      low = {std::min(low.x, y.x), std::min(low.y, y.y)};
-      high = {std::max(high.x, y.x), std::max(high.y, y.y)};
-    }
+    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0})
+      box.add(edge.curve.point(t));
   const auto latticeOf = [&](int n, double shift) {
     std::vector<Complex> points;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        points.emplace_back(low.x + (high.x - low.x) * (i + shift) / n,
-                            low.y + (high.y - low.y) * (j + shift) / n);
+        points.emplace_back(box.low.x + box.size().x * (i + shift) / n,
+                            box.low.y + box.size().y * (j + shift) / n);
     return points;
   };
   const std::vector<Complex> points = latticeOf(8, 0.5);

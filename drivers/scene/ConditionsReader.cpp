@@ -1,8 +1,7 @@
-#include "drivers/scene/ConditionsReader.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "drivers/scene/Readers.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_Array.hpp>

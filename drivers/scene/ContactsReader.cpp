@@ -1,10 +1,7 @@
-#include "drivers/scene/ContactsReader.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "bem/geometry/NormalRay.hpp"
-#include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/OverlapCheck.hpp"
+#include "drivers/scene/Readers.hpp"
 
 #include <Teuchos_Array.hpp>
 

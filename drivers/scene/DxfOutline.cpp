@@ -1,5 +1,3 @@
-#include "drivers/scene/DxfOutline.hpp"
-
 #include "bem/base/Error.hpp"
 #include "drivers/scene/OutlineChain.hpp"
 #include "drivers/scene/Text.hpp"

@@ -39,9 +39,6 @@ constexpr const char* letters =
 
 constexpr double pi = boost::math::constants::pi<double>();
 
-/// The names that an expression may use; each form includes those before it.
-enum class Form { Constant, OfConstants, OfTime, OfPoint };
-
 double valueIn(void* table, double at) {
   return (*static_cast<const Interpolant*>(table))(at);
 }
@@ -54,41 +51,64 @@ std::string namesIn(const Map& map, const char* before) {
   return text;
 }
 
-std::string toldOf(Form form, const Names& names) {
-  const std::string text = form == Form::Constant      ? "constants before it"
-                           : form == Form::OfConstants ? "constants"
-                           : form == Form::OfTime      ? "t"
-                           : names.normal              ? "x, y, t, nx and ny"
-                                                       : "x, y and t";
-  return text +
-         namesIn(names.constants, form < Form::OfTime ? ": " : " and the constants ") +
-         namesIn(names.tables, " and the tables ");
-}
+/// A text with its place and the names that it may use.
+struct Source {
+  std::string text;
+  Place place;
+  Names names;
+  Form form;
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(place.file, ": ", place.path, " = '", text, "' ", what);
+  }
+  /// The names, for messages.
+  std::string known() const {
+    const std::string known = form == Form::Constant      ? "constants before it"
+                              : form == Form::OfConstants ? "constants"
+                              : form == Form::OfTime      ? "t"
+                              : names.normal              ? "x, y, t, nx and ny"
+                                                          : "x, y and t";
+    return known +
+           namesIn(names.constants, form < Form::OfTime ? ": " : " and the constants ") +
+           namesIn(names.tables, " and the tables ");
+  }
+  /// The ranges of the tables that the text names: outside they have no value.
+  std::string ends() const {
+    std::string told;
+    for (const auto& [name, table] : names.tables)
+      if (text.find(name) != std::string::npos)
+        told +=
+            message("; ", name, " is given from ", table->low(), " to ", table->high());
+    return told;
+  }
+};
 
 /// A muParser with its own variables.
 class Parser {
  public:
-  Parser(const std::string& text, const Names& names, Form form)
-      : known_(toldOf(form, names)), normalAt_(names.normal) {
+  explicit Parser(const Source& source) : source_(source) {
+    const Names& names = source.names;
+    const bool atPoint = source.form == Form::OfPoint;
     try {
       parser_.DefineConst("pi", pi);
       for (const auto& [name, value] : names.constants)
         parser_.DefineConst(name, value);
       for (const auto& [name, table] : names.tables)
         parser_.DefineFunUserData(name, valueIn, const_cast<Interpolant*>(table.get()));
-      if (form >= Form::OfTime)
+      if (source.form >= Form::OfTime)
         parser_.DefineConst("t", names.t);
-      if (form == Form::OfPoint) {
+      if (atPoint) {
         parser_.DefineVar("x", &point_.x);
         parser_.DefineVar("y", &point_.y);
       }
-      if (normalAt_) {
+      if (atPoint && names.normal) {
         parser_.DefineVar("nx", &normal_.x);
         parser_.DefineVar("ny", &normal_.y);
+        if (source.text.find("nx") != std::string::npos ||
+            source.text.find("ny") != std::string::npos)
+          normalAt_ = names.normal;
       }
-      parser_.SetExpr(text);
-      if (text.find("nx") == std::string::npos && text.find("ny") == std::string::npos)
-        normalAt_ = {};
+      parser_.SetExpr(source.text);
     } catch (const mu::Parser::exception_type& error) {
       fail(error);
     }
@@ -108,7 +128,8 @@ class Parser {
       int values = 0;
       const double* value = parser_.Eval(values);
       if (values != 1)
-        throw InputError("gives ", values, " values; a decimal point is written '.'");
+        source_.fail(
+            message("gives ", values, " values; a decimal point is written '.'"));
       return value[0];
     } catch (const mu::Parser::exception_type& error) {
       fail(error);
@@ -117,8 +138,8 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const mu::Parser::exception_type& error) const {
-    throw InputError("is no expression in " + known_ + ": " + error.GetMsg() +
-                     meant(error));
+    source_.fail("is no expression in " + source_.known() + ": " + error.GetMsg() +
+                 meant(error));
   }
 
   std::string meant(const mu::Parser::exception_type& error) const {
@@ -137,7 +158,7 @@ class Parser {
     return bem::meant(name, names);
   }
 
-  std::string known_;
+  const Source& source_;
   std::function<bem::Vec2(bem::Vec2)> normalAt_;
   bem::Vec2 point_;
   bem::Vec2 normal_;
@@ -147,15 +168,11 @@ class Parser {
 /// An expression, with one parser per thread that evaluates it at the same time.
 class Expression {
  public:
-  Expression(std::string text, Place place, Names names, Form form)
-      : text_(std::move(text)),
-        place_(std::move(place)),
-        names_(std::move(names)),
-        form_(form) {
-    if (text_.find_first_not_of(" \t\r\n") == std::string::npos)
-      fail("is empty");
-    if (loneEqualSign(text_) != std::string::npos)
-      fail("assigns with '='; nothing can be assigned, equality is '=='");
+  explicit Expression(Source source) : source_(std::move(source)) {
+    if (source_.text.find_first_not_of(" \t\r\n") == std::string::npos)
+      source_.fail("is empty");
+    if (loneEqualSign(source_.text) != std::string::npos)
+      source_.fail("assigns with '='; nothing can be assigned, equality is '=='");
     const double value =
         evaluate({0, 0});  // checks the syntax; the value at the origin may be undefined
     if (idle_.front()->isConstant())
@@ -163,18 +180,19 @@ class Expression {
   }
 
   double operator()(bem::Vec2 point) const {
+    const double t = source_.names.t;
     double value = evaluate(point);
     if (std::isnan(value))
       value = std::abs(value);  // messages shall show nan, not -nan
-    if (!std::isfinite(value) && form_ != Form::OfPoint)
-      fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
-                   "; one finite number is needed", ends()));
+    if (!std::isfinite(value) && source_.form != Form::OfPoint)
+      source_.fail(message("is ", value, t == 1 ? "" : message(" at t = ", t),
+                           "; one finite number is needed", source_.ends()));
     if (!std::isfinite(value * value))
-      fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
-                   names_.t == 1 ? "" : message(", t = ", names_.t),
-                   std::isfinite(value) ? "; its square must be finite, too"
-                                        : "; one finite number is needed there",
-                   ends()));
+      source_.fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
+                           t == 1 ? "" : message(", t = ", t),
+                           std::isfinite(value) ? "; its square must be finite, too"
+                                                : "; one finite number is needed there",
+                           source_.ends()));
     return value;
   }
 
@@ -182,48 +200,23 @@ class Expression {
   double evaluate(bem::Vec2 point) const {
     if (constant_)
       return *constant_;
-    try {
-      std::unique_ptr<Parser> parser = take();
-      const double value = (*parser)(point);
-      giveBack(std::move(parser));
-      return value;
-    } catch (const InputError& error) {
-      fail(error.what());
-    }
+    std::unique_ptr<Parser> parser = take();
+    const double value = (*parser)(point);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(parser));
+    return value;
   }
 
   std::unique_ptr<Parser> take() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (idle_.empty())
-      return std::make_unique<Parser>(text_, names_, form_);
+      return std::make_unique<Parser>(source_);
     std::unique_ptr<Parser> parser = std::move(idle_.back());
     idle_.pop_back();
     return parser;
   }
 
-  void giveBack(std::unique_ptr<Parser> parser) const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    idle_.push_back(std::move(parser));
-  }
-
-  /// The ranges of the tables that the text names: outside they have no value.
-  std::string ends() const {
-    std::string told;
-    for (const auto& [name, table] : names_.tables)
-      if (text_.find(name) != std::string::npos)
-        told +=
-            message("; ", name, " is given from ", table->low(), " to ", table->high());
-    return told;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(place_.file, ": ", place_.path, " = '", text_, "' ", what);
-  }
-
-  std::string text_;
-  Place place_;
-  Names names_;
-  Form form_;
+  Source source_;
   std::optional<double> constant_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Parser>> idle_;
@@ -248,22 +241,10 @@ void checkName(const std::string& name, const Names& earlier) {
 }  // namespace
 
 bem::Function makeExpression(const std::string& text, const Place& place,
-                             const Names& names) {
+                             const Names& names, Form form) {
   const auto expression =
-      std::make_shared<const Expression>(text, place, names, Form::OfPoint);
+      std::make_shared<const Expression>(Source{text, place, names, form});
   return [expression](bem::Vec2 point) { return (*expression)(point); };
-}
-
-double evaluateAt(double t, const std::string& text, const Place& place,
-                  const Names& names) {
-  Names now = names;
-  now.t = t;
-  now.normal = {};  // the value is independent of the place, also on a boundary
-  return Expression(text, place, now, Form::OfTime)({});
-}
-
-double evaluateConstant(const std::string& text, const Place& place, const Names& names) {
-  return Expression(text, place, names, Form::OfConstants)({});
 }
 
 namespace {
@@ -292,7 +273,7 @@ Constants readConstants(const Teuchos::ParameterList& list, const Place& place,
   names.tables = tables;
   forEachName(list, place, names, [&](const std::string& name, const Place& inner) {
     names.constants[name] =
-        Expression(list.get<std::string>(name), inner, names, Form::Constant)({});
+        makeExpression(list.get<std::string>(name), inner, names, Form::Constant)({});
   });
   return names.constants;
 }

@@ -27,7 +27,16 @@ struct Names {
   Tables tables = {};
 };
 
-/// Makes a function of x and y from a muParser expression.
+/// The names that an expression may use; each form includes those before it.
+enum class Form {
+  Constant,     ///< of constants that are given before it, and tables
+  OfConstants,  ///< of all of them
+  OfTime,       ///< of t
+  OfPoint       ///< of x and y, on a boundary nx and ny
+};
+
+/// Makes a function of x and y from a muParser expression; in other forms it is the same
+/// everywhere.
 ///
 /// It may use x, y, t, pi, on a boundary nx, ny, the constants and tables of the scene; +
 /// - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan sinh cosh tanh asinh
@@ -36,16 +45,7 @@ struct Names {
 /// \throws bem::InputError for an invalid expression.  The function throws it where the
 ///   value is not one finite number, with file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place,
-                             const Names& names = {});
-
-/// The value of an expression in t, the constants and the tables alone.
-/// \throws bem::InputError if it is invalid, or if the value is not one finite number.
-double evaluateAt(double t, const std::string& text, const Place& place,
-                  const Names& names);
-
-/// The value of an expression that uses only constants and tables.
-/// \throws bem::InputError as evaluateAt.
-double evaluateConstant(const std::string& text, const Place& place, const Names& names);
+                             const Names& names = {}, Form form = Form::OfPoint);
 
 /// Reads a list of constants; each may use the tables and the constants before it.
 /// \throws bem::InputError for a name that is invalid or already in use, and for a value

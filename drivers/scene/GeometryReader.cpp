@@ -1,14 +1,12 @@
-#include "drivers/scene/GeometryReader.hpp"
-
 #include "bem/base/Error.hpp"
-#include "drivers/scene/DxfOutline.hpp"
-#include "drivers/scene/GmshOutline.hpp"
+#include "bem/base/Schema.hpp"
+#include "drivers/scene/OutlineChain.hpp"
+#include "drivers/scene/Readers.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -44,7 +42,7 @@ int countHoles(const ParameterList& geometry, const std::string& path) {
 
 bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
                    const std::string& path) {
-  bem::Loop loop{pointsOf(geometry, prefix + "Vertices"),
+  bem::Loop loop{bem::pointsIn(geometry, prefix + "Vertices"),
                  namesOf(geometry, prefix + "Edges")};
   if (geometry.isParameter(prefix + "Bulges"))
     loop.bulges = geometry.get<Teuchos::Array<double>>(prefix + "Bulges").toVector();
@@ -64,16 +62,8 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
   return loop;
 }
 
-void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
-             const bem::Loop& loop) {
-  const auto size =
-      static_cast<Teuchos::TwoDArray<double>::size_type>(loop.vertices.size());
-  Teuchos::TwoDArray<double> table(size, 2);
-  for (Teuchos::TwoDArray<double>::size_type i = 0; i < size; ++i) {
-    table(i, 0) = loop.vertices[i].x;
-    table(i, 1) = loop.vertices[i].y;
-  }
-  geometry.set(prefix + "Vertices", table);
+void setLoop(ParameterList& geometry, const std::string& prefix, const bem::Loop& loop) {
+  bem::setPoints(geometry, prefix + "Vertices", loop.vertices);
   geometry.set(prefix + "Edges", Teuchos::Array<std::string>(loop.edges));
   if (!loop.bulges.empty())
     geometry.set(prefix + "Bulges", Teuchos::Array<double>(loop.bulges));
@@ -113,15 +103,6 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
 }
 
 }  // namespace
-
-std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
-  const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
-  std::vector<bem::Vec2> points;
-  points.reserve(table.getNumRows());
-  for (int i = 0; i < table.getNumRows(); ++i)
-    points.push_back({table(i, 0), table(i, 1)});
-  return points;
-}
 
 std::string holeKey(int hole, const std::string& what) {
   return message("Hole ", hole, " ", what);

@@ -1,6 +1,5 @@
-#include "drivers/scene/GmshOutline.hpp"
-
 #include "drivers/scene/GmshSections.hpp"
+#include "drivers/scene/OutlineChain.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

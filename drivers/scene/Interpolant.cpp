@@ -7,7 +7,6 @@
 
 #include <Teuchos_LAPACK.hpp>
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
 #include <boost/math/interpolators/cubic_hermite.hpp>
@@ -20,7 +19,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using Points = Teuchos::TwoDArray<double>;
 
 std::function<double(double)> linear(std::vector<double> x, std::vector<double> values) {
   return [x = std::move(x), values = std::move(values)](double at) {
@@ -103,15 +101,6 @@ void check(const std::vector<double>& x, const std::vector<double>& values,
   }
 }
 
-Points readPoints(const std::string& text) {
-  const auto pairs = pairsIn(text, true);
-  Points points(static_cast<Points::size_type>(pairs.size()), 2);
-  for (std::size_t i = 0; i < 2 * pairs.size(); ++i)
-    points(static_cast<Points::size_type>(i / 2), static_cast<Points::size_type>(i % 2)) =
-        pairs[i / 2][i % 2];
-  return points;
-}
-
 void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   if (list.isParameter("File") == list.isParameter("Points"))
     throw InputError("give Points or File, one of them");
@@ -120,8 +109,8 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   const auto name = list.get<std::string>("File");
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
-  list.set("Points", within(bem::message("File = '", name, "' (", file, "): "),
-                            [&] { return readPoints(readText(file)); }));
+  within(bem::message("File = '", name, "' (", file, "): "),
+         [&] { bem::setPoints(list, "Points", pairsIn(readText(file), true)); });
   list.remove("File");
 }
 
@@ -168,12 +157,11 @@ bem::SchemaRows tableRows() {
 std::shared_ptr<const Interpolant> readTable(Teuchos::ParameterList& list,
                                              const std::string& sceneFile) {
   expandFile(list, sceneFile);
-  const auto& points = list.get<Points>("Points");
   std::vector<double> x;
   std::vector<double> values;
-  for (Points::size_type i = 0; i < points.getNumRows(); ++i) {
-    x.push_back(points(i, 0));
-    values.push_back(points(i, 1));
+  for (const bem::Vec2 point : bem::pointsIn(list, "Points")) {
+    x.push_back(point.x);
+    values.push_back(point.y);
   }
   return std::make_shared<const Interpolant>(
       std::move(x), std::move(values),

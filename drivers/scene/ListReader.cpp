@@ -1,125 +1,37 @@
-#include "drivers/scene/ListReader.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "bem/base/Written.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Text.hpp"
 
-#include <Teuchos_Array.hpp>
-#include <Teuchos_TwoDArray.hpp>
 #include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <iterator>
-#include <limits>
 
 namespace epafi::drivers {
 
 namespace {
 
+using bem::entryOf;
 using bem::InputError;
-using bem::message;
+using bem::Written;
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
 using Teuchos::XMLObject;
 
-template <class T>
-T valueOf(const std::string& text);
-
-template <>
-std::string valueOf(const std::string& text) {
-  return text;
-}
-
-template <>
-double valueOf(const std::string& text) {
-  char* stop = nullptr;
-  const double value = std::strtod(text.c_str(), &stop);
-  // strtod also accepts infinity and hexadecimal numbers
-  if (text.empty() || stop != text.c_str() + text.size() ||
-      text.find_first_not_of("0123456789+-.eE") != std::string::npos)
-    throw InputError("'", text, "' is not a number; write 0.5, -3 or 1e-3");
-  if (!std::isfinite(value))
-    throw InputError("'", text, "' is too large for a number");
-  const std::string mantissa = text.substr(0, text.find_first_of("eE"));
-  const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
-  if (subnormal && mantissa.find_first_of("123456789") != std::string::npos)
-    throw InputError("'", text, "' is too small for a number; from 2.3e-308 on, or 0");
-  return value;
-}
-
-template <>
-int valueOf(const std::string& text) {
-  const std::size_t start = !text.empty() && text[0] == '+' ? 1 : 0;
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + start, end, value);
-  if (error == std::errc::result_out_of_range)
-    throw InputError("'", text, "' is out of range; from ",
-                     std::numeric_limits<int>::min(), " to ",
-                     std::numeric_limits<int>::max());
-  if (error != std::errc() || stop != end || (start == 1 && text[1] == '-'))
-    throw InputError("'", text, "' is not a whole number");
-  return value;
-}
-
-template <>
-bool valueOf(const std::string& text) {
-  if (text != "true" && text != "false")
-    throw InputError("'", text, "' is neither 'true' nor 'false'");
-  return text == "true";
-}
-
-template <class T>
-ParameterEntry entryOf(const Written& written) {
-  using Shape = Written::Shape;
-  std::vector<T> values;
-  for (const std::string& text : written.texts)
-    within(written.shape == Shape::One
-               ? ""
-               : message("entry ", values.size(), " of the array: "),
-           [&] { values.push_back(valueOf<T>(text)); });
-  if (written.shape == Shape::One)
-    return ParameterEntry(T(values.front()));
-  if (written.shape == Shape::Array)
-    return ParameterEntry(Teuchos::Array<T>(values));
-  Teuchos::TwoDArray<T> table(written.rows, written.columns);
-  for (int k = 0; k < static_cast<int>(values.size()); ++k)
-    table(k / written.columns, k % written.columns) = values[k];
-  return ParameterEntry(table);
-}
-
-ParameterEntry flagOf(const Written& written) {
-  if (written.shape != Written::Shape::One)
-    throw InputError("no key takes an array of true and false");
-  return ParameterEntry(valueOf<bool>(written.texts.front()));
-}
-
-struct Type {
-  const char* name;
-  ParameterEntry (*read)(const Written& written);
-};
-
-constexpr Type types[] = {{"int", entryOf<int>},
-                          {"double", entryOf<double>},
-                          {"string", entryOf<std::string>},
-                          {"bool", flagOf}};
-
 /// {a, b, c}
-Written arrayIn(const std::string& text, bool ofTexts) {
+Written arrayIn(const std::string& text, const std::string& type) {
   if (text.size() < 2 || text.front() != '{' || text.back() != '}')
     throw InputError("'", text, "' is not an array; write {a, b, c}");
   const std::string inner = trimmed(text.substr(1, text.size() - 2));
-  Written array{Written::Shape::Array, {}};
+  Written array{type, Written::Shape::Array, {}};
   if (inner.empty())
     return array;
   for (const std::string& piece : pieces(inner)) {
     const std::string entry = trimmed(piece);
     const bool brace = entry.find_first_of("{}") != std::string::npos;
-    if (entry.empty() || (brace && !(ofTexts && isBalanced(entry))))  // A={4, 4}
+    if (entry.empty() || (brace && !(array.isText() && isBalanced(entry))))  // A={4, 4}
       throw InputError("entry ", array.texts.size(), " = '", entry,
                        "' of the array is empty or holds a brace; write {a, b, c}");
     array.texts.push_back(entry);
@@ -128,7 +40,7 @@ Written arrayIn(const std::string& text, bool ofTexts) {
 }
 
 /// RxC:{a, b, ...}
-Written tableIn(const std::string& text, bool ofTexts) {
+Written tableIn(const std::string& text, const std::string& type) {
   const std::string size = text.substr(0, text.find(':'));
   const std::string rows = size.substr(0, size.find('x'));
   const std::string columns = size.substr(std::min(rows.size() + 1, size.size()));
@@ -136,10 +48,10 @@ Written tableIn(const std::string& text, bool ofTexts) {
     if (count.empty() || count.find_first_not_of("0123456789") != std::string::npos ||
         size.size() == text.size())
       throw InputError("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row");
-  Written table = arrayIn(trimmed(text.substr(size.size() + 1)), ofTexts);
+  Written table = arrayIn(trimmed(text.substr(size.size() + 1)), type);
   table.shape = Written::Shape::Table;
-  table.rows = valueOf<int>(rows);
-  table.columns = valueOf<int>(columns);
+  table.rows = bem::wholeIn(rows);
+  table.columns = bem::wholeIn(columns);
   const std::size_t wanted = static_cast<std::size_t>(table.rows) * table.columns;
   if (table.texts.size() != wanted)
     throw InputError("a table ", size, " has ", wanted, " entries; ", table.texts.size(),
@@ -164,8 +76,9 @@ ParameterEntry parameterOf(const XMLObject& object) {
   ParameterEntry entry =
       readValue(object.getRequired("type"), object.getRequired("value"));
   if (object.hasAttribute("isDefault"))
-    entry.setAnyValue(Teuchos::any(entry.getAny(false)),
-                      valueOf<bool>(object.getRequired("isDefault")));
+    entry.setAnyValue(
+        Teuchos::any(entry.getAny(false)),
+        Teuchos::getValue<bool>(readValue("bool", object.getRequired("isDefault"))));
   return entry;
 }
 
@@ -193,28 +106,21 @@ void readInto(ParameterList& result, const XMLObject& list, const std::string& p
 
 }  // namespace
 
-ParameterEntry toEntry(const std::string& type, const Written& written) {
-  const auto* found = std::find_if(std::begin(types), std::end(types),
-                                   [&](const Type& known) { return type == known.name; });
-  return found->read(written);
-}
-
 ParameterEntry readValue(const std::string& type, const std::string& value) {
   std::vector<std::string> names;
   const std::string text = trimmed(value);
-  for (const auto& [name, read] : types) {
-    const bool ofTexts = name == std::string("string");
-    names.emplace_back(name);
-    if (type == name)
-      return read({Written::Shape::One, {ofTexts ? value : text}});
-    if (name == std::string("bool"))
+  for (const std::string one : {"int", "double", "string", "bool"}) {
+    const std::string array = "Array(" + one + ")";
+    names.push_back(one);
+    if (type == one)
+      return entryOf({one, Written::Shape::One, {one == "string" ? value : text}});
+    if (one == "bool")
       continue;
-    const std::string array = message("Array(", name, ")");
-    names.insert(names.end(), {array, "TwoD" + array});
     if (type == array)
-      return read(arrayIn(text, ofTexts));
+      return entryOf(arrayIn(text, one));
     if (type == "TwoD" + array)
-      return read(tableIn(text, ofTexts));
+      return entryOf(tableIn(text, one));
+    names.insert(names.end(), {array, "TwoD" + array});
   }
   throw InputError("unknown type '", type, "'", bem::suggestion(type, names));
 }

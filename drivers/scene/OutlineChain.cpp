@@ -1,7 +1,6 @@
 #include "drivers/scene/OutlineChain.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -72,21 +71,6 @@ std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   return result;
 }
 
-bem::Curve curveOf(const Loop& loop, std::size_t i) {
-  return {loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()],
-          loop.bulges[i]};
-}
-
-double twiceArea(const Loop& loop) {
-  double area = 0;
-  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-    area += loop.bulges[i] == 0 ? 0 : twiceAreaBesideChord(curveOf(loop, i));
-  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-    area += cross(loop.vertices[i] - loop.vertices[0],
-                  loop.vertices[(i + 1) % loop.vertices.size()] - loop.vertices[0]);
-  return area;
-}
-
 /// Reverses a loop: edge i leads from vertex i to i+1 again.
 void reverse(Loop& loop, std::vector<Tag>& tags) {
   std::reverse(loop.vertices.begin(), loop.vertices.end());
@@ -104,8 +88,8 @@ bool isCorner(const Loop& loop, std::size_t i) {
   if (loop.edges[before] != loop.edges[i])
     return true;
   if (loop.bulges[before] != 0 || loop.bulges[i] != 0) {
-    const bem::Curve in = curveOf(loop, before);
-    const bem::Curve out = curveOf(loop, i);
+    const bem::Curve in = loop.curve(before);
+    const bem::Curve out = loop.curve(i);
     return !(dot(in.tangent(1), out.tangent(-1)) > 0 &&
              std::abs(cross(in.tangent(1), out.tangent(-1))) <= oneCircle &&
              std::abs(in.curvature() - out.curvature()) <=
@@ -175,7 +159,7 @@ std::vector<Loop> chain(const OutlinePieces& all) {
       const auto& both = touching.at(node);
       at = both[0] == at ? both[1] : both[0];
     }
-    if (twiceArea(loop) < 0)
+    if (loop.twiceArea() < 0)
       reverse(loop, tags);
     loops.push_back(merged(loop, tags));
   }
@@ -191,13 +175,9 @@ bem::Loops chained(const OutlinePieces& pieces) {
   for (const Loop& loop : loops)
     if (loop.vertices.size() < (loop.bulges.empty() ? 3 : 2))
       throw InputError("a loop of lines has no area");
-  const auto area = [](Loop loop) {
-    loop.bulges.resize(loop.vertices.size());
-    return twiceArea(loop);
-  };
-  const auto outer =
-      std::max_element(loops.begin(), loops.end(),
-                       [&](const Loop& a, const Loop& b) { return area(a) < area(b); });
+  const auto outer = std::max_element(
+      loops.begin(), loops.end(),
+      [](const Loop& a, const Loop& b) { return a.twiceArea() < b.twiceArea(); });
   bem::Loops result{*outer, {}};
   loops.erase(outer);
   result.holes = std::move(loops);

@@ -34,4 +34,26 @@ struct OutlinePieces {
 ///   largest.
 bem::Loops chained(const OutlinePieces& pieces);
 
+/// Reads an outline from a Gmsh mesh (.msh, format 4.1, ASCII or binary).
+///
+/// Uses the line elements that belong to a physical group; the name of the group (or its
+/// number) is the name of the boundary.  Lines of second order are circular arcs through
+/// their three nodes.  The lines must form closed loops, see chained(): the first corner
+/// of a loop is the one with the smallest node number, usually the first point of the
+/// geometry.  Other elements are skipped.
+/// \throws bem::InputError with the line of the file (in a binary one the byte) if the
+///   file is not a mesh or the mesh is not an outline: lines of third or higher order,
+///   open chains, branches, nodes with different z.
+bem::Loops readGmsh(const std::string& text);
+
+/// Reads an outline from a drawing (.dxf, ASCII, any version).
+///
+/// Uses LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE of model space; the name of the layer
+/// is the name of the boundary.  Ends closer than 1e-6 of the size of the drawing are one
+/// corner.  The pieces form closed loops, see chained().  Texts, dimensions, points and
+/// hatches are skipped; the unit of the drawing is ignored.
+/// \throws bem::InputError with the line of the file for an invalid drawing, outline or
+///   number, and for other curves (splines, ellipses, blocks).
+bem::Loops readDxf(const std::string& text);
+
 }  // namespace epafi::drivers

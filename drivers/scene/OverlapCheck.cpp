@@ -1,7 +1,6 @@
-#include "drivers/scene/OverlapCheck.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/geometry/Crossing.hpp"
+#include "drivers/scene/Readers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
-#include "drivers/scene/Override.hpp"
-
 #include "bem/base/Error.hpp"
-#include "drivers/scene/ListReader.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -106,9 +104,9 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
   const bool alone = value.find('{') == std::string::npos;
   if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
     throw InputError(path, ": '", value, "' is no array; write {", value, "}");
-  const std::string type = alone && row.kind == Kind::Counts  ? "int"
-                           : alone && row.kind == Kind::Reals ? "double"
-                                                              : textOf(row.kind).type;
+  const auto& kind = textOf(row.kind);
+  const bool one = alone && (row.kind == Kind::Counts || row.kind == Kind::Reals);
+  const std::string type = one ? kind.element : kind.type;
   const auto entry = within(path + ": ", [&] { return readValue(type, value); });
   madeParentOf(list, path).setEntry(lastOf(path), entry);
 }

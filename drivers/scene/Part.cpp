@@ -32,7 +32,8 @@ bem::Function Part::nonNegative(const std::string& key, bool orZero) const {
 }
 
 double Part::number(const std::string& key, double t) const {
-  return evaluateAt(t, list->get<std::string>(key), at(key), names);
+  return makeExpression(list->get<std::string>(key), at(key), then(t).names,
+                        Form::OfTime)({});
 }
 
 bem::Vec2 Part::point(const std::string& key) const {

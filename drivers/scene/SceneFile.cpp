@@ -1,19 +1,15 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/SchemaRow.hpp"
-#include "drivers/scene/ListReader.hpp"
+#include "bem/base/Written.hpp"
 #include "drivers/scene/Text.hpp"
-#include "drivers/scene/YamlText.hpp"
 
-#include <Teuchos_Array.hpp>
-#include <Teuchos_ParameterEntryXMLConverterDB.hpp>
 #include <Teuchos_StringInputSource.hpp>
-#include <Teuchos_TwoDArray.hpp>
 #include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cerrno>
 #include <cstring>
@@ -27,7 +23,6 @@ namespace {
 
 using bem::InputError;
 using bem::message;
-using bem::shortest;
 using Teuchos::XMLObject;
 
 /// The message of a Teuchos exception without source positions.
@@ -92,34 +87,16 @@ RawScene readXml(const std::string& text) {
   return {root.hasAttribute("name") ? root.getRequired("name") : "", readList(root)};
 }
 
-/// Type and value of an entry in XML: doubles, also in arrays, with the fewest digits
-/// that give back every bit, others as Teuchos writes them.
-struct Spelling {
-  std::string type;
-  std::string value;
-};
-
-Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
-  if (entry.isType<double>())
-    return {"double", shortest(Teuchos::getValue<double>(entry))};
-  if (entry.isType<Teuchos::Array<double>>()) {
-    std::string text;
-    for (const double x : Teuchos::getValue<Teuchos::Array<double>>(entry))
-      text += (text.empty() ? "{" : ", ") + shortest(x);
-    return {"Array(double)", text.empty() ? "{}" : text + "}"};
-  }
-  if (entry.isType<Teuchos::TwoDArray<double>>()) {
-    const auto& table = Teuchos::getValue<Teuchos::TwoDArray<double>>(entry);
-    std::string text = message(table.getNumRows(), "x", table.getNumCols(), ":{");
-    for (int i = 0; i < table.getNumRows(); ++i)
-      for (int j = 0; j < table.getNumCols(); ++j)
-        text += (i + j == 0 ? "" : ", ") + shortest(table(i, j));
-    return {"TwoDArray(double)", text + "}"};
-  }
-  const auto whole = Teuchos::rcp(new Teuchos::ParameterEntry(entry));
-  const XMLObject xml = Teuchos::ParameterEntryXMLConverterDB::convertEntry(
-      whole, name, 0, Teuchos::ValidatortoIDMap());
-  return {xml.getRequired("type"), xml.getRequired("value")};
+/// {a, b, c}, of a table behind its size.
+std::string valueOf(const bem::Written& written) {
+  using Shape = bem::Written::Shape;
+  const std::string all = boost::algorithm::join(written.texts, ", ");
+  if (written.shape == Shape::One)
+    return all;
+  return message(written.shape == Shape::Table
+                     ? message(written.rows, "x", written.columns, ":")
+                     : "",
+                 "{", all, "}");
 }
 
 void write(const Teuchos::ParameterList& list, const std::string& name,
@@ -132,9 +109,9 @@ void write(const Teuchos::ParameterList& list, const std::string& name,
             out);
       continue;
     }
-    const Spelling spelling = spell(item.second, item.first);
+    const bem::Written written = bem::writtenIn(item.second).value();
     out << inner << "<Parameter name=\"" << xmlText(item.first) << "\" type=\""
-        << spelling.type << "\" value=\"" << xmlText(spelling.value)
+        << written.fullType() << "\" value=\"" << xmlText(valueOf(written))
         << (item.second.isDefault() ? "\" isDefault=\"true\"/>\n" : "\"/>\n");
   }
   out << indent << "</ParameterList>\n";

@@ -3,7 +3,10 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <string>
-#include <vector>
+
+namespace Teuchos {
+class XMLObject;
+}
 
 namespace epafi::drivers {
 
@@ -28,6 +31,41 @@ std::string readText(const std::string& file);
 /// \throws bem::InputError for an empty or malformed text and for values that do not fit
 ///   their type; without the name of the file.
 RawScene rawScene(const std::string& text, const std::string& file);
+
+/// The list in a YAML text, which may use anchors, `<<` and multi-line lists.
+///
+/// A value in quotes is a string.  Other values get the narrowest type that fits: int,
+/// double, bool, string; an array has the type that fits all entries; an array of arrays
+/// is a table.  A key without a value is an empty list.
+/// \throws bem::InputError with line and column for invalid YAML, for a document that is
+///   not a tree of lists under one title, and for a nesting deeper than about 250.
+RawScene readYaml(const std::string& text);
+
+/// Reads an XML list and checks tags, names (given, unique), types and values.
+/// \throws bem::InputError with the path A->B->Key; without the file.
+Teuchos::ParameterList readList(const Teuchos::XMLObject& root);
+
+/// Converts a text to a value of a Teuchos type.  The whole text must be valid and in
+/// range.
+///
+/// Types: int, double, bool, string; Array(T) as {a, b, c}; TwoDArray(T) as RxC:{row by
+/// row}, T not bool.
+/// \throws bem::InputError with the error and the valid form, without file and path.
+Teuchos::ParameterEntry readValue(const std::string& type, const std::string& value);
+
+/// Applies one "A->B->Key=value" of --set: the first '=' separates, with or without
+/// blanks, and the schema declares the type of the value.
+///
+/// "{Key=value, Key=value}" replaces a whole list, lists in it likewise; an empty value
+/// removes a key or a list.
+/// \throws bem::InputError for an undeclared path, a removed key, a value of another
+///   type, or if there is nothing to remove.
+void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
+
+/// Removes keys of earlier versions that have their former default, as in every used.xml
+/// of these versions: they have no effect.
+/// \throws bem::InputError for another value, with the replacement of the key.
+void dropRemovedKeys(Teuchos::ParameterList& scene);
 
 /// The list as XML; reading it gives the same list, numbers to the last bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);

@@ -4,12 +4,8 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
-#include "drivers/scene/BodiesReader.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
-#include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/ContactsReader.hpp"
-#include "drivers/scene/GeometryReader.hpp"
-#include "drivers/scene/Override.hpp"
+#include "drivers/scene/Readers.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -206,7 +202,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   readNames(given, scene);
   scene.given = given;
   const auto constant = [&](const std::string& text, const std::string& path) {
-    return evaluateConstant(text, {file, path}, scene.names());
+    return makeExpression(text, {file, path}, scene.names(), Form::OfConstants)({});
   };
   scene.used = std::make_shared<ParameterList>(
       bem::complete(parameters(), given, raw.title, constant));
@@ -236,15 +232,12 @@ void putBackTexts(const ParameterList& given, ParameterList& used) {
   for (const auto& item : given) {
     if (!used.isParameter(item.first))
       continue;
-    const Teuchos::ParameterEntry& entry = item.second;
-    const bool isText = entry.isType<std::string>() ||
-                        entry.isType<Teuchos::Array<std::string>>() ||
-                        entry.isType<Teuchos::TwoDArray<std::string>>();
-    if (entry.isList() && used.isSublist(item.first))
+    const auto text = bem::writtenIn(item.second);
+    if (item.second.isList() && used.isSublist(item.first))
       putBackTexts(given.sublist(item.first), used.sublist(item.first));
-    else if (isText &&
-             entry.getAny(false).type() != used.getEntry(item.first).getAny(false).type())
-      used.setEntry(item.first, entry);
+    else if (text && text->isText() &&
+             !bem::writtenIn(used.getEntry(item.first))->isText())
+      used.setEntry(item.first, item.second);
   }
 }
 

@@ -3,7 +3,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
-#include "drivers/scene/MeshReader.hpp"
+#include "drivers/scene/Readers.hpp"
 #include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {

@@ -49,9 +49,7 @@ std::set<std::string> align(const Symmetry& symmetry, double tolerance,
 double sideOf(const Symmetry& symmetry, double tolerance, double side,
               const std::string& path, const bem::Loop& loop) {
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-    for (Vec2 point : extent(bem::Curve(loop.vertices[i],
-                                        loop.vertices[(i + 1) % loop.vertices.size()],
-                                        loop.bulges.empty() ? 0 : loop.bulges[i]))) {
+    for (Vec2 point : extent(loop.curve(i))) {
       const double across = symmetry.across(point);
       if (side * across < -tolerance)
         throw InputError(path, ": the point (", point.x, ", ", point.y,

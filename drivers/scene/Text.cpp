@@ -28,8 +28,8 @@ std::optional<double> finiteIn(const std::string& text) {
   return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::vector<std::array<double, 2>> pairsIn(const std::string& text, bool alone) {
-  std::vector<std::array<double, 2>> pairs;
+std::vector<bem::Vec2> pairsIn(const std::string& text, bool alone) {
+  std::vector<bem::Vec2> pairs;
   std::istringstream lines(text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Vec2.hpp"
 
-#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace epafi::drivers {
+
+using bem::within;
 
 /// The number that the whole text spells; nothing if it is not a number.
 template <class Number>
@@ -27,17 +29,7 @@ std::optional<double> finiteIn(const std::string& text);
 /// them, in quotes or not, under headings or none; # begins a comment.
 /// \param alone  nothing may follow them
 /// \throws bem::InputError with the line
-std::vector<std::array<double, 2>> pairsIn(const std::string& text, bool alone);
-
-/// Returns work(); `where` is put before the message of an InputError.
-template <class Work>
-auto within(const std::string& where, const Work& work) {
-  try {
-    return work();
-  } catch (const bem::InputError& error) {
-    throw bem::InputError(where, error.what());
-  }
-}
+std::vector<bem::Vec2> pairsIn(const std::string& text, bool alone);
 
 /// The text without white space of XML at both ends.
 std::string trimmed(const std::string& text);

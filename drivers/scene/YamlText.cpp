@@ -1,12 +1,10 @@
-#include "drivers/scene/YamlText.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/SchemaRow.hpp"
-#include "drivers/scene/ListReader.hpp"
+#include "bem/base/Written.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
@@ -15,8 +13,10 @@ namespace epafi::drivers {
 
 namespace {
 
+using bem::entryOf;
 using bem::InputError;
 using bem::message;
+using bem::Written;
 using Teuchos::ParameterList;
 
 constexpr int deepest = 250;  // limit of yaml-cpp, which recurses twice for each level
@@ -28,31 +28,27 @@ std::string at(const YAML::Mark& mark) {
   return message("line ", mark.line + 1, ", column ", mark.column + 1);
 }
 
-/// Types from narrow to wide; Real includes Whole, and Text includes all.
-enum class Type { Whole, Real, Flag, Text };
-
-const char* nameOf(Type type) {
-  constexpr const char* names[] = {"int", "double", "bool", "string"};
-  return names[static_cast<int>(type)];
-}
-
-Type typeOf(const YAML::Node& scalar) {
+/// The narrowest type of a value.
+std::string typeOf(const YAML::Node& scalar) {
   const std::string& text = scalar.Scalar();
   const bool plain = scalar.Tag() == "?";
   if (!plain)
-    return Type::Text;
+    return "string";
   const std::string unsignedText = text.substr(text.find_first_of("+-") == 0 ? 1 : 0);
   if (numberIn<int>(unsignedText))
-    return Type::Whole;
-  // includes numbers out of range, for which readValue has a better message
+    return "int";
+  // includes numbers out of range, for which realIn has a better message
   if (unsignedText.find_first_of(".0123456789") == 0 &&
       text.find_first_not_of("0123456789+-.eE") == std::string::npos)
-    return Type::Real;
-  return text == "true" || text == "false" ? Type::Flag : Type::Text;
+    return "double";
+  return text == "true" || text == "false" ? "bool" : "string";
 }
 
-Type joined(Type a, Type b) {
-  return a == b ? a : std::max(a, b) == Type::Real ? Type::Real : Type::Text;
+/// The narrowest type of two values together.
+std::string joined(const Written& value, const std::string& type) {
+  if (value.texts.empty() || value.type == type)
+    return type;
+  return value.isNumber() && (type == "int" || type == "double") ? "double" : "string";
 }
 
 /// Checks brackets: in a list YAML ends unquoted text at a comma, also in max(x, 0).
@@ -121,23 +117,22 @@ class Reader {
     using Shape = Written::Shape;
     if (node.IsScalar()) {
       count(node);
-      return toEntry(nameOf(typeOf(node)), {Shape::One, {node.Scalar()}});
+      return entryOf({typeOf(node), Shape::One, {node.Scalar()}});
     }
-    std::optional<Type> type;
-    Written written{Shape::Array, {}, 0, 0};
+    Written written{"string", Shape::Array, {}, 0, 0};
     if (node.size() == 0 || !node.begin()->IsSequence()) {
-      addRow(node, written, type);
+      addRow(node, written);
     } else {
       written.shape = Shape::Table;
       written.columns = static_cast<int>(node.begin()->size());
       for (const YAML::Node& row : node)
-        addRow(row, written, type);
+        addRow(row, written);
     }
-    return toEntry(nameOf(type.value_or(Type::Text)), written);
+    return entryOf(written);
   }
 
-  /// Adds the entries of an array or a row, and widens `type` to include theirs.
-  void addRow(const YAML::Node& array, Written& written, std::optional<Type>& type) {
+  /// Adds the entries of an array or a row, and widens the type to include theirs.
+  void addRow(const YAML::Node& array, Written& written) {
     if (array.IsSequence())
       for (const YAML::Node& entry : array)
         if (entry.IsScalar())
@@ -152,7 +147,7 @@ class Reader {
       if (!entry.IsScalar())
         throw InputError("an array holds numbers or texts, or arrays of as many numbers");
       count(entry);
-      type = type ? joined(*type, typeOf(entry)) : typeOf(entry);
+      written.type = joined(written, typeOf(entry));
       written.texts.push_back(trimmed(entry.Scalar()));
       if (written.texts.back().empty())
         throw InputError("entry ", written.texts.size() - 1, " of the array is empty");

@@ -11,11 +11,13 @@ import xml.etree.ElementTree as xml
 from typing import Any, Iterable, Mapping, Optional
 
 Key = Mapping[str, Any]
+# What bash completes a value to, by the beginning of its name.
 OFFERED = {
-    "scenes": """compgen -f -X '!*.@(xml|yaml|yml)' -- "$word"; compgen -d -- "$word\"""",
-    "folders": 'compgen -d -- "$word"',
-    "files": 'compgen -f -- "$word"',
-    "words": """compgen -W '%s' -- "$word\""""}
+    "SCENE": """compgen -f -X '!*.@(xml|yaml|yml)' -- "$word"; compgen -d -- "$word\"""",
+    "DIR": 'compgen -d -- "$word"',
+    "FILE": 'compgen -f -- "$word"'}
+OFFERED["STUDY"] = OFFERED["SCENE"]
+WORDS = """compgen -W '%s' -- "$word\""""
 # What a value may be: types in XML, and in JSON.  A text in place of a number is an expression in
 # constants.
 TYPES = {"double": ("double int string", ["number", "string"]),
@@ -58,29 +60,27 @@ timings.txt; a study study.csv.
 
 
 def completion(epafi: Mapping[str, Any]) -> str:
-    def offered(offer: str, words: Iterable[str] = ()) -> str:
-        if offer == "nothing":
-            return "COMPREPLY=()"
-        text = OFFERED[offer].replace("%s", " ".join(words))
-        return "mapfile -t COMPREPLY < <(%s)" % text
+    def offered(value: str, words: Iterable[str] = ()) -> str:
+        text = WORDS % " ".join(words) if words else OFFERED.get(value.partition(".")[0])
+        return "mapfile -t COMPREPLY < <(%s)" % text if text else "COMPREPLY=()"
 
     names = [command["name"] for command in epafi["commands"]]
     lines = ["# bash completion of epafi; written by `epafi help --format bash`.",
              "shopt -s extglob", "_epafi() {",
              "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}",
              "  if ((COMP_CWORD == 1)); then",
-             "    " + offered("words", names + ["--help"]),
+             "    " + offered("", names + ["--help"]),
              "    return", "  fi", "  case ${COMP_WORDS[1]} in"]
     for command in epafi["commands"]:
         lines.append("    %s)" % command["name"])
         for option in command["options"]:
             if option["value"]:
                 lines.append("      [[ $before == %s ]] && { %s; return; }" % (
-                    option["name"], offered(option["offer"], option["words"])))
+                    option["name"], offered(option["value"], option["words"])))
         options = [option["name"] for option in command["options"]] + ["--help"]
         lines += ["      if [[ $word == -* ]]; then",
-                  "        " + offered("words", options),
-                  "      else", "        " + offered(command["offer"]), "      fi", "      ;;"]
+                  "        " + offered("", options),
+                  "      else", "        " + offered(command["argument"]), "      fi", "      ;;"]
     return "\n".join(lines + ["  esac", "}", "complete -o filenames -F _epafi epafi", ""])
 
 

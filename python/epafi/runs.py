@@ -156,18 +156,6 @@ class Run:
 
         return h5py.File(os.path.join(self.folder, "solution.hdf"), "r")
 
-    def _field_file(self, place: str, window: Optional[Window], step: Optional[int]) -> str:
-        """What a field is drawn of."""
-        if window is None:
-            file, how = "fields.vtu", ["--vtk"]
-        else:
-            x, y = window[2] - window[0], window[3] - window[1]
-            file, how = "fields-window.csv", ["--grid", "%d,%d" % tuple(
-                max(1, round(CELLS * side / max(x, y))) for side in (x, y))]
-        file = os.path.join(place, file)
-        call(["fields", self.folder, *how, "--output", file, *_chosen(window, step)])
-        return file
-
     def plot(self, what: str = "contact", *, window: Optional[Window] = None,
              step: Optional[int] = None, axes: Any = None, **looks: Any) -> tuple[Figure, Any]:
         """One of the pictures of `epafi plot` ("contact", "deformed", "mesh", "path", ...) or a
@@ -194,7 +182,7 @@ class Run:
         pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes)
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
             if what in FIELDS:
-                draw_field(what, self._field_file(place, window, step), pictures,
+                draw_field(what, field_file(self.folder, place, window, step), pictures,
                            when(self.folder, step))
             elif step is not None:
                 contact.draw(self.step(step), title_of(self.folder) + when(self.folder, step),
@@ -220,7 +208,7 @@ class Run:
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
         pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
         if field is not None:
-            self._field_file(self.folder, window, step)
+            field_file(self.folder, self.folder, window, step)
         return [os.path.join(self.folder, name + ".png")
                 for name in draw_folder(pictures, field, step)]
 
@@ -249,6 +237,19 @@ def pictured(draw: Callable[[], Figure], text: str) -> str:
         return embedded(draw(), text)
     except (ImportError, InputError):
         return ""
+
+
+def field_file(folder: str, place: str, window: Optional[Window], step: Optional[int]) -> str:
+    """Writes what a field of a run is drawn of: at a step, else at the last one."""
+    if window is None:
+        file, how = "fields.vtu", ["--vtk"]
+    else:
+        x, y = window[2] - window[0], window[3] - window[1]
+        file, how = "fields-window.csv", ["--grid", "%d,%d" % tuple(
+            max(1, round(CELLS * side / max(x, y))) for side in (x, y))]
+    file = os.path.join(place, file)
+    call(["fields", folder, *how, "--output", file, *_chosen(window, step)])
+    return file
 
 
 def _unknown(kind: str, name: str, known: Sequence[str]) -> InputError:

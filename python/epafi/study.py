@@ -310,8 +310,8 @@ def solve_all(file: str, folder: str, threads: str, *options: str) -> int:
             "1 variant was" if study.unsolved == 1 else "%d variants were" % study.unsolved,
             folder), file=sys.stderr, flush=True)
     drawn = "--no-plot" in options or subprocess.run(
-        [sys.executable, os.path.join(HERE, "plot", "__main__.py"), folder,
-         *["--quiet"] * study.quiet]).returncode == 0
+        [sys.executable, os.path.join(HERE, "plot", "__main__.py"), folder],
+        stdout=subprocess.DEVNULL if study.quiet else None).returncode == 0
     return 3 if study.unsolved else 0 if drawn else 1
 
 

@@ -1,6 +1,5 @@
-#include "drivers/scene/DxfOutline.hpp"
-
 #include "Message.hpp"
+#include "drivers/scene/OutlineChain.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

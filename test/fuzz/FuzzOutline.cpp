@@ -1,7 +1,6 @@
 // The readers of outlines on any bytes: they read loops that Outline judges, or throw.
 #include "bem/base/Error.hpp"
-#include "drivers/scene/DxfOutline.hpp"
-#include "drivers/scene/GmshOutline.hpp"
+#include "drivers/scene/OutlineChain.hpp"
 
 #include <cstddef>
 #include <cstdint>

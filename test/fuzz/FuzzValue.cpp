@@ -1,7 +1,7 @@
 // The reading of values.  The first byte chooses a type.  What passes as a number
 // is the number that the C library reads, all of it and finite.
 #include "bem/base/Error.hpp"
-#include "drivers/scene/ListReader.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -21,6 +21,16 @@ struct InputError : std::invalid_argument {
   explicit InputError(const Part&... part) : std::invalid_argument(message(part...)) {}
 };
 
+/// Returns work(); `where` is put before the message of an InputError.
+template <class Work>
+auto within(const std::string& where, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(where, error.what());
+  }
+}
+
 /// Breakdown of the arithmetic (indefinite matrix, NaN).  Exit code 2.  Slow convergence is
 /// not an error but a result, see contact::Report.
 struct NumericalError : std::runtime_error {

@@ -1,7 +1,8 @@
 #include "bem/base/Keys.hpp"
 
+#include "bem/base/Schema.hpp"
+
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_TwoDArray.hpp>
 
 namespace epafi::bem {
 
@@ -34,9 +35,7 @@ void read(const ParameterList& list, const std::string& name, Optional& value) {
 }
 
 void read(const ParameterList& list, const std::string& name, Points& value) {
-  const auto& table = list.get<Teuchos::TwoDArray<double>>(name);
-  for (int i = 0; i < table.getNumRows(); ++i)
-    value.push_back({table(i, 0), table(i, 1)});
+  value = pointsIn(list, name);
 }
 
 }  // namespace

@@ -2,81 +2,40 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "bem/base/Written.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 namespace epafi::bem {
 
 namespace {
 
-using Teuchos::Array;
+using Shape = Written::Shape;
 using Teuchos::getValue;
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
-using Teuchos::TwoDArray;
-using Texts = std::vector<std::string>;
-
-/// What an entry holds: one value, those of an array or, row by row, of a table.
-struct Cells {
-  enum class Shape { Other, One, Array, Table } shape = Shape::Other;
-  std::variant<std::vector<int>, std::vector<double>, Texts> values;
-  int rows = 1;
-  int columns = 1;
-
-  template <class T>
-  bool take(const ParameterEntry& entry) {
-    if (entry.isType<T>())
-      *this = {Shape::One, std::vector<T>{getValue<T>(entry)}};
-    else if (entry.isType<Array<T>>())
-      *this = {Shape::Array, getValue<Array<T>>(entry).toVector()};
-    else if (entry.isType<TwoDArray<T>>()) {
-      const auto& table = getValue<TwoDArray<T>>(entry);
-      *this = {Shape::Table, table.getDataArray().toVector(),
-               static_cast<int>(table.getNumRows()),
-               static_cast<int>(table.getNumCols())};
-    }
-    return shape != Shape::Other;
-  }
-};
-
-/// Of flags and lists nothing.
-Cells cellsOf(const ParameterEntry& entry) {
-  Cells cells;
-  if (!cells.take<int>(entry) && !cells.take<double>(entry))
-    cells.take<std::string>(entry);
-  return cells;
-}
-
-std::string spell(int value) { return std::to_string(value); }
-std::string spell(double value) { return shortest(value); }
-std::string spell(const std::string& value) { return value; }
 
 std::string describe(const ParameterEntry& entry) {
   if (entry.isList())
     return "a sublist";
-  return entry.isType<std::string>() ? "the string '" + getValue<std::string>(entry) + "'"
-                                     : "of type " + entry.getAny(false).typeName();
+  const auto written = writtenIn(entry);
+  if (!written)
+    return "of type " + entry.getAny(false).typeName();
+  return written->fullType() == "string" ? "the string '" + written->texts.front() + "'"
+                                         : "of type " + written->fullType();
 }
 
 /// The default of a row, marked as default.  \pre the row has one
 ParameterEntry defaultOf(const SchemaRow& row) {
-  switch (row.kind) {
-    case Kind::Real:
-      return ParameterEntry(std::stod(row.defaultValue), true);
-    case Kind::Whole:
-      return ParameterEntry(std::stoi(row.defaultValue), true);
-    case Kind::Flag:
-      return ParameterEntry(row.defaultValue == "true", true);
-    default:
-      return ParameterEntry(row.defaultValue, true);
-  }
+  ParameterEntry entry =
+      entryOf({textOf(row.kind).element, Shape::One, {row.defaultValue}});
+  entry.setAnyValue(Teuchos::any(entry.getAny(false)), true);
+  return entry;
 }
 
 /// Makes of what a list holds at a place the value that a row declares.
@@ -85,137 +44,110 @@ class Conversion {
   Conversion(const ParameterEntry& entry, const SchemaRow& row, const std::string& place,
              const Constant& constant)
       : entry_(entry),
-        cells_(cellsOf(entry)),
+        written_(writtenIn(entry).value_or(Written{})),
         row_(row),
         place_(place),
         constant_(constant) {}
 
   /// \throws InputError, beginning with the place, for a wrong type or a value out of range
   ParameterEntry checked() const {
-    ParameterEntry result = converted();
-    const Cells cells = cellsOf(result);
-    std::visit(
-        [this](const auto& values) {
-          for (const auto& value : values)
-            check(value);
-        },
-        cells.values);
-    if (row_.kind == Kind::Points && cells.columns != 2)
-      throw InputError(place_, ": a point has 2 coordinates, the table has ",
-                       cells.columns, " columns");
+    const Written value = converted();
+    ParameterEntry result = within(place_ + ": ", [&] { return entryOf(value); });
+    check(value);
     // a default that used.xml tells apart from what the user wrote remains one
-    const Teuchos::any value = result.getAny(false);
+    const Teuchos::any any = result.getAny(false);
     if (entry_.isDefault() && !row_.defaultValue.empty() &&
-        value == defaultOf(row_).getAny(false))
-      result.setAnyValue(value, true);
+        any == defaultOf(row_).getAny(false))
+      result.setAnyValue(any, true);
     return result;
   }
 
  private:
-  ParameterEntry converted() const {
-    const bool one = cells_.shape == Cells::Shape::One;
-    const bool row = one || cells_.shape == Cells::Shape::Array;
-    const bool texts = std::holds_alternative<Texts>(cells_.values);
+  bool isWhole() const { return row_.kind == Kind::Whole || row_.kind == Kind::Counts; }
+
+  /// Do shape and type fit, or are texts constant expressions?  Numbers are texts, too, and whole
+  /// ones numbers.
+  bool fits() const {
+    const bool one = written_.shape == Shape::One;
+    const bool row = one || written_.shape == Shape::Array;
+    const bool isNumber = (isWhole() ? written_.type == "int" : written_.isNumber()) ||
+                          (written_.isText() && constant_);
     switch (row_.kind) {
       case Kind::Real:
-        return one ? ParameterEntry(numbers<double>().front()) : throw refusal();
       case Kind::Whole:
-        return one ? ParameterEntry(numbers<int>().front()) : throw refusal();
+        return one && isNumber;
       case Kind::Reals:
-        return row ? ParameterEntry(Array<double>(numbers<double>())) : throw refusal();
       case Kind::Counts:
-        return row ? ParameterEntry(Array<int>(numbers<int>())) : throw refusal();
+        return row && isNumber;
       case Kind::Points:
-        return cells_.shape == Cells::Shape::Table ? table() : throw refusal();
+        return !row && isNumber;
       case Kind::Text:
-        return one && texts ? ParameterEntry(spelled().front()) : throw refusal();
+        return one && written_.isText();
       case Kind::Expression:
-        return one ? ParameterEntry(spelled().front()) : throw refusal();
-      case Kind::Names:  // numbers count as their texts
-        return row && (texts ? !one : !spelled().empty())
-                   ? ParameterEntry(Array<std::string>(spelled()))
-                   : throw refusal();
+        return one && (written_.isText() || written_.isNumber());
+      case Kind::Names:
+        return row &&
+               (written_.isText() ? !one
+                                  : written_.isNumber() && !written_.texts.empty());
       default:  // a flag: lists do not come here
-        return entry_.isType<bool>() ? ParameterEntry(getValue<bool>(entry_))
-                                     : throw refusal();
+        return written_.type == "bool";
     }
+  }
+
+  Written converted() const {
+    if (!fits())
+      throw refusal();
+    Written value = written_;
+    value.type = textOf(row_.kind).element;
+    if (row_.kind == Kind::Names || row_.kind == Kind::Reals || row_.kind == Kind::Counts)
+      value.shape = Shape::Array;
+    if (value.isNumber() && written_.isText())
+      for (std::string& text : value.texts)
+        text = evaluated(text);
+    return value;
   }
 
   InputError refusal() const {
     constexpr int largest = std::numeric_limits<int>::max();
-    const auto* reals = std::get_if<std::vector<double>>(&cells_.values);
     const bool tooLarge =
-        (row_.kind == Kind::Whole || row_.kind == Kind::Counts) && reals != nullptr &&
-        std::any_of(reals->begin(), reals->end(), [&](double x) { return x > largest; });
+        isWhole() && written_.type == "double" &&
+        std::any_of(written_.texts.begin(), written_.texts.end(),
+                    [](const std::string& text) { return realIn(text) > largest; });
     return InputError(place_, ": is ", describe(entry_), tooLarge ? " and too large" : "",
                       ", wanted: ", textOf(row_.kind).wanted,
                       tooLarge ? message(" up to ", largest) : "");
   }
 
-  /// No fractions for whole numbers; of texts the values of constant expressions.
-  template <class Number>
-  std::vector<Number> numbers() const {
-    if (const auto* whole = std::get_if<std::vector<int>>(&cells_.values))
-      return {whole->begin(), whole->end()};
-    if (const auto* same = std::get_if<std::vector<Number>>(&cells_.values))
-      return *same;
-    if (!constant_ || !std::holds_alternative<Texts>(cells_.values))
-      throw refusal();
-    std::vector<Number> result;
-    for (const std::string& text : std::get<Texts>(cells_.values))
-      result.push_back(static_cast<Number>(evaluated(text)));
-    return result;
-  }
-
-  double evaluated(const std::string& text) const {
+  /// The value of a constant expression; no fractions for whole numbers.
+  std::string evaluated(const std::string& text) const {
     try {
       const double value = constant_(text, place_);
       constexpr double largest = std::numeric_limits<int>::max();
-      const bool whole = row_.kind == Kind::Whole || row_.kind == Kind::Counts;
-      if (whole && (value != std::round(value) || std::abs(value) > largest))
+      if (isWhole() && (value != std::round(value) || std::abs(value) > largest))
         throw InputError(place_, " = '", text, "' is ", shortest(value));
-      return value;
+      return isWhole() ? std::to_string(static_cast<int>(value)) : shortest(value);
     } catch (const InputError& error) {
       throw InputError(error.what(), "; wanted: ", textOf(row_.kind).wanted,
                        ", or an expression in Constants for each number");
     }
   }
 
-  ParameterEntry table() const {
-    const std::vector<double> values = numbers<double>();
-    TwoDArray<double> table(cells_.rows, cells_.columns);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      table(static_cast<int>(i) / cells_.columns, static_cast<int>(i) % cells_.columns) =
-          values[i];
-    return ParameterEntry(table);
-  }
-
-  Texts spelled() const {
-    Texts result;
-    std::visit(
-        [&result](const auto& values) {
-          for (const auto& value : values)
-            result.push_back(spell(value));
-        },
-        cells_.values);
-    return result;
-  }
-
-  void check(double number) const {
-    if (!row_.interval.contains(number) || !std::isfinite(number))
-      throw InputError(place_, " = ", shortest(number),
-                       "; allowed: ", row_.interval.text());
-  }
-
-  void check(const std::string& text) const {
-    const Texts& names = row_.allowed;
-    if (!names.empty() && std::find(names.begin(), names.end(), text) == names.end())
-      throw InputError(place_, " = '", text, "'", meant(text, names),
-                       "; allowed: ", quotedList(names));
+  void check(const Written& value) const {
+    const auto& names = row_.allowed;
+    for (const std::string& text : value.texts) {
+      if (value.isNumber() && !row_.interval.contains(realIn(text)))
+        throw InputError(place_, " = ", text, "; allowed: ", row_.interval.text());
+      if (!names.empty() && std::find(names.begin(), names.end(), text) == names.end())
+        throw InputError(place_, " = '", text, "'", meant(text, names),
+                         "; allowed: ", quotedList(names));
+    }
+    if (row_.kind == Kind::Points && value.columns != 2)
+      throw InputError(place_, ": a point has 2 coordinates, the table has ",
+                       value.columns, " columns");
   }
 
   const ParameterEntry& entry_;
-  const Cells cells_;
+  const Written written_;
   const SchemaRow& row_;
   const std::string& place_;
   const Constant& constant_;
@@ -401,6 +333,25 @@ ParameterList complete(const SchemaRows& table, const ParameterList& given,
   ParameterList result(title);
   Level(table, constant, given, "", "").complete(result);
   return result;
+}
+
+std::vector<Vec2> pointsIn(const ParameterList& list, const std::string& key) {
+  const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
+  std::vector<Vec2> points;
+  for (int i = 0; i < table.getNumRows(); ++i)
+    points.push_back({table(i, 0), table(i, 1)});
+  return points;
+}
+
+void setPoints(ParameterList& list, const std::string& key,
+               const std::vector<Vec2>& points) {
+  const int size = static_cast<int>(points.size());
+  Teuchos::TwoDArray<double> table(size, 2);
+  for (int i = 0; i < size; ++i) {
+    table(i, 0) = points[i].x;
+    table(i, 1) = points[i].y;
+  }
+  list.set(key, table);
 }
 
 }  // namespace epafi::bem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/SchemaRow.hpp"
+#include "bem/base/Vec2.hpp"
 
 #include <functional>
 
@@ -20,5 +21,10 @@ using Constant = std::function<double(const std::string& text, const std::string
 Teuchos::ParameterList complete(const SchemaRows& table,
                                 const Teuchos::ParameterList& given,
                                 const std::string& title, const Constant& constant = {});
+
+/// The rows of a table of coordinates in a list as points, and the contrary.
+std::vector<Vec2> pointsIn(const Teuchos::ParameterList& list, const std::string& key);
+void setPoints(Teuchos::ParameterList& list, const std::string& key,
+               const std::vector<Vec2>& points);
 
 }  // namespace epafi::bem

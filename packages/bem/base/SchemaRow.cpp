@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/finder.hpp>
 #include <boost/algorithm/string/iter_find.hpp>
-#include <charconv>
 #include <cmath>
 
 namespace epafi::bem {
@@ -31,18 +30,18 @@ std::string Interval::text() const {
 const KindText& textOf(Kind kind) {
   static constexpr KindText table[] = {
       // in the order of Kind
-      {"double", "a number (double)", "0.25"},
-      {"int", "a whole number (int)", "0"},
-      {"bool", "true or false (bool)", "0"},
-      {"string", "string", "0"},
-      {"string", "an expression (string)", "0"},
-      {"Array(string)", "Array(string)", "{bottom, right, left}"},
-      {"Array(int)", "Array(int)", "{1, 1, 1}"},
-      {"Array(double)", "a list of numbers (Array(double))", "{0, 0, 0.5}"},
-      {"TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))",
+      {"double", "double", "a number (double)", "0.25"},
+      {"int", "int", "a whole number (int)", "0"},
+      {"bool", "bool", "true or false (bool)", "0"},
+      {"string", "string", "string", "0"},
+      {"string", "string", "an expression (string)", "0"},
+      {"string", "Array(string)", "Array(string)", "{bottom, right, left}"},
+      {"int", "Array(int)", "Array(int)", "{1, 1, 1}"},
+      {"double", "Array(double)", "a list of numbers (Array(double))", "{0, 0, 0.5}"},
+      {"double", "TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))",
        "3x2:{0, 0, 1, 0, 0, 1}"},
-      {"ParameterList", "ParameterList", ""},
-      {"ParameterList", "ParameterList", ""}};
+      {"", "ParameterList", "ParameterList", ""},
+      {"", "ParameterList", "ParameterList", ""}};
   return table[static_cast<std::size_t>(kind)];
 }
 
@@ -53,12 +52,6 @@ std::string join(const std::string& path, const std::string& name) {
 std::vector<std::string> namesOf(const std::string& path) {
   std::vector<std::string> names;
   return boost::algorithm::iter_split(names, path, boost::algorithm::first_finder(arrow));
-}
-
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return {text, end.ptr};
 }
 
 std::string SchemaRow::parent() const {

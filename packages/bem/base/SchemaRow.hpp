@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bem/base/Written.hpp"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -46,9 +48,10 @@ enum class Kind {
 
 /// Names of a kind.
 struct KindText {
-  const char* type;    ///< type in a Teuchos list: "double", "Array(int)", ...
-  const char* wanted;  ///< in error messages
-  const char* sample;  ///< an example value, for keys without default
+  const char* element;  ///< type of one value, see Written
+  const char* type;     ///< type in a Teuchos list: "double", "Array(int)", ...
+  const char* wanted;   ///< in error messages
+  const char* sample;   ///< an example value, for keys without default
 };
 const KindText& textOf(Kind kind);
 
@@ -84,9 +87,6 @@ struct SchemaRow {
   /// "> 0", "'A' or 'B'"; empty if all values of the type are allowed.
   std::string range() const;
 };
-
-/// The shortest text that reads back to the same number.
-std::string shortest(double value);
 
 /// A row as a table says it: name, type, unit and range of numbers, meaning; the rest by name.
 struct Row : SchemaRow {

@@ -1,5 +1,7 @@
 #include "bem/compressed/ClusterTree.hpp"
 
+#include "bem/base/Box.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -118,13 +120,10 @@ void ClusterTree::encircle(Cluster& cluster) const {
     if (k == cluster.first || element(k - 1) != previous)
       addPoints(previous);
   }
-  Vec2 low = points.front();
-  Vec2 high = low;
-  for (const Vec2 x : points) {
-    low = {std::min(low.x, x.x), std::min(low.y, x.y)};
-    high = {std::max(high.x, x.x), std::max(high.y, x.y)};
-  }
-  cluster.centre = 0.5 * (low + high);
+  Box box;
+  for (const Vec2 x : points)
+    box.add(x);
+  cluster.centre = box.middle();
   for (const Vec2 x : points)
     cluster.radius = std::max(cluster.radius, norm(x - cluster.centre));
 }

@@ -1,5 +1,7 @@
 #include "bem/compressed/Slices.hpp"
 
+#include "bem/base/Box.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,15 +23,13 @@ struct Standing {
 using Standings = std::vector<Standing>;
 
 Standings::iterator halved(Standings::iterator first, Standings::iterator last) {
-  Vec2 low = first->place;
-  Vec2 high = low;
+  Box box;
   double sum = 0;
   for (auto it = first; it != last; ++it) {
-    low = {std::min(low.x, it->place.x), std::min(low.y, it->place.y)};
-    high = {std::max(high.x, it->place.x), std::max(high.y, it->place.y)};
+    box.add(it->place);
     sum += it->unknowns;
   }
-  const bool isWide = high.x - low.x > high.y - low.y;
+  const bool isWide = box.size().x > box.size().y;
   std::stable_sort(first, last, [&](const Standing& a, const Standing& b) {
     return isWide ? a.place.x < b.place.x : a.place.y < b.place.y;
   });

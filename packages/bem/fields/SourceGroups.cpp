@@ -1,5 +1,6 @@
 #include "bem/fields/SourceGroups.hpp"
 
+#include "bem/base/Box.hpp"
 #include "bem/moments/Nearness.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
@@ -59,13 +60,10 @@ SourceGroups::SourceGroups(const ElementRuns& runs, const std::vector<LocalField
 int SourceGroups::divide(int first, int last) {
   const auto number = static_cast<int>(groups_.size());
   Group group{first, last, {-1, -1}, {}, 0, {}, 0};
-  Vec2 low = runs_[first].centre;
-  Vec2 high = low;
-  for (int r = first; r < last; ++r) {
-    low = {std::min(low.x, runs_[r].centre.x), std::min(low.y, runs_[r].centre.y)};
-    high = {std::max(high.x, runs_[r].centre.x), std::max(high.y, runs_[r].centre.y)};
-  }
-  group.centre = asComplex(0.5 * (low + high));
+  Box box;
+  for (int r = first; r < last; ++r)
+    box.add(runs_[r].centre);
+  group.centre = asComplex(box.middle());
   for (int r = first; r < last; ++r)
     group.radius =
         std::max(group.radius,

@@ -1,11 +1,11 @@
 #include "bem/geometry/Outline.hpp"
 
+#include "bem/base/Box.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace epafi::bem {
 
@@ -21,16 +21,10 @@ std::string nameOf(const Loop& loop, std::size_t edge) {
 
 std::string pointText(Vec2 p) { return message("(", p.x, ", ", p.y, ")"); }
 
-/// An edge in the user's coordinates.
-Curve curveOf(const Loop& loop, std::size_t i) {
-  return {loop.vertices[i], loop.vertices[after(i, loop)],
-          loop.bulges.empty() ? 0 : loop.bulges[i]};
-}
-
 std::vector<Curve> curvesOf(const Loop& loop) {
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-    curves.push_back(curveOf(loop, i));
+    curves.push_back(loop.curve(i));
   return curves;
 }
 
@@ -45,7 +39,7 @@ std::vector<Vec2> extent(const Loop& loop) {
     return loop.vertices;
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
-    for (const Vec2 point : extent(curveOf(loop, i)))
+    for (const Vec2 point : extent(loop.curve(i)))
       points.push_back(point);
   return points;
 }
@@ -54,23 +48,18 @@ std::vector<Vec2> extent(const Loop& loop) {
 /// difference of two coordinates has no correct digit left.
 constexpr double resolution = 1e-13;
 
-/// Of the box around points.
-Vec2 middleOf(const std::vector<Vec2>& points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vec2 low{infinity, infinity};
-  Vec2 high{-infinity, -infinity};
-  for (Vec2 v : points) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  return 0.5 * (low + high);
+Box boxOf(const std::vector<Vec2>& points) {
+  Box box;
+  for (const Vec2 point : points)
+    box.add(point);
+  return box;
 }
 
 /// The diameter, but for rounding; from the points farthest from the middle on, since others
 /// cannot be farther apart.  What is not finite is left to those who say so.
 double sizeOf(const Loop& loop) {
   std::vector<Vec2> points = extent(loop);
-  const Vec2 middle = middleOf(points);
+  const Vec2 middle = boxOf(points).middle();
   const auto reach = [middle](Vec2 v) { return norm(v - middle); };
   const auto isNowhere = [&](Vec2 v) { return !std::isfinite(reach(v)); };
   points.erase(std::remove_if(points.begin(), points.end(), isNowhere), points.end());
@@ -101,21 +90,12 @@ constexpr double blindness = 1e-6;
 /// An arc of 337 degrees: nearly all of a circle.
 constexpr double largestBulge = 10;
 
-/// Twice the signed area between the chords, about the first vertex: no digits lost far from
-/// the origin.
+/// Twice the signed area between the chords, about the first vertex.
 double twiceAreaOfChords(const Loop& loop) {
   double area = 0;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     area += cross(loop.vertices[i] - loop.vertices[0],
                   loop.vertices[after(i, loop)] - loop.vertices[0]);
-  return area;
-}
-
-double twiceArea(const Loop& loop) {
-  double area = twiceAreaOfChords(loop);
-  if (hasArcs(loop))
-    for (const Curve& curve : curvesOf(loop))
-      area += twiceAreaBesideChord(curve);
   return area;
 }
 
@@ -161,8 +141,8 @@ void checkVertices(const Loop& loop) {
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.
 void checkFold(const Loop& loop, std::size_t i, double tolerance, double size) {
   const std::size_t j = after(i, loop);
-  const Curve first = curveOf(loop, i);
-  const Curve second = curveOf(loop, j);
+  const Curve first = loop.curve(i);
+  const Curve second = loop.curve(j);
   if (!first.isStraight() || !second.isStraight()) {
     if (meetElsewhere(first, second, tolerance, blindness * size))
       failToBeSimple(loop, i, j);
@@ -193,7 +173,7 @@ void checkSimple(const Loop& loop) {
       if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
         failToBeSimple(loop, i, j);
   }
-  const double area = twiceArea(loop);
+  const double area = loop.twiceArea();
   if (!std::isnormal(area))
     throw InputError("the polygon's area cannot be computed from coordinates of this ",
                      "size; write them in another unit of length");
@@ -241,12 +221,25 @@ Loop reversed(const Loop& loop) {
 
 }  // namespace
 
+Curve Loop::curve(std::size_t edge) const {
+  return {vertices[edge], vertices[after(edge, *this)],
+          bulges.empty() ? 0 : bulges[edge]};
+}
+
+double Loop::twiceArea() const {
+  double area = twiceAreaOfChords(*this);
+  if (hasArcs(*this))
+    for (const Curve& curve : curvesOf(*this))
+      area += twiceAreaBesideChord(curve);
+  return area;
+}
+
 Scaling scalingOf(const Loop& outer) {
   Scaling scaling;
   if (outer.vertices.empty() || !bulgesFit(outer))  // Outline says so
     return scaling;
   scaling.length = sizeOf(outer);
-  scaling.origin = middleOf(extent(outer));
+  scaling.origin = boxOf(extent(outer)).middle();
   return scaling;
 }
 

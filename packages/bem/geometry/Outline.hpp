@@ -15,6 +15,10 @@ struct Loop {
   std::vector<std::string> edges;  ///< name of the boundary of each edge
   /// tan(angle/4) of each edge, > 0: to the right of its chord; empty: all straight.
   std::vector<double> bulges = {};
+
+  Curve curve(std::size_t edge) const;  ///< in the user's coordinates
+  /// > 0 if it runs counter-clockwise; no digits are lost far from the origin.
+  double twiceArea() const;
 };
 
 /// The closed lines of a body, all counter-clockwise.

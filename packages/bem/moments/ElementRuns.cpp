@@ -1,5 +1,7 @@
 #include "bem/moments/ElementRuns.hpp"
 
+#include "bem/base/Box.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,7 @@ ElementLanes makeRun(const Mesh& mesh, int first) {
     ++run.last;
     run.closesLoop = next != run.last;
   }
-  Vec2 low = mesh[first].curve.frame().middle;
-  Vec2 high = low;
+  Box box;
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = first + lane;
     if (f >= run.last) {
@@ -29,12 +30,9 @@ ElementLanes makeRun(const Mesh& mesh, int first) {
     run.largestAngle = std::max(run.largestAngle, std::abs(element.curve.angle()));
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
-    low = {std::min(low.x, element.curve.frame().middle.x),
-           std::min(low.y, element.curve.frame().middle.y)};
-    high = {std::max(high.x, element.curve.frame().middle.x),
-            std::max(high.y, element.curve.frame().middle.y)};
+    box.add(element.curve.frame().middle);
   }
-  run.centre = 0.5 * (low + high);
+  run.centre = box.middle();
   for (int f = first; f < run.last; ++f) {
     const Vec2 offset = mesh[f].curve.frame().middle - run.centre;
     run.radius = std::max(run.radius, length(offset) + mesh[f].half);

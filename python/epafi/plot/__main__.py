@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What `epafi plot`, `epafi report` and `epafi check --plot` call."""
 import argparse
+import math
 import os
 import sys
 import warnings
@@ -17,7 +18,8 @@ matplotlib.use("Agg")
 warnings.simplefilter("ignore", UserWarning)  # matplotlib's, of glyphs and of room
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
-from epafi.program import InputError  # noqa: E402
+from epafi.program import EpafiError, InputError, call  # noqa: E402
+from epafi.runs import field_file  # noqa: E402
 from epafi.tables import Table  # noqa: E402
 
 
@@ -48,39 +50,86 @@ def looks_of(given):
         sys.exit("epafi: plot: --%s" % error)
 
 
+def window_of(text):
+    try:
+        window = tuple(float(end) for end in text.split(","))
+        x0, y0, x1, y1 = window
+        right = 0 < x1 - x0 < math.inf and 0 < y1 - y0 < math.inf
+    except ValueError:
+        right = False
+    if not right:
+        sys.exit("epafi: --window: '%s' is not X0,Y0,X1,Y1, two corners, the lower left one first" %
+                 text)
+    return window
+
+
+def fields_of(given, window):
+    """Writes what the field is drawn of; the step, or None for the last one."""
+    every = given.step == "all"
+    if every:
+        call(["fields", given.folder, "--vtk", "--step", "all"])
+    step = None if every else given.step or None
+    field_file(given.folder, given.folder, window, step)
+    return step and int(step)
+
+
+def warnings_of(folder):
+    """Draws the scene; the program's warnings about it."""
+    if not os.path.isfile(os.path.join(folder, "history.csv")):
+        raise InputError("report: '%s' holds no history.csv; the folder of a finished run is needed" %
+                         folder)
+    printed = call(["check", os.path.join(folder, "used.xml"), "--plot",
+                    os.path.join(folder, "scene.png")])
+    return [line.removeprefix("warning: ") for line in printed.splitlines()
+            if line.startswith("warning: ")]
+
+
+def draw_scene(given, looks):
+    try:
+        scene.draw(Table(given.folder), given.title, given.scene, looks)
+    except (KeyError, ValueError, OSError) as error:
+        sys.exit("epafi: check: '%s' cannot be drawn: %s" % (given.scene, error))
+    print("picture " + given.scene)
+
+
 def main():
     arguments = argparse.ArgumentParser(prog="epafi plot")
     arguments.add_argument("folder")
-    for option in ("--field", "--window", "--size", "--dpi", "--font", "--units", "--scene",
-                   "--title", "--report"):
+    for option in ("--field", "--window", "--step", "--size", "--dpi", "--font", "--units",
+                   "--scene", "--title", "--output"):
         arguments.add_argument(option, default="")
-    arguments.add_argument("--step", type=int)
-    arguments.add_argument("--warning", action="append", default=[])
-    for flag in ("--quiet", "--pdf", "--no-title", "--film"):
+    for flag in ("--report", "--pdf", "--no-title"):
         arguments.add_argument(flag, action="store_true")
     given = arguments.parse_args()
     looks = looks_of(given)
     if given.scene:
-        try:
-            scene.draw(Table(given.folder), given.title, given.scene, looks)
-        except (KeyError, ValueError, OSError) as error:
-            sys.exit("epafi: check: '%s' cannot be drawn: %s" % (given.scene, error))
-        if not given.quiet:
-            print("picture " + given.scene)
+        draw_scene(given, looks)
         return
     if not os.path.isdir(given.folder):
         sys.exit("epafi: plot: there is no folder '%s'" % given.folder)
-    window = tuple(float(end) for end in given.window.split(",")) if given.window else None
-    pictures = Pictures(given.folder, looks, window, given.field if given.film else None)
+    if given.step and not given.field:
+        sys.exit("epafi: --step belongs to a --field")
+    window = window_of(given.window) if given.window else None
+    told, step = [], None
     try:
-        names = draw_folder(pictures, given.field, given.step)
         if given.report:
-            write_report(given.report, pictures, given.warning)
+            told = warnings_of(given.folder)
+            given.field = given.field or "von_mises"
+        if given.field:
+            step = fields_of(given, window)
+    except EpafiError as error:
+        sys.exit("epafi: " + error.words)
+    pictures = Pictures(given.folder, looks, window, given.field if given.step == "all" else None)
+    report = given.output or os.path.join(given.folder, "report.html")
+    try:
+        names = draw_folder(pictures, given.field, step)
+        if given.report:
+            write_report(report, pictures, told)
     except (KeyError, ValueError, OSError) as error:
         sys.exit("epafi: plot: the files in '%s' cannot be drawn: %s" % (given.folder, error))
     if given.report:
-        print("report " + given.report)
-    elif not given.quiet:
+        print("report " + report)
+    else:
         print("pictures %s: %s (%s)" % (given.folder, " ".join(names), " ".join(
             "." + ending for ending in looks.endings)))
 
