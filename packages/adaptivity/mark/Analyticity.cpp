@@ -1,7 +1,7 @@
 #include "adaptivity/mark/Analyticity.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/space/LocalField.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ Series seriesOf(const bem::LocalField& field, int degree, int component) {
 
 bool decays(const Vector& coefficients, double floor, double threshold) {
   const auto n = static_cast<double>(coefficients.size());
-  if (n < 2 || contact::largestEntry(coefficients) <= floor)
+  if (n < 2 || bem::largestEntry(coefficients) <= floor)
     return true;
   const double middle = 0.5 * (n - 1);
   double product = 0;
@@ -53,8 +53,8 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
                                 const Vector& displacement, const Vector& density,
                                 double threshold) {
   constexpr double rounding = 1e-13;
-  const double displacementFloor = rounding * contact::largestEntry(displacement);
-  const double densityFloor = rounding * contact::largestEntry(density);
+  const double displacementFloor = rounding * bem::largestEntry(displacement);
+  const double densityFloor = rounding * bem::largestEntry(density);
   const bem::Mesh& mesh = space.mesh();
   const Vector inner = space.withoutRotation(displacement);
   std::vector<bool> result;

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Interpolation.hpp"
 
 namespace epafi::adaptivity {
 

@@ -170,9 +170,7 @@ void scaleMotions(Holding& holding) {
   for (Index k = 0; k < holding.allowed.columns(); ++k) {
     double* motion = holding.allowed.column(k);
     double* functional = holding.functionals.column(k);
-    double largest = 0;
-    for (Index j = 0; j < holding.allowed.rows(); ++j)
-      largest = std::max(largest, std::abs(motion[j]));
+    const double largest = bem::largestEntry(columnOf(holding.allowed, k));
     for (Index j = 0; j < holding.allowed.rows(); ++j) {
       motion[j] /= largest;
       functional[j] *= largest;

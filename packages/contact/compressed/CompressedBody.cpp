@@ -110,9 +110,7 @@ Vector CompressedBody::responsesTo(const Vector& w) const {
 }
 
 std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& g) const {
-  Vector psi = densityFor(placed(g), 1);
-  for (double& x : psi)
-    x = -x;
+  Vector psi = bem::times(-1, densityFor(placed(g), 1));
   Vector force = forcesIn(operators_->times(placed(psi)));
   return {std::move(psi), std::move(force)};
 }

@@ -1,7 +1,6 @@
 #include "contact/law/FrictionLaw.hpp"
 
 #include "contact/law/FrictionLaws.hpp"
-#include "contact/law/LawTable.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -1,8 +1,8 @@
 #include "contact/multiplier/ContinuousMultiplier.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,6 @@ struct Component {
   Index (Element::*number)(int) const;
 };
 
-double largestOf(const Vector& numbers) {
-  double largest = 0;
-  for (const double x : numbers)
-    largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
 class Jumps {
  public:
   Jumps(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier,
@@ -41,7 +34,7 @@ class Jumps {
         before_(space.elements().size(), none),
         behind_(before_),
         factors_(before_.size(), 0.0),
-        small_(1e-9 * largestOf(multiplier)) {
+        small_(1e-9 * bem::largestEntry(multiplier)) {
     std::vector<std::size_t> contactOf(static_cast<std::size_t>(mesh.size()), none);
     for (std::size_t k = 0; k < before_.size(); ++k)
       contactOf[at(element(k).element)] = k;

@@ -2,7 +2,6 @@
 
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/newton/KeptFactor.hpp"
 
 #include <algorithm>
@@ -171,15 +170,15 @@ double NewtonSystem::refine(const Vector& b, Vector& d) const {
     defect[i] = b[i] - defect[i];
   const Vector correction = byFactor(defect);
   bem::axpy(1, correction, d);
-  return largestEntry(correction);
+  return bem::largestEntry(correction);
 }
 
 Vector NewtonSystem::solve(const Vector& b) const {
   Vector d = byFactor(b);
-  double last = largestEntry(d);
+  double last = bem::largestEntry(d);
   for (bool converges = isKept_; converges;) {
     const double change = refine(b, d);
-    if (change <= enoughOfKept * largestEntry(d))
+    if (change <= enoughOfKept * bem::largestEntry(d))
       return d;
     converges = change <= progressOfKept * last;
     last = change;

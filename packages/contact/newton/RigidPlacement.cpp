@@ -1,5 +1,6 @@
 #include "contact/newton/RigidPlacement.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/NewtonSystem.hpp"
@@ -132,9 +133,7 @@ Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& 
   if (equation.problem().boundDependsOnPressure()) {
     const Evaluation sticking = bonded(equation.problem(), e);
     const NewtonSystem system(equation, sticking, memory);
-    Vector right = sticking.residual;
-    for (double& value : right)
-      value = -value;
+    const Vector right = bem::times(-1, sticking.residual);
     if (system.unheld(right).empty()) {
       Vector step = system.solve(right);
       if (!overshoots(equation, e, step))

@@ -1,14 +1,25 @@
 #pragma once
 
 #include "contact/newton/NewtonSystem.hpp"
-#include "contact/nox/SpmdVectors.hpp"
 
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
+#include <Thyra_SpmdVectorSpaceBase.hpp>
+#include <Thyra_VectorBase.hpp>
 
 #include <memory>
 
 namespace epafi::contact {
+
+/// A vector space in which each process has a contiguous piece (of Tpetra or of Thyra).
+using SpmdSpace = Thyra::SpmdVectorSpaceBase<double>;
+
+/// All entries, on every process.  Collective.
+Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x);
+
+/// x = scale values + shift x, each process its own piece; with shift = 0, x may be NaN.
+void scatter(const SpmdSpace& space, const Vector& values, double scale, double shift,
+             Thyra::VectorBase<double>& x);
 
 /// The contact equation at one point, with the system of its generalised Jacobian.
 class Linearisation {

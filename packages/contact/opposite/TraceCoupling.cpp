@@ -119,9 +119,7 @@ Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector&
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved) {
   constexpr double rounding = 1e-13;
-  double size = 0;
-  for (const double u : motion)
-    size = std::max(size, std::abs(u));
+  const double size = bem::largestEntry(motion);
   for (std::size_t i = 0; i < moved.size(); ++i)
     if (std::abs(moved[i]) <= rounding * size * std::hypot(alongX[i], alongY[i]))
       moved[i] = 0;

@@ -1,7 +1,5 @@
 #include "contact/problem/Tangential.hpp"
 
-#include "contact/multiplier/BoundCoefficients.hpp"
-
 #include <algorithm>
 #include <limits>
 

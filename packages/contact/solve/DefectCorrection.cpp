@@ -1,7 +1,6 @@
 #include "contact/solve/DefectCorrection.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 
@@ -42,13 +41,14 @@ class DefectCorrection {
     Evaluation e = equation_.at(pack(system_.numbers(), at.state), r);
     double size = 0;
     for (const Vector& u : at.displacements)
-      size = std::max(size, largestEntry(u));
+      size = std::max(size, bem::largestEntry(u));
     Vector open(r.size());
     for (std::size_t i = 0; i < r.size(); ++i)
       if (e.rows[i].penetration != 0)
         open[i] = r[i] / lengths_[i];
-    const Vector decided = processes_.broadcast(
-        {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
+    const Vector decided =
+        processes_.broadcast({size > 0 ? bem::largestEntry(open) / size : 0,
+                              e.scaled <= consistent ? 1.0 : 0});
     at.defect = decided[0];
     return {std::move(at), std::move(e), decided[1] != 0};
   }
@@ -59,10 +59,7 @@ class DefectCorrection {
     Vector x;
     if (!isFormed || processes_.rank() == 0)
       try {
-        Vector opposite = e.residual;
-        for (double& f : opposite)
-          f = -f;
-        x = NewtonSystem(equation_, e).solve(opposite);
+        x = NewtonSystem(equation_, e).solve(bem::times(-1, e.residual));
         bem::axpy(1, e.unknowns, x);
       } catch (const bem::NumericalError&) {  // on all ranks if on any
         x.clear();

@@ -4,7 +4,6 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/body/DenseBody.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
@@ -319,8 +318,8 @@ double ContactSystem::wearBy(const Configuration& at) {
   wear_.setSlips(at.penetration, surface);
   const Vector worn = wornBy();
   axpy(-1, worn, change);
-  const double all = largestEntry(worn);
-  return all > 0 ? largestEntry(change) / all : 0;
+  const double all = bem::largestEntry(worn);
+  return all > 0 ? bem::largestEntry(change) / all : 0;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,
