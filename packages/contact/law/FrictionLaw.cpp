@@ -39,13 +39,16 @@ bem::SchemaRows frictionRows() {
 }
 
 double PointLaw::bound(double pressure) const {
-  return law_ == nullptr
-             ? bound_
-             : law_->bound(stress_ * std::max(pressure, 0.0), fields_) / stress_;
+  return factor_ *
+         (law_ == nullptr
+              ? bound_
+              : law_->bound(stress_ * std::max(pressure, 0.0), fields_) / stress_);
 }
 
 double PointLaw::slope(double pressure) const {
-  return law_ != nullptr && pressure > 0 ? law_->slope(stress_ * pressure, fields_) : 0;
+  return law_ != nullptr && pressure > 0
+             ? factor_ * law_->slope(stress_ * pressure, fields_)
+             : 0;
 }
 
 double PointLaw::steepest() const {
