@@ -17,15 +17,12 @@ class Collection {
  public:
   explicit Collection(Index size) : sums_(size), counts_(size) {}
 
-  template <class Number>
-  void add(const Vector& coefficients, const contact::Ends& ends, const Number& number) {
-    const int degree = static_cast<int>(coefficients.size()) - 1;
-    for (int i = 0; i <= degree; ++i) {
-      if (!ContactElement::isOwn(ends, degree, i))
+  void add(const Vector& coefficients, const contact::Coefficients& own) {
+    for (int i = 0; i <= own.degree; ++i) {
+      if (!own.isOwn(i))
         continue;
-      const std::size_t k = number(i);
-      sums_[k] += coefficients[i];
-      ++counts_[k];
+      sums_[own.number(i)] += coefficients[i];
+      ++counts_[own.number(i)];
     }
   }
 
@@ -101,10 +98,9 @@ Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
     }
     interpolation.solve(normal);
     interpolation.solve(tangential);
-    result.add(normal, element.normalEnds, [&](int i) { return element.normalOf(i); });
-    if (element.tangential >= 0)
-      result.add(tangential, element.tangentialEnds,
-                 [&](int i) { return element.tangentialOf(i); });
+    result.add(normal, element.normal);
+    if (element.shears())
+      result.add(tangential, element.tangential);
   }
   return result.means();
 }
