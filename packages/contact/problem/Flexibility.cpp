@@ -1,9 +1,8 @@
 #include "contact/problem/Flexibility.hpp"
 
 #include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-
-#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -15,87 +14,154 @@ namespace epafi::contact {
 
 namespace {
 
-using bem::asInt;
 using System = Flexibility::Operator::System;
 
-/// D in the rows and Ĝ, scaled so that D has a unit diagonal.
-class Dense : public Flexibility::Operator::Factor {
+/// The matrix of a system in x of the rows, scaled so that D has a unit diagonal, and in β:
+///
+///   [ A  B ] [x₁]   [b₁]     x₁: rows without followers, A = D + Ĝ Ĝᵀ there: the balances times Ĝ
+///   [ C  E ] [x₂] = [b₂]     are added to these rows.   x₂: leaders and motions β.
+///
+/// A by Cholesky, since D is positive definite on {Ĝᵀ x = 0}; E - C A⁻¹ B by LU.
+class Dense final : public Flexibility::Operator::Factor {
  public:
   Dense(const Matrix& entries, System system)
-      : system_(std::move(system)),
-        place_(at(entries.rows()), -1),
-        border_(count(), motions()),
-        entries_(entries) {
-    Vector diagonal(at(count()));
-    for (Index p = 0; p < count(); ++p) {
-      const Index i = system_.rows[at(p)];
-      place_[at(i)] = p;
-      diagonal[at(p)] = entries(i, i);
-    }
-    for (const auto& [row, column, value] : system_.added)
-      if (row == column && place_[at(row)] >= 0)
-        diagonal[at(place_[at(row)])] += value;
-    for (Index p = 0; p < count(); ++p) {
-      const Index i = system_.rows[at(p)];
-      scale_.push_back(diagonal[at(p)] > 0 ? 1 / std::sqrt(diagonal[at(p)]) : 1);
-      for (Index k = 0; k < motions(); ++k)
-        border_(p, k) = scale_[at(p)] * system_.motions(i, k);
-    }
+      : entries_(entries), system_(std::move(system)), place_(at(entries.rows()), -1) {
+    orderRows();
+    Matrix b(first_, rest());
+    Matrix e(rest(), rest());
+    factor_ = Matrix(first_, first_);
+    lower_ = Matrix(rest(), first_);
+    fill(b, e);
+    for (Index k = 0; k < motions(); ++k)
+      for (Index q = 0; q < first_; ++q)
+        for (Index p = q; p < first_; ++p)
+          factor_(p, q) += border_(p, k) * border_(q, k);
+    addBalances(e, b);
+    if (const int info = bem::cholesky(factor_); info != 0)
+      throw SingularJacobian(bem::message(
+          "singular Newton matrix: the contact flexibility of the active coefficients is "
+          "not positive definite (pivot ",
+          info, " of ", first_,
+          "); two multiplier coefficients may act on the same displacement"));
+    answers_ = std::move(b);
+    choleskySolve(factor_, answers_.data(), answers_.columns(), answers_.stride());
+    bem::addProduct(-1, lower_, answers_, e);
+    schur_ = bem::LuFactor(std::move(e));
+    const double condition = schur_.reciprocalCondition();
+    if (!(condition > std::numeric_limits<double>::epsilon()))
+      throw SingularJacobian(bem::message(
+          "singular Newton matrix (reciprocal condition ", condition, ")",
+          system_.followers.empty() ? ""
+                                    : " of Coulomb's problem: at this friction "
+                                      "coefficient the solution may not be unique"));
   }
 
-  Matrix solve(Matrix b) const final {
-    const Index n = entries_.rows();
+  Matrix solve(Matrix b) const override {
     Matrix x(count() + motions(), b.columns());
     for (Index c = 0; c < b.columns(); ++c)
       reduce(b.column(c), x.column(c));
-    solveScaled(x);
+    Matrix y = bem::rowsBetween(x, first_, x.rows());
+    x = bem::rowsBetween(x, 0, first_);
+    addBalances(y, x);
+    choleskySolve(factor_, x.data(), x.columns(), x.stride());
+    bem::addProduct(-1, lower_, x, y);
+    schur_.solve(y);
+    bem::addProduct(-1, answers_, y, x);
+    x = bem::stacked(x, y);
     for (Index c = 0; c < b.columns(); ++c) {
       double* to = b.column(c);
       for (Index p = 0; p < count(); ++p)
         to[system_.rows[at(p)]] = scale_[at(p)] * x(p, c);
       for (const auto& [follower, leader, factor] : system_.followers)
         to[follower] += factor * to[leader];
-      std::copy_n(x.column(c) + count(), motions(), to + n);
+      std::copy_n(x.column(c) + count(), motions(), to + entries_.rows());
     }
     return b;
   }
 
- protected:
-  /// Solves in place for columns of scaled coefficients x and motions β.
-  virtual void solveScaled(Matrix& x) const = 0;
-
+ private:
   Index count() const { return static_cast<Index>(system_.rows.size()); }
   Index motions() const { return system_.motions.columns(); }
+  Index rest() const { return count() - first_ + motions(); }
 
-  /// D in the rows, scaled, as the first block of a matrix of this size.
-  Matrix scaled(Index size) const {
-    Matrix m(size, size);
-    for (Index q = 0; q < count(); ++q)
-      addColumn(system_.rows[at(q)], 1, q, m);
+  /// Leaders last; their places, scales and the scaled Ĝ.
+  void orderRows() {
+    std::vector<char> leads(place_.size(), 0);
+    for (const bem::Entry& follower : system_.followers)
+      leads[at(follower.column)] = 1;
+    const auto middle = std::stable_partition(system_.rows.begin(), system_.rows.end(),
+                                              [&](Index i) { return leads[at(i)] == 0; });
+    first_ = middle - system_.rows.begin();
+    for (Index p = 0; p < count(); ++p) {
+      const Index i = system_.rows[at(p)];
+      place_[at(i)] = p;
+      scale_.push_back(entries_(i, i));
+    }
+    for (const auto& [row, column, value] : system_.added)
+      if (row == column && place_[at(row)] >= 0)
+        scale_[at(place_[at(row)])] += value;
+    border_ = Matrix(count(), motions());
+    for (Index p = 0; p < count(); ++p) {
+      double& scale = scale_[at(p)];
+      scale = scale > 0 ? 1 / std::sqrt(scale) : 1;
+      for (Index k = 0; k < motions(); ++k)
+        border_(p, k) = scale * system_.motions(system_.rows[at(p)], k);
+    }
+  }
+
+  /// Of A the lower triangle, without Ĝ Ĝᵀ.
+  void fill(Matrix& b, Matrix& e) {
+    for (Index q = 0; q < first_; ++q) {
+      addColumn(system_.rows[at(q)], scale_[at(q)], q, first_, factor_.column(q) + q);
+      addColumn(system_.rows[at(q)], scale_[at(q)], first_, count(), lower_.column(q));
+      for (Index k = 0; k < motions(); ++k)
+        lower_(count() - first_ + k, q) = border_(q, k);
+    }
+    const auto addLeader = [&](Index j, double factor, Index leader) {
+      const Index q = leader - first_;
+      const double scale = factor * scale_[at(leader)];
+      addColumn(j, scale, 0, first_, b.column(q));
+      addColumn(j, scale, first_, count(), e.column(q));
+      for (Index k = 0; k < motions(); ++k)
+        e(count() - first_ + k, q) += scale * system_.motions(j, k);
+    };
+    for (Index q = first_; q < count(); ++q)
+      addLeader(system_.rows[at(q)], 1, q);
+    for (const auto& [follower, leader, factor] : system_.followers)
+      addLeader(follower, factor, place_[at(leader)]);
+    for (Index k = 0; k < motions(); ++k) {
+      const Index q = count() - first_ + k;
+      for (Index p = 0; p < count(); ++p)
+        (p < first_ ? b(p, q) : e(p - first_, q)) = -border_(p, k);
+      for (Index l = 0; l < system_.stiffness.columns(); ++l)
+        e(q, count() - first_ + l) = system_.stiffness(k, l);
+    }
     for (const auto& [row, column, value] : system_.added) {
       const Index p = place_[at(row)];
       const Index q = place_[at(column)];
       if (p >= 0 && q >= 0)
-        m(p, q) += scale_[at(p)] * scale_[at(q)] * value;
+        (q >= first_  ? (p < first_ ? b(p, q - first_) : e(p - first_, q - first_))
+         : p < first_ ? factor_(p, q)
+                      : lower_(p - first_, q)) += scale_[at(p)] * scale_[at(q)] * value;
     }
-    return m;
   }
 
-  /// Adds factor times column j of D to column q of m, both scaled.
-  void addColumn(Index j, double factor, Index q, Matrix& m) const {
+  /// Adds to `to` the rows from p = first to last, scaled, of column j of D times a factor.
+  void addColumn(Index j, double factor, Index first, Index last, double* to) const {
     const double* column = entries_.column(j);
-    for (Index p = 0; p < count(); ++p)
-      m(p, q) += scale_[at(p)] * scale_[at(q)] * factor * column[system_.rows[at(p)]];
+    for (Index p = first; p < last; ++p)
+      to[p - first] += factor * scale_[at(p)] * column[system_.rows[at(p)]];
   }
 
-  const System system_;
-  std::vector<Index> place_;  ///< index among the rows, by coefficient; -1: none
-  Vector scale_;
-  Matrix border_;  ///< scaled Ĝ of the rows
+  /// Adds Ĝ times the balances, the last rows of y, to x.
+  void addBalances(const Matrix& y, Matrix& x) const {
+    for (Index c = 0; c < x.columns(); ++c)
+      for (Index k = 0; k < motions(); ++k)
+        for (Index p = 0; p < first_; ++p)
+          x(p, c) += border_(p, k) * y(count() - first_ + k, c);
+  }
 
- private:
-  /// Right-hand sides of the rows (scaled) and motions minus the terms of known
-  /// coefficients.
+  /// Right-hand sides of the rows (scaled) and motions minus the terms of known coefficients.
   void reduce(const double* from, double* to) const {
     for (Index p = 0; p < count(); ++p)
       to[p] = from[system_.rows[at(p)]];
@@ -117,130 +183,15 @@ class Dense : public Flexibility::Operator::Factor {
   }
 
   const Matrix& entries_;
-};
-
-void factorPositive(Matrix& a, const char* name) {
-  const int info = cholesky(a);
-  if (info != 0)
-    throw SingularJacobian(
-        bem::message("singular Newton matrix: ", name,
-                     " is not positive definite (pivot ", info, " of ", a.rows(),
-                     "); two multiplier coefficients may act on the same displacement"));
-}
-
-// M x - Ĝ β = b, Ĝᵀ x = q  is equivalent to  (M + Ĝ Ĝᵀ) x - Ĝ β = b + Ĝ q, Ĝᵀ x = q.
-class ByCholesky final : public Dense {
- public:
-  ByCholesky(const Matrix& entries, System system)
-      : Dense(entries, std::move(system)),
-        factor_(scaled(count())),
-        solvedBorder_(border_.copy()) {
-    for (Index k = 0; k < motions(); ++k)
-      for (Index q = 0; q < count(); ++q)
-        for (Index p = 0; p < count(); ++p)
-          factor_(p, q) += border_(p, k) * border_(q, k);
-    factorPositive(factor_, "the contact flexibility of the active coefficients");
-    for (Index k = 0; k < motions(); ++k)
-      choleskySolve(factor_, solvedBorder_.column(k));
-    schur_ = transposedTimes(border_, solvedBorder_);
-    factorPositive(schur_, "the balance of the free rigid motions");
-  }
-
- private:
-  void solveScaled(Matrix& x) const override {
-    for (Index c = 0; c < x.columns(); ++c) {
-      double* b = x.column(c);
-      double* q = b + count();
-      for (Index k = 0; k < motions(); ++k)
-        for (Index p = 0; p < count(); ++p)
-          b[p] += border_(p, k) * q[k];
-    }
-    choleskySolve(factor_, x.data(), x.columns(), x.stride());
-    for (Index c = 0; c < x.columns(); ++c) {
-      double* b = x.column(c);
-      double* sizes = b + count();
-      for (Index k = 0; k < motions(); ++k)
-        for (Index p = 0; p < count(); ++p)
-          sizes[k] -= border_(p, k) * b[p];
-      choleskySolve(schur_, sizes);
-      for (Index k = 0; k < motions(); ++k)
-        for (Index p = 0; p < count(); ++p)
-          b[p] += solvedBorder_(p, k) * sizes[k];
-    }
-  }
-
-  Matrix factor_;        // of M + Ĝ Ĝᵀ
-  Matrix solvedBorder_;  // (M + Ĝ Ĝᵀ)⁻¹ Ĝ
-  Matrix schur_;         // the factor of Ĝᵀ (M + Ĝ Ĝᵀ)⁻¹ Ĝ
-};
-
-class ByLu final : public Dense {
- public:
-  ByLu(const Matrix& entries, System system) : Dense(entries, std::move(system)) {
-    Matrix m = matrix();
-    equilibrate(m);
-    lu_ = bem::LuFactor(std::move(m));
-    const double condition = lu_.reciprocalCondition();
-    if (!(condition > std::numeric_limits<double>::epsilon()))
-      throw SingularJacobian(bem::message(
-          "singular Newton matrix (reciprocal condition ", condition, ")",
-          system_.followers.empty() ? ""
-                                    : " of Coulomb's problem: at this friction "
-                                      "coefficient the solution may not be unique"));
-  }
-
- private:
-  Matrix matrix() const {
-    Matrix m = scaled(count() + motions());
-    for (Index k = 0; k < motions(); ++k)
-      for (Index p = 0; p < count(); ++p) {
-        m(p, count() + k) = -border_(p, k);
-        m(count() + k, p) = border_(p, k);
-      }
-    for (Index l = 0; l < system_.stiffness.columns(); ++l)
-      for (Index k = 0; k < motions(); ++k)
-        m(count() + k, count() + l) = system_.stiffness(k, l);
-    for (const auto& [follower, leader, factor] : system_.followers) {
-      const Index q = place_[at(leader)];
-      addColumn(follower, factor, q, m);
-      for (Index k = 0; k < motions(); ++k)
-        m(count() + k, q) += scale_[at(q)] * factor * system_.motions(follower, k);
-    }
-    return m;
-  }
-
-  // Rows differ by the stiffness of bodies.
-  void equilibrate(Matrix& m) {
-    const int size = asInt(m.columns());
-    rowScale_.assign(at(m.columns()), 1.0);
-    columnScale_ = rowScale_;
-    double least = 0;
-    double largest = 0;
-    int info = 0;
-    if (size > 0)
-      Teuchos::LAPACK<int, double>().GEEQU(size, size, m.data(), asInt(m.stride()),
-                                           rowScale_.data(), columnScale_.data(), &least,
-                                           &least, &largest, &info);
-    for (Index j = 0; j < m.columns() && info == 0; ++j)
-      for (Index i = 0; i < m.rows(); ++i)
-        m(i, j) *= rowScale_[at(i)] * columnScale_[at(j)];
-  }
-
-  void solveScaled(Matrix& x) const override {
-    scaleRows(rowScale_, x);
-    lu_.solve(x);
-    scaleRows(columnScale_, x);
-  }
-
-  static void scaleRows(const Vector& scale, Matrix& x) {
-    for (Index c = 0; c < x.columns(); ++c)
-      for (Index i = 0; i < x.rows(); ++i)
-        x(i, c) *= scale[at(i)];
-  }
-
-  bem::LuFactor lu_;
-  Vector rowScale_;
-  Vector columnScale_;
+  System system_;             ///< rows of leaders last
+  std::vector<Index> place_;  ///< index among the rows, by coefficient; -1: none
+  Index first_ = 0;           ///< number of rows without followers
+  Vector scale_;
+  Matrix border_;        ///< scaled Ĝ of the rows
+  Matrix factor_;        ///< of A
+  Matrix lower_;         ///< C
+  Matrix answers_;       ///< A⁻¹ B
+  bem::LuFactor schur_;  ///< of E - C A⁻¹ B
 };
 
 class DenseFlexibility final : public Flexibility::Operator {
@@ -279,11 +230,8 @@ class DenseFlexibility final : public Flexibility::Operator {
     return sum;
   }
 
-  // Without followers and springs, D in the rows is symmetric positive definite on {Ĝᵀ x = 0}.
   std::unique_ptr<Factor> factor(System system) const override {
-    if (system.followers.empty() && system.stiffness.empty())
-      return std::make_unique<ByCholesky>(entries_, std::move(system));
-    return std::make_unique<ByLu>(entries_, std::move(system));
+    return std::make_unique<Dense>(entries_, std::move(system));
   }
 
  private:
