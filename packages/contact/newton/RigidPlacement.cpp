@@ -128,11 +128,10 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
 
 }  // namespace
 
-Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
-                   FactorMemory* memory) {
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion) {
   if (equation.problem().boundDependsOnPressure()) {
     const Evaluation sticking = bonded(equation.problem(), e);
-    const NewtonSystem system(equation, sticking, memory);
+    const NewtonSystem system(equation, sticking);
     const Vector right = bem::times(-1, sticking.residual);
     if (system.unheld(right).empty()) {
       Vector step = system.solve(right);

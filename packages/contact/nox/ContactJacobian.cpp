@@ -49,7 +49,7 @@ void scatter(const SpmdSpace& space, const Vector& values, double scale, double 
 
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
-    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_, memory_);
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_);
   return *system_;
 }
 
@@ -92,7 +92,7 @@ Vector ContactJacobian::solved(const Vector& b) const {
     throw NoBalance(
         "neither contact nor friction holds a rigid motion that the right-hand side "
         "demands: begin nearer to the solution");
-  return times(-scale_, placingStep(at().equation(), e, motion, at().memory()));
+  return times(-scale_, placingStep(at().equation(), e, motion));
 }
 
 Thyra::SolveStatus<double> ContactJacobian::solveImpl(

@@ -169,7 +169,7 @@ bem::SchemaRow noxRow() {
 NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
                          int maximumIterations) const {
   const auto log = rcp(new std::ostringstream);
-  const auto model = rcp(new ContactModel(equation, memory_));
+  const auto model = rcp(new ContactModel(equation));
   const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
