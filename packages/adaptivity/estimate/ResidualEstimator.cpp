@@ -4,7 +4,6 @@
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
-#include "contact/body/Loads.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ class FixedTraction {
   explicit FixedTraction(const contact::Solved& solved)
       : mesh_(solved.space.mesh()),
         conditions_(solved.conditions),
-        centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
+        centroid_(solved.problem.holding().modes.centroid),
         amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
 
   Vec2 at(int e, double t) const {

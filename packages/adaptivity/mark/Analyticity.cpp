@@ -12,21 +12,12 @@ namespace {
 
 using bem::Vector;
 
-struct Series {
-  Vector displacement;
-  Vector density;
-};
-
-Series seriesOf(const bem::LocalField& field, int degree, int component) {
-  const auto part = [component](bem::Complex z) {
-    return component == 0 ? z.real() : z.imag();
-  };
-  Series series;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k) {
-    series.displacement.push_back(part(field.value[k]));
-    if (k < static_cast<std::size_t>(degree))
-      series.density.push_back(part(field.density[k]));
-  }
+/// Legendre coefficients of one component, degree + 1 of them.
+template <class Series>
+Vector seriesOf(const Series& field, int degree, int component) {
+  Vector series;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k)
+    series.push_back(component == 0 ? field[k].real() : field[k].imag());
   return series;
 }
 
@@ -63,10 +54,12 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
     const bem::Vec2 given = conditions.given(mesh.boundary(e));
     bool all = true;
     for (int component = 0; component < 2; ++component) {
-      const Series series = seriesOf(field, mesh[e].degree, component);
-      all = all && ((component == 0 ? given.x : given.y) != 0
-                        ? decays(series.density, densityFloor, threshold)
-                        : decays(series.displacement, displacementFloor, threshold));
+      const bool isGiven = (component == 0 ? given.x : given.y) != 0;
+      const int p = mesh[e].degree;
+      all = all && (isGiven ? decays(seriesOf(field.density, p - 1, component),
+                                     densityFloor, threshold)
+                            : decays(seriesOf(field.value, p, component),
+                                     displacementFloor, threshold));
     }
     result.push_back(all);
   }

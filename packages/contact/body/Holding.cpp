@@ -22,13 +22,11 @@ Matrix clampedMotions(const RigidModes& modes, const std::vector<char>& clamped)
 }
 
 std::vector<int> namedModes(const Conditions::Fix& fix) {
+  const bool isFixed[] = {fix.x, fix.y, fix.rotation};
   std::vector<int> modes;
-  if (fix.x)
-    modes.push_back(0);
-  if (fix.y)
-    modes.push_back(1);
-  if (fix.rotation)
-    modes.push_back(2);
+  for (const int mode : {0, 1, 2})
+    if (isFixed[mode])
+      modes.push_back(mode);
   return modes;
 }
 

@@ -160,7 +160,7 @@ Vector CompressedBody::densityFor(const Matrix& right, int refinements) const {
 
 const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
   if (leftOfMotions_ == nullptr) {
-    const Matrix modes = makeRigidModes(space_).motions;
+    const Matrix& modes = holding_->modes.motions;
     Matrix left =
         bem::rowsBetween(operators_->times(placed(modes)), range_.densities, range_.last);
     Matrix right(operators_->size(), modes.columns());

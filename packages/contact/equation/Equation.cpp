@@ -170,10 +170,9 @@ void Equation::evaluateRows(Evaluation& e) const {
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum =
-        problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j);
-    for (Index i = 0; i < n; ++i)
-      sum += g[i] * entry(e.unknowns, i);
+    const double sum = std::inner_product(
+        g, g + n, e.unknowns.begin(),
+        problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j));
     e.residual.push_back(sum / entry(balanceScales_, j));
   }
 }
@@ -249,9 +248,8 @@ Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) con
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum = problem_.stiffness(j) * entry(direction, n + j);
-    for (Index i = 0; i < n; ++i)
-      sum += g[i] * entry(direction, i);
+    const double sum = std::inner_product(
+        g, g + n, direction.begin(), problem_.stiffness(j) * entry(direction, n + j));
     result.push_back(sum / entry(balanceScales_, j));
   }
   return result;

@@ -49,11 +49,11 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
-  place_.assign(mesh.size(), -1);
-  for (std::size_t k = 0; k < elements_.size(); ++k) {
-    place_[elements_[k].element] = static_cast<int>(k);
-    next_.push_back(mesh[elements_[k].element].next);
-  }
+  std::vector<std::optional<std::size_t>> place(mesh.size());
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    place[elements_[k].element] = k;
+  for (const ContactElement& element : elements_)
+    followers_.push_back(place[mesh[element.element].next]);
   if (basis.sharesNodes)
     shareNodes(mesh, conditions);
   number();
@@ -74,11 +74,6 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
             placeOf(element),
             ": an element of degree 1 without a free node cannot carry the multiplier '",
             basis_->name, "'; use more elements, a higher degree or another multiplier");
-}
-
-std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
-  const int place = place_[next_[k]];
-  return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
 }
 
 void MultiplierSpace::number() {

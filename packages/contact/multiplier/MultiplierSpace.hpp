@@ -99,7 +99,7 @@ class MultiplierSpace {
   const Conditions& conditions() const { return *conditions_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
   /// Number of the contact element that starts where number k ends, if any.
-  std::optional<std::size_t> follower(std::size_t k) const;
+  std::optional<std::size_t> follower(std::size_t k) const { return followers_[k]; }
   /// Mesh indices of elements().
   std::vector<int> meshElements() const;
   /// Number of normal coefficients that are not bonded: pressures.
@@ -125,8 +125,7 @@ class MultiplierSpace {
   const MultiplierBasis* basis_;
   const Conditions* conditions_;
   std::vector<ContactElement> elements_;
-  std::vector<int> next_;     ///< in the mesh, of each contact element
-  std::vector<int> place_;    ///< of each element of the mesh among these, or -1
+  std::vector<std::optional<std::size_t>> followers_;
   std::vector<bool> joined_;  ///< shares its first node with the element before
   Index normals_ = 0;
   Index size_ = 0;
