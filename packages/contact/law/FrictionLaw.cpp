@@ -6,23 +6,14 @@
 
 namespace epafi::contact {
 
-namespace {
-
-template <class Law>
-FrictionLawMember member(const char* name) {
-  return lawOfFields<FrictionLaw, Law>(name);
-}
-
-}  // namespace
-
 bem::Family<FrictionLawMember>& frictionLaws() {
   static bem::Family<FrictionLawMember> laws(
       "friction law", {
                           {"None", {}, {}},
-                          member<TrescaLaw>("Tresca"),
-                          member<CoulombLaw>("Coulomb"),
-                          member<CappedCoulombLaw>("Capped Coulomb"),
-                          member<TiedLaw>("Tied"),
+                          lawOfFields<FrictionLaw, TrescaLaw>("Tresca"),
+                          lawOfFields<FrictionLaw, CoulombLaw>("Coulomb"),
+                          lawOfFields<FrictionLaw, CappedCoulombLaw>("Capped Coulomb"),
+                          lawOfFields<FrictionLaw, TiedLaw>("Tied"),
                       });
   return laws;
 }
