@@ -50,7 +50,7 @@ std::map<std::string, double> unsettledWear(const SolvedLevel& level) {
     for (const contact::Solved& solved : step->bodies) {
       const contact::ContactFields fields(solved);
       for (const auto& element : fields.elements())
-        if (element.condition->wear && element.tangential >= 0) {
+        if (element.condition->wear && element.shears()) {
           const contact::ContactPoint point = fields.at(element, 0);
           double& rate = rates[nameOf(element)];
           rate = std::max(rate, element.condition->cycles *

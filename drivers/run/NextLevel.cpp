@@ -1,10 +1,10 @@
 #include "drivers/run/NextLevel.hpp"
 
 #include "adaptivity/mark/Analyticity.hpp"
-#include "adaptivity/mark/Doerfler.hpp"
 #include "adaptivity/mark/Strategy.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/opposite/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
@@ -109,8 +109,7 @@ std::vector<StepFields> loaded(std::vector<StepFields> steps) {
   const auto largestOf = [](const StepFields& step) {
     double largest = 0;
     for (const bem::Vector& density : step.density)
-      for (const double value : density)
-        largest = std::max(largest, std::abs(value));
+      largest = std::max(largest, bem::largestEntry(density));
     return largest;
   };
   double largest = 0;

@@ -126,7 +126,7 @@ std::string changingPlaces(const contact::Report& report,
       const bem::Vector at = multiplier.basis().places(element.degree);
       for (int i = 0; i <= element.degree; ++i) {
         if (!changes(element.normalOf(i)) &&
-            (element.tangential < 0 || !changes(element.tangentialOf(i))))
+            (!element.shears() || !changes(element.tangentialOf(i))))
           continue;
         const bem::Vec2 place =
             spaces.space(b).mesh().physicalPoint(element.element, at[i]);

@@ -1,7 +1,6 @@
 #include "drivers/run/Solver.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/ContactSolver.hpp"
 #include "drivers/run/Reasons.hpp"
@@ -16,14 +15,13 @@ namespace {
 
 using bem::Vector;
 
-/// By what the options are assembled to for the problem; `memory`: see contact::NoxNewton;
-/// the timer's watch is told of long paths of pivots.
+/// By what the options are assembled to for the problem; the timer's watch is told of long paths
+/// of pivots.
 SolvedProblem solveFrom(const contact::State& start, const Scene& scene,
-                        const contact::ContactSystem& system,
-                        contact::FactorMemory* memory, PhaseTimer& timer) {
+                        const contact::ContactSystem& system, PhaseTimer& timer) {
   const SolverOptions& options = scene.solver;
   const contact::Problem& problem = system.numbers();
-  const contact::NoxNewton newton(options.nox, memory);
+  const contact::NoxNewton newton(options.nox);
   const contact::ContactSolver fixed(newton, options.contact, [&](int pivots, int most) {
     timer.tell(bem::message(nameOf(Phase::Newton), ", complementary pivoting: ", pivots,
                             " of at most ", most, " changes"));
@@ -88,7 +86,7 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
                     PhaseTimer& timer) {
   return onFirstRank(system, processes, [&]() -> SolvedProblem {
     try {
-      SolvedProblem solved = solveFrom(start, spaces.scene(), system, nullptr, timer);
+      SolvedProblem solved = solveFrom(start, spaces.scene(), system, timer);
       solved.reason += changingPlaces(solved.solution.report, system, spaces);
       return solved;
     } catch (const contact::NoBalance& error) {
@@ -103,9 +101,7 @@ SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& 
                         PhaseTimer& timer) {
   const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
-      // of this step only: a run that goes on behind it shall compute the same digits
-      contact::FactorMemory memory;
-      return solveFrom(start, spaces.scene(), system, &memory, timer);
+      return solveFrom(start, spaces.scene(), system, timer);
     } catch (const contact::NoBalance& error) {
       return {{}, withAdvice(error, unresisted(spaces, system))};
     } catch (const bem::NumericalError& error) {
