@@ -31,7 +31,7 @@ Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& nu
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
     const ContactBody& own = bodies[b];
-    const Vector& stabilised = own.loads().inside.terms;
+    const Vector& stabilised = own.loads().residual.terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
       terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
@@ -216,6 +216,9 @@ void ContactSystem::finish() {
       numbers_.surface.places.push_back({numbering_(b, i), length, law});
   }
   ofInside_ = bodyLoadTerms(*bodies_, numbering_);
+  if (std::any_of(bodies_->begin(), bodies_->end(),
+                  [](const ContactBody& body) { return body.reacts(); }))
+    ofInside_.resize(at(numbering_.size()));
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
   setScale(loadSize());
@@ -321,6 +324,46 @@ double ContactSystem::wearBy(const Configuration& at) {
   axpy(-1, worn, change);
   const double all = largestEntry(worn);
   return all > 0 ? largestEntry(change) / (std::min(share, 1.0) * all) : 0;
+}
+
+std::vector<Vector> ContactSystem::reactionChanges(const Configuration& at) const {
+  std::vector<Vector> changes(size());
+  for (std::size_t b = 0; b < size(); ++b)
+    if (body(b).reacts()) {
+      changes[b] = body(b).fixedReactions(at.contactForces[b]);
+      axpy(-1, body(b).reactions(), changes[b]);
+    }
+  return changes;
+}
+
+double ContactSystem::reactionChange(const Configuration& at) const {
+  constexpr double rounding = 1e-12;
+  double largest = 0;
+  for (const Vector& change : reactionChanges(at))
+    largest = std::max(largest, largestEntry(change));
+  return largest > rounding * numbers_.stress ? largest / numbers_.stress : 0;
+}
+
+void ContactSystem::reactBy(const Configuration& at) {
+  std::vector<Vector> changes = reactionChanges(at);
+  Vector all;
+  for (const Vector& change : changes)
+    all.insert(all.end(), change.begin(), change.end());
+  const double share = aitken_.shareOf(std::move(all));
+  for (std::size_t b = 0; b < size(); ++b) {
+    if (changes[b].empty())
+      continue;
+    ContactBody& own = (*bodies_)[b];
+    for (double& change : changes[b])
+      change *= share;
+    const ContactBody::Response response = own.react(changes[b]);
+    axpy(1, apply(b, response.displacement), numbers_.offset);
+    for (std::size_t i = 0; i < response.terms.size(); ++i) {
+      const auto k = bem::at(numbering_(b, static_cast<Index>(i)));
+      ofInside_[k] += response.terms[i];
+      numbers_.offset[k] += response.terms[i];
+    }
+  }
 }
 
 State ContactSystem::joined(const std::vector<State>& states,

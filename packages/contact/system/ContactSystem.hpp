@@ -82,7 +82,7 @@ class ContactSystem {
   const Vector& jump() const { return jump_; }
 
   /// Part of r by body loads, one number per coefficient: by the displacement u_p of the sides and,
-  /// through the stabilisation, by its traction t_p; empty: no body loads.
+  /// through the stabilisation, by its traction t_p and by those of what Fix holds; empty: neither.
   const Vector& ofInside() const { return ofInside_; }
 
   /// Does the wear of this step depend on slips of its solution?  Until wearBy is called it is
@@ -92,6 +92,13 @@ class ContactSystem {
   /// worn depth under its pressure.
   double wearBy(const Configuration& at);
   const StepWear& wear() const { return wear_; }
+
+  /// What Fix holds needs tractions that the residual of the stabilisation has to know; they are those
+  /// of reactBy, at first zero.  Returns by how much those of a configuration differ from them, of the
+  /// load; zero where that is rounding or no residual depends on them.      [doc/theory/contact.md, In numbers]
+  double reactionChange(const Configuration& at) const;
+  /// Takes Aitken's share of the change.
+  void reactBy(const Configuration& at);
 
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
@@ -141,6 +148,8 @@ class ContactSystem {
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
+  /// Of ρ of each body; empty where no residual depends on it.
+  std::vector<Vector> reactionChanges(const Configuration& at) const;
 
   std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
@@ -154,6 +163,7 @@ class ContactSystem {
   Vector slipBefore_{};
   Vector defectBefore_{};
   std::vector<LoadResponses> responses_{};
+  Aitken aitken_{};  ///< of the reactions
 };
 
 }  // namespace epafi::contact
