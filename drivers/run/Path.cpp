@@ -19,6 +19,7 @@ struct Standing {
   contact::PathMemory memory;
   contact::Prediction prediction;
   std::vector<contact::LoadResponses> responses{};
+  std::vector<contact::Vector> reactions{};    ///< see contact::ContactSystem::reactBy
   std::shared_ptr<const SolvedPart> part{};    ///< the last one
   std::shared_ptr<const SolvedPart> before{};  ///< and the one before
   double t = 0;
@@ -48,6 +49,7 @@ class Follower {
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
               contact::Prediction(atZero),
+              {},
               {},
               std::make_shared<const SolvedPart>(spaces)},
         path_(path),
@@ -200,7 +202,7 @@ class Follower {
       system = std::make_shared<contact::ContactSystem>(
           atZero_.under({*conditions_, scene_.drivesAt(next), here_.memory.slip(),
                          here_.memory.defect(), here_.memory.largestLoad(),
-                         here_.responses, here_.memory.wear()}));
+                         here_.responses, here_.memory.wear(), here_.reactions}));
     });
     if (known) {
       const PathPoint& point = from_.path[points().size()];
@@ -209,7 +211,8 @@ class Follower {
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
     } else {
-      attempt = run_.timer.run(Phase::Newton, [&] { return this->attempt(*system, next); });
+      attempt =
+          run_.timer.run(Phase::Newton, [&] { return this->attempt(*system, next); });
     }
     row_.newtonIterations += solved.report.newtonIterations;
     newtonIterations_ += solved.report.newtonIterations;
@@ -234,6 +237,7 @@ class Follower {
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);
       here_.responses = system->responses();
+      here_.reactions = system->reactions();
       here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
                                                    spaces_, conditions_, latestAt_));
     });

@@ -198,8 +198,8 @@ void solvePath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
 /// One load, from the start value of the level, into `level`.
 void solveOnce(const BodySpaces& spaces,
                const std::shared_ptr<const SolvedStep::Conditions>& conditions,
-               const std::shared_ptr<contact::ContactSystem>& system,
-               const Level& from, const Run& run, SolvedLevel& level) {
+               const std::shared_ptr<contact::ContactSystem>& system, const Level& from,
+               const Run& run, SolvedLevel& level) {
   const StepFields start = from.steps.empty() ? StepFields() : from.last();
   SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
     const contact::State first = system->joined(start.own, start.rigid);

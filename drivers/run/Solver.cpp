@@ -120,7 +120,6 @@ SolvedProblem settled(
       break;
     }
     last = change;
-    if (getenv("DBGR")) fprintf(stderr, "react %d %g wear %g\n", k, reaction, wear);
     if (processes.agreed(reaction > 0))
       system.reactBy(at);
     SolvedProblem next = solveFrom(&solved.solution.state);

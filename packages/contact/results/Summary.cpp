@@ -184,8 +184,7 @@ Summary summarize(const Solved& solved) {
   Summary summary;
   const bool acts = solved.conditions.inside != nullptr;
   const Loads& loads = solved.problem.loads();
-  const Vector& load =
-      loads.given.empty() ? loads.load : loads.given;
+  const Vector& load = loads.given.empty() ? loads.load : loads.given;
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * bem::dot(load, u);
   if (acts) {

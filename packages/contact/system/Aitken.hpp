@@ -17,9 +17,9 @@ class Aitken {
       bem::Vector turned = before_;
       bem::axpy(-1, change, turned);
       const double square = bem::dot(turned, turned);
-      share_ = square > 0 ? std::clamp(share_ * bem::dot(before_, turned) / square, least,
-                                       most)
-                          : 1;
+      share_ = square > 0
+                   ? std::clamp(share_ * bem::dot(before_, turned) / square, least, most)
+                   : 1;
     }
     before_ = std::move(change);
     return share_;

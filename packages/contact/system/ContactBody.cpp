@@ -199,7 +199,8 @@ double ContactBody::strainEnergy(const State& state, const Vector& displacement)
     return 0.5 * twice;
   const Loads::InResidual& residual = loads_.residual;
   if (!residual.density.empty())
-    twice -= 2 * dot(displacement, residual.force) + dot(residual.compliance, residual.density);
+    twice -= 2 * dot(displacement, residual.force) +
+             dot(residual.compliance, residual.density);
   twice -= coupling().complianceWork(density(state, displacement));
   if (!coupling().byDensity() || state.multiplier.empty())
     return 0.5 * twice;

@@ -87,9 +87,7 @@ class ContactBody {
   Vector fixedMeans(const Vector& displacement) const;
 
   /// Has the residual of the stabilisation a part by tractions of what Fix holds?
-  bool reacts() const {
-    return holding_->fixed() > 0 && !coupling().weights.empty();
-  }
+  bool reacts() const { return holding_->fixed() > 0 && !coupling().weights.empty(); }
   /// Amplitudes ρ whose tractions Σ ρ r the residual λ + t_p - Σ ρ r + S u is without: zero at first.
   const Vector& reactions() const { return reactions_; }
   /// What a change of them adds to displacementOfLoads() and to B u - M λ.

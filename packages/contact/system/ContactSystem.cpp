@@ -19,15 +19,15 @@ using bem::axpy;
 namespace {
 
 /// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
-/// and of the opposite one, P the projection onto that one, and what their tractions add through
-/// the stabilisation.  Empty without body loads.               [doc/theory/body-loads.md]
+/// and of the opposite one, P the projection onto that one, and what their tractions and those of
+/// what Fix holds add through the stabilisation.  Empty without any.  [doc/theory/body-loads.md]
 Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& numbering) {
   const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
     return bodies[b].multiplier().conditions().inside;
   };
   Vector terms;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (insideOf(b))
+    if (insideOf(b) || bodies[b].reacts())
       terms.resize(at(numbering.size()));
   for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
     const ContactBody& own = bodies[b];
@@ -98,6 +98,9 @@ ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
   assert(step.rigid.size() == atZero.drives().size());
   numbers_.tangentials.clear();
   numbers_.rigidLoad.clear();
+  for (std::size_t b = 0; b < step.reactionsBefore.size(); ++b)
+    if (largestEntry(step.reactionsBefore[b]) > 0)
+      (*bodies_)[b].react(step.reactionsBefore[b]);
   respond();
   wear_.setSlips({}, numbers_.surface);
   setScale(std::max(loadSize(), step.largestLoad));
@@ -216,9 +219,6 @@ void ContactSystem::finish() {
       numbers_.surface.places.push_back({numbering_(b, i), length, law});
   }
   ofInside_ = bodyLoadTerms(*bodies_, numbering_);
-  if (std::any_of(bodies_->begin(), bodies_->end(),
-                  [](const ContactBody& body) { return body.reacts(); }))
-    ofInside_.resize(at(numbering_.size()));
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
   setScale(loadSize());
@@ -364,6 +364,13 @@ void ContactSystem::reactBy(const Configuration& at) {
       numbers_.offset[k] += response.terms[i];
     }
   }
+}
+
+std::vector<Vector> ContactSystem::reactions() const {
+  std::vector<Vector> all;
+  for (const ContactBody& body : *bodies_)
+    all.push_back(body.reactions());
+  return all;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,

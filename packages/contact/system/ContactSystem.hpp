@@ -50,6 +50,7 @@ class ContactSystem {
     std::vector<LoadResponses>
         responses{};                 ///< of the previous step, by body; empty: none known
     std::vector<Wear> wearBefore{};  ///< likewise; empty: no wear so far
+    std::vector<Vector> reactionsBefore{};  ///< likewise, see reactBy; empty: zero
   };
   /// The same bodies on the same meshes at another time.  Kinds of conditions on boundaries and
   /// free motions stay the same; friction uses slipBefore.  Shares factors, D and couplings, so
@@ -99,6 +100,8 @@ class ContactSystem {
   double reactionChange(const Configuration& at) const;
   /// Takes Aitken's share of the change.
   void reactBy(const Configuration& at);
+  /// Those of each body, for the next step.
+  std::vector<Vector> reactions() const;
 
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
