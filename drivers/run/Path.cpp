@@ -19,6 +19,7 @@ struct Standing {
   contact::PathMemory memory;
   contact::Prediction prediction;
   std::vector<contact::LoadResponses> responses{};
+  std::vector<contact::Vector> reactions{};    ///< see contact::ContactSystem::reactBy
   std::shared_ptr<const SolvedPart> part{};    ///< the last one
   std::shared_ptr<const SolvedPart> before{};  ///< and the one before
   double t = 0;
@@ -32,15 +33,6 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
     for (const auto& [boundary, contact] : ofBody.contact)
       most = std::max(most, contact.cycles);
   return most;
-}
-
-/// Does a side shear and not yield?  On short elements wear then lets it slip and wear on and on.
-bool shearsBesideRigid(const std::vector<contact::Conditions>& conditions) {
-  for (const contact::Conditions& ofBody : conditions)
-    for (const auto& [boundary, contact] : ofBody.contact)
-      if (contact.wear && contact.friction.compliance && !contact.normal)
-        return true;
-  return false;
 }
 
 class Follower {
@@ -57,6 +49,7 @@ class Follower {
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
               contact::Prediction(atZero),
+              {},
               {},
               std::make_shared<const SolvedPart>(spaces)},
         path_(path),
@@ -183,42 +176,18 @@ class Follower {
     return step;
   }
 
-  /// A step, again and again where it wears by its slip, until that does not change any more.
-  SolvedProblem settled(contact::ContactSystem& system, double time) {
-    constexpr double same = 1e-12;
-    constexpr double almost = 1e-8;  // where rounding changes it on and on
-    constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
-    const auto solveFrom = [&](const contact::State* start) {
-      return solveStep(system, spaces_, here_.prediction, start, run_.processes,
-                       run_.timer);
-    };
+  SolvedProblem attempt(contact::ContactSystem& system, double time) {
     // where solutions are not unique a path of one step shall find that of the load alone
     const bool isFirst = points().empty() && time == scene_.history.times.front();
     const StepFields start = from_.steps.empty() ? StepFields() : from_.last();
     const contact::State first = atZero_.joined(start.own, start.rigid);
-    SolvedProblem solved = solveFrom(isFirst ? &first : nullptr);
-    double last = 1;
-    for (int k = 0; system.wearsBySlip() && solved.solution.report.converged(); ++k) {
-      const double change = system.wearBy(system.configuration(solved.solution.state));
-      if (run_.processes.agreed(change <= same || (change < almost && change > last / 2)))
-        break;
-      if (k == most) {
-        solved.solution.report.status = contact::Status::NotConverged;
-        solved.reason = bem::message(
-            "what wears and the slip that it wears by do not settle, the last change is ",
-            change, "; shorten Wear->Cycle Jump",
-            shearsBesideRigid(*conditions_) ? ", or give Normal->Compliance beside "
-                                              "Friction->Compliance"
-                                            : "");
-        break;
-      }
-      last = change;
-      SolvedProblem next = solveFrom(&solved.solution.state);
-      next.solution.report =
-          contact::joined(std::move(next.solution.report), solved.solution.report);
-      solved = std::move(next);
-    }
-    return solved;
+    return settled(
+        system, isFirst ? &first : nullptr,
+        [&](const contact::State* from) {
+          return solveStep(system, spaces_, here_.prediction, from, run_.processes,
+                           run_.timer);
+        },
+        run_.processes);
   }
 
   // One step to a time; what it ends with is kept also where it fails.
@@ -233,7 +202,7 @@ class Follower {
       system = std::make_shared<contact::ContactSystem>(
           atZero_.under({*conditions_, scene_.drivesAt(next), here_.memory.slip(),
                          here_.memory.defect(), here_.memory.largestLoad(),
-                         here_.responses, here_.memory.wear()}));
+                         here_.responses, here_.memory.wear(), here_.reactions}));
     });
     if (known) {
       const PathPoint& point = from_.path[points().size()];
@@ -242,7 +211,8 @@ class Follower {
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
     } else {
-      attempt = run_.timer.run(Phase::Newton, [&] { return settled(*system, next); });
+      attempt =
+          run_.timer.run(Phase::Newton, [&] { return this->attempt(*system, next); });
     }
     row_.newtonIterations += solved.report.newtonIterations;
     newtonIterations_ += solved.report.newtonIterations;
@@ -258,11 +228,16 @@ class Follower {
                       : system->configuration(solved.state);
       if (!converged)
         return;
-      if (system->wearBy(latestAt_) > 0)
+      const bool reacts =
+          known && run_.processes.agreed(system->reactionChange(latestAt_) > 0);
+      if (reacts)
+        system->reactBy(latestAt_);
+      if (system->wearBy(latestAt_) > 0 || reacts)
         latestAt_ = system->configuration(latestAt_.state);
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);
       here_.responses = system->responses();
+      here_.reactions = system->reactions();
       here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
                                                    spaces_, conditions_, latestAt_));
     });

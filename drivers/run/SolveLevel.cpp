@@ -198,12 +198,17 @@ void solvePath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
 /// One load, from the start value of the level, into `level`.
 void solveOnce(const BodySpaces& spaces,
                const std::shared_ptr<const SolvedStep::Conditions>& conditions,
-               const std::shared_ptr<const contact::ContactSystem>& system,
-               const Level& from, const Run& run, SolvedLevel& level) {
+               const std::shared_ptr<contact::ContactSystem>& system, const Level& from,
+               const Run& run, SolvedLevel& level) {
   const StepFields start = from.steps.empty() ? StepFields() : from.last();
   SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
-    return solve(*system, spaces, system->joined(start.own, start.rigid), run.processes,
-                 run.timer);
+    const contact::State first = system->joined(start.own, start.rigid);
+    return settled(
+        *system, &first,
+        [&](const contact::State* from) {
+          return solve(*system, spaces, *from, run.processes, run.timer);
+        },
+        run.processes);
   });
   level.row.report = outcome.solution.report;
   level.level.reason = outcome.reason;
@@ -245,7 +250,7 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
       inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
                         (*first)[b], basis, scene.stabilization, spaces.opposite(b),
                         formedUpTo(scene.history.steps())});
-    return std::make_shared<const contact::ContactSystem>(inputs, scene.drivesAt(start));
+    return std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(start));
   });
   checkResistance(scene, *system);
   SolvedLevel solved{stiffness, {from.number}, planned};

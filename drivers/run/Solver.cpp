@@ -79,7 +79,54 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
   return solved;
 }
 
+/// Does a side shear and not yield?  On short elements wear then lets it slip and wear on and on.
+bool shearsBesideRigid(const contact::ContactSystem& system) {
+  for (std::size_t b = 0; b < system.size(); ++b)
+    for (const auto& [boundary, contact] :
+         system.body(b).multiplier().conditions().contact)
+      if (contact.wear && contact.friction.compliance && !contact.normal)
+        return true;
+  return false;
+}
+
 }  // namespace
+
+SolvedProblem settled(
+    contact::ContactSystem& system, const contact::State* start,
+    const std::function<SolvedProblem(const contact::State*)>& solveFrom,
+    const bem::Processes& processes) {
+  constexpr double same = 1e-12;
+  constexpr double almost = 1e-8;  // where rounding changes it on and on
+  constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
+  SolvedProblem solved = solveFrom(start);
+  double last = 1;
+  for (int k = 0; solved.solution.report.converged(); ++k) {
+    const contact::Configuration at = system.configuration(solved.solution.state);
+    const double reaction = system.reactionChange(at);
+    const double wear = system.wearsBySlip() ? system.wearBy(at) : 0;
+    const double change = std::max(reaction, wear);
+    if (processes.agreed(change <= same || (change < almost && change > last / 2)))
+      break;
+    if (k == most) {
+      solved.solution.report.status = contact::Status::NotConverged;
+      solved.reason = bem::message(
+          "what wears and the slip that it wears by do not settle, the last change is ",
+          change, "; shorten Wear->Cycle Jump",
+          shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
+                                      "Friction->Compliance"
+                                    : "");
+      break;
+    }
+    last = change;
+    if (processes.agreed(reaction > 0))
+      system.reactBy(at);
+    SolvedProblem next = solveFrom(&solved.solution.state);
+    next.solution.report =
+        contact::joined(std::move(next.solution.report), solved.solution.report);
+    solved = std::move(next);
+  }
+  return solved;
+}
 
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
                     const contact::State& start, const bem::Processes& processes,

@@ -8,6 +8,7 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Scene.hpp"
 
+#include <functional>
 #include <string>
 
 namespace epafi::drivers {
@@ -17,6 +18,13 @@ struct SolvedProblem {
   contact::Solution solution;
   std::string reason;
 };
+
+/// Solves again and again, each time from the state before, until neither the slip changes by which
+/// sides wear nor the tractions of what Fix holds, see ContactSystem::wearBy and reactBy.
+SolvedProblem settled(
+    contact::ContactSystem& system, const contact::State* start,
+    const std::function<SolvedProblem(const contact::State*)>& solveFrom,
+    const bem::Processes& processes);
 
 /// Solves one problem as the scene's list Solver says: Newton's method by NOX, Tresca's
 /// problem on it, and Coulomb's on that where the slip bound depends on the pressure.

@@ -64,14 +64,13 @@ class ElementCoupling {
   }
 
   /// A traction in λ's place.
-  void addMoments(double gamma, Index firstRow, const ParticularSolution& inside,
-                  Loads::OfInside& moments) const {
+  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
+                  Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     forEachPointOf(
         contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
         [&](const SidePoint& point) {
-          const Vec2 force =
-              point.weight * inside.traction(space_.mesh(), contact_.element, point.t);
+          const Vec2 force = point.weight * traction(contact_.element, point.t);
           addForce(force, orthonormal(point.t).data(), parts.data(), rows());
           for (Index i = 0; i < size() && isWhole(); ++i)
             moments.terms[at(numberOf(i))] -=
@@ -203,15 +202,15 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
 }
 
 void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
-                        const Coupling& coupling, const ParticularSolution& inside,
-                        Loads::OfInside& moments) {
+                        const Coupling& coupling, const BoundaryTraction& traction,
+                        Loads::InResidual& moments) {
   moments.weights.assign(at(coupling.start.back()), 0.0);
   moments.terms.assign(at(multiplier.size()), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
       ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
-          .addMoments(coupling.gamma[k], coupling.start[k], inside, moments);
+          .addMoments(coupling.gamma[k], coupling.start[k], traction, moments);
 }
 
 void Coupling::weaken(double newGamma0) {
@@ -267,7 +266,7 @@ double Coupling::complianceWork(const Vector& density) const {
 }
 
 Vector Coupling::complianceOf(const bem::Space& space, const Vector& onContacts,
-                              const ParticularSolution& inside) const {
+                              const BoundaryTraction& traction) const {
   const bem::Mesh& mesh = space.mesh();
   Vector result = onDensities(onContacts, space.densities());
   const bem::Rule& rule = bem::gaussForGiven(0);
@@ -275,9 +274,8 @@ Vector Coupling::complianceOf(const bem::Space& space, const Vector& onContacts,
     for (int e = 0; e < mesh.size(); ++e)
       for (const int c : {0, 1})
         for (int q = 0; q < rule.size() && space.density(e, 0, c) == i; ++q) {
-          const Vec2 traction = inside.traction(mesh, e, rule.points[q]);
-          result[at(i)] +=
-              value * 0.5 * rule.weights[q] * (c == 0 ? traction.x : traction.y);
+          const Vec2 there = traction(e, rule.points[q]);
+          result[at(i)] += value * 0.5 * rule.weights[q] * (c == 0 ? there.x : there.y);
         }
   return result;
 }

@@ -4,7 +4,12 @@
 #include "contact/opposite/TraceCoupling.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
+#include <functional>
+
 namespace epafi::contact {
+
+/// At a point t of an element.
+using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 
 /// The sparse matrices that couple a body and its multiplier, stabilisation included.
 ///
@@ -49,7 +54,7 @@ struct Coupling {
   /// <γ t_p, P_i> of all densities: on contact elements by the weights of Loads::OfInside, on
   /// pinned ones by their means.
   Vector complianceOf(const bem::Space& space, const Vector& onContacts,
-                      const ParticularSolution& inside) const;
+                      const BoundaryTraction& traction) const;
   /// γ (λ + ψ) of each contact element, averaged along it, under Form Density; else zero.
   /// `ofInside`: the compliance of Loads::OfInside.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
@@ -61,9 +66,9 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
                       const Stabilization& stabilization, const bem::Lame& lame,
                       bem::Units units, std::vector<Index> start = {});
 
-/// Sets the `weights` and `terms` of the traction t_p of a particular solution.
+/// Sets the `weights` and `terms` of a traction t_p.
 void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
-                        const Coupling& coupling, const ParticularSolution& inside,
-                        Loads::OfInside& moments);
+                        const Coupling& coupling, const BoundaryTraction& traction,
+                        Loads::InResidual& moments);
 
 }  // namespace epafi::contact

@@ -70,7 +70,7 @@ double addTraction(const bem::Space& space, int e, const bem::Rule& rule,
 /// reaction is that of the whole stress.
 void addInside(const bem::Space& space, const ParticularSolution& inside, Loads& loads) {
   const bem::Mesh& mesh = space.mesh();
-  loads.inside.given = loads.load;
+  loads.given = loads.load;
   loads.inside.traction.assign(loads.load.size(), 0.0);
   double rest = 0;
   for (int e = 0; e < mesh.size(); ++e)

@@ -23,19 +23,21 @@ struct Loads {
 
   /// With body loads, of the particular solution u_p, t_p; else empty and zero.
   struct OfInside {
-    Vector given;     ///< ∫ traction · φ_j ds of the given traction
     Vector traction;  ///< ∫ t_p · φ_j ds
     double work = 0;  ///< ∫ given traction · u_p ds
     double largestDisplacement = 0;
+  } inside{};
+  Vector given{};  ///< ∫ traction · φ_j ds of the given traction; empty: `load`
 
-    // What t_p does in the residual λ + t_p + S u of the stabilisation, independent of u and λ, see
-    // ContactBody::setResidual; empty: zero.                     [doc/theory/body-loads.md]
+  /// What t_p does in the residual λ + t_p + S u of the stabilisation, independent of u and λ, with
+  /// the tractions of what Fix holds, see ContactBody; empty: zero.   [doc/theory/body-loads.md]
+  struct InResidual {
     Vector weights;     ///< by G's rows: <γ t_p, P> as G λ has <γ λ, P>
     Vector force;       ///< to f
     Vector terms;       ///< to C u - M λ, with -<γ t_p, χ_i>
     Vector density;     ///< to ψ
     Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
-  } inside{};
+  } residual{};
 
   double size() const {
     return largestTraction + largestDisplacement + inside.largestDisplacement;

@@ -183,8 +183,8 @@ Summary summarize(const Solved& solved) {
   const Vector& u = solved.displacement;
   Summary summary;
   const bool acts = solved.conditions.inside != nullptr;
-  const Vector& load =
-      acts ? solved.problem.loads().inside.given : solved.problem.loads().load;
+  const Loads& loads = solved.problem.loads();
+  const Vector& load = loads.given.empty() ? loads.load : loads.given;
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * bem::dot(load, u);
   if (acts) {
@@ -192,7 +192,7 @@ Summary summarize(const Solved& solved) {
     summary.energyStrain += energy * more.strain;
     summary.energyLoad += energy * more.load;
     // what it leaves to the boundary is its negative
-    std::array<double, 3> work = workOf(solved.problem.loads().inside.traction, solved);
+    std::array<double, 3> work = workOf(loads.inside.traction, solved);
     for (double& x : work)
       x = -x;
     summary.inside = resultantOf(work, solved);

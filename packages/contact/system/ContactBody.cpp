@@ -81,8 +81,13 @@ ContactBody ContactBody::under(const Conditions& conditions) const {
 }
 
 void ContactBody::setLoads() {
-  if (multiplier_.conditions().inside)
-    setResidual(*multiplier_.conditions().inside);
+  reactions_.assign(3, 0.0);
+  if (const BodyLoadSolution& inside = multiplier_.conditions().inside) {
+    loads_.residual = residualOf(
+        [&](int e, double t) { return inside->traction(space_->mesh(), e, t); });
+    if (!loads_.residual.force.empty())
+      axpy(1, loads_.residual.force, loads_.load);
+  }
   load_ = loads_.largestDisplacement > 0
               ? elastic_->residual(loads_.load, loads_.prescribed)
               : loads_.load;
@@ -91,19 +96,39 @@ void ContactBody::setLoads() {
       meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
 }
 
-void ContactBody::setResidual(const ParticularSolution& solution) {
-  Loads::OfInside& inside = loads_.inside;
-  setTractionMoments(*space_, multiplier_, coupling(), solution, inside);
+Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) const {
+  Loads::InResidual result;
+  setTractionMoments(*space_, multiplier_, coupling(), traction, result);
   if (coupling().hasCompliance()) {
-    inside.compliance = coupling().complianceOf(*space_, inside.weights, solution);
-    std::tie(inside.density, inside.force) = elastic_->answerTo(inside.compliance);
-    inside.density = bem::times(-1, std::move(inside.density));
-    coupling().subtractWeighted(coupling().ofDensities(inside.density), inside.terms);
+    result.compliance = coupling().complianceOf(*space_, result.weights, traction);
+    std::tie(result.density, result.force) = elastic_->answerTo(result.compliance);
+    result.density = bem::times(-1, std::move(result.density));
+    coupling().subtractWeighted(coupling().ofDensities(result.density), result.terms);
   } else if (!coupling().weights.empty()) {
-    inside.force = elastic_->forcesOf(inside.weights);
+    result.force = elastic_->forcesOf(result.weights);
   }
-  if (!inside.force.empty())
-    axpy(1, inside.force, loads_.load);
+  return result;
+}
+
+ContactBody::Response ContactBody::react(const Vector& change) {
+  const bem::Mesh& mesh = space_->mesh();
+  Loads::InResidual more = residualOf([&](int e, double t) {
+    const bem::Vec2 arm = mesh.scaledPoint(e, t) - holding_->modes.centroid;
+    return -bem::Vec2{change[0], change[1]} - change[2] * turnLeft(arm);
+  });
+  axpy(1, change, reactions_);
+  if (loads_.given.empty())
+    loads_.given = loads_.load;
+  Loads::InResidual& all = loads_.residual;
+  for (const auto part :
+       {&Loads::InResidual::weights, &Loads::InResidual::force, &Loads::InResidual::terms,
+        &Loads::InResidual::density, &Loads::InResidual::compliance}) {
+    (all.*part).resize((more.*part).size());
+    axpy(1, more.*part, all.*part);
+  }
+  axpy(1, more.force, loads_.load);
+  axpy(1, more.force, load_);
+  return {elastic_->solve(more.force), std::move(more.terms)};
 }
 
 Vector ContactBody::apply(const Vector& u) const {
@@ -175,15 +200,16 @@ double ContactBody::strainEnergy(const State& state, const Vector& displacement)
   double twice = elastic_->stiffnessWork(displacement);
   if (!coupling().hasCompliance())
     return 0.5 * twice;
-  const Loads::OfInside& inside = loads_.inside;
-  if (!inside.density.empty())
-    twice -= 2 * dot(displacement, inside.force) + dot(inside.compliance, inside.density);
+  const Loads::InResidual& residual = loads_.residual;
+  if (!residual.density.empty())
+    twice -= 2 * dot(displacement, residual.force) +
+             dot(residual.compliance, residual.density);
   twice -= coupling().complianceWork(density(state, displacement));
   if (!coupling().byDensity() || state.multiplier.empty())
     return 0.5 * twice;
   const Vector w = coupling().weighted(state.multiplier);
-  if (!inside.density.empty())
-    twice -= 2 * dot(w, coupling().ofDensities(inside.density));
+  if (!residual.density.empty())
+    twice -= 2 * dot(w, coupling().ofDensities(residual.density));
   twice -= 2 * dot(displacement, elastic_->forcesOf(w));
   return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
@@ -201,8 +227,8 @@ Vector ContactBody::density(const State& state, const Vector& displacement) cons
       elastic_->density(displacement, coupling().byDensity() && !state.multiplier.empty()
                                           ? coupling().weighted(state.multiplier)
                                           : Vector());
-  if (!loads_.inside.density.empty())
-    axpy(1, loads_.inside.density, psi);
+  if (!loads_.residual.density.empty())
+    axpy(1, loads_.residual.density, psi);
   return psi;
 }
 

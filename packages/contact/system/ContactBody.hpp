@@ -88,6 +88,17 @@ class ContactBody {
   /// for clamps and for what acts inside.
   Vector fixedMeans(const Vector& displacement) const;
 
+  /// Has the residual of the stabilisation a part by tractions of what Fix holds?
+  bool reacts() const { return holding_->fixed() > 0 && !coupling().weights.empty(); }
+  /// Amplitudes ρ whose tractions Σ ρ r the residual λ + t_p - Σ ρ r + S u is without: zero at first.
+  const Vector& reactions() const { return reactions_; }
+  /// What a change of them adds to displacementOfLoads() and to B u - M λ.
+  struct Response {
+    Vector displacement;
+    Vector terms;
+  };
+  Response react(const Vector& change);
+
   /// u for λ = 0 and α = 0, the loads that it is linear in (forces, then displacements given), and
   /// Rᵀ f of the free motions.
   Vector displacementOfLoads() const;
@@ -98,8 +109,8 @@ class ContactBody {
 
  private:
   void setLoads();
-  /// Sets what body loads do through the stabilisation.
-  void setResidual(const ParticularSolution& solution);
+  /// What a traction in the place of t_p does through the stabilisation.
+  Loads::InResidual residualOf(const BoundaryTraction& traction) const;
 
   const bem::Space* space_;
   bem::Units units_;
@@ -111,6 +122,7 @@ class ContactBody {
   Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
+  Vector reactions_{};
   double stress_ = 1;
 };
 

@@ -18,8 +18,8 @@ using bem::axpy;
 namespace {
 
 /// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
-/// and of the opposite one, P the projection onto that one, and what their tractions add through
-/// the stabilisation, added to r.                              [doc/theory/body-loads.md]
+/// and of the opposite one, P the projection onto that one, added to r.
+///                                                             [doc/theory/body-loads.md]
 void addBodyLoads(const std::vector<ContactBody>& bodies, const Numbering& numbering,
                   Vector& r) {
   const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
@@ -30,9 +30,6 @@ void addBodyLoads(const std::vector<ContactBody>& bodies, const Numbering& numbe
     anywhere = anywhere || insideOf(b);
   for (std::size_t b = 0; b < bodies.size() && anywhere; ++b) {
     const ContactBody& own = bodies[b];
-    const Vector& stabilised = own.loads().inside.terms;
-    for (std::size_t i = 0; i < stabilised.size(); ++i)
-      r[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
     forEachSidePoint(
         mesh, own.multiplier(), own.opposite(),
@@ -96,6 +93,9 @@ ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
   assert(step.rigid.size() == atZero.drives().size());
   numbers_.tangentials.clear();
   numbers_.rigidLoad.clear();
+  for (std::size_t b = 0; b < step.reactionsBefore.size(); ++b)
+    if (bem::largestEntry(step.reactionsBefore[b]) > 0)
+      (*bodies_)[b].react(step.reactionsBefore[b]);
   respond();
   wear_.setSlips({}, numbers_.surface);
   setScale(std::max(loadSize(), step.largestLoad));
@@ -206,6 +206,8 @@ void ContactSystem::finish() {
       if (i < numbering_.normalsOf(b))
         gap_[k] = obstacle.gap[i];
       given_[k] = -obstacle.jump[i] - (i < numbering_.normalsOf(b) ? gap_[k] : 0);
+      if (const Vector& stabilised = body(b).loads().residual.terms; !stabilised.empty())
+        given_[k] += stabilised[bem::at(i)];
     }
     for (const auto& [row, column, value] : obstacle.surface.linear)
       numbers_.surface.linear.push_back(
@@ -315,6 +317,53 @@ double ContactSystem::wearBy(const Configuration& at) {
   axpy(-1, worn, change);
   const double all = bem::largestEntry(worn);
   return all > 0 ? bem::largestEntry(change) / (std::min(share, 1.0) * all) : 0;
+}
+
+std::vector<Vector> ContactSystem::reactionChanges(const Configuration& at) const {
+  std::vector<Vector> changes(size());
+  for (std::size_t b = 0; b < size(); ++b)
+    if (body(b).reacts()) {
+      changes[b] = body(b).fixedReactions(at.contactForces[b]);
+      axpy(-1, body(b).reactions(), changes[b]);
+    }
+  return changes;
+}
+
+double ContactSystem::reactionChange(const Configuration& at) const {
+  constexpr double rounding = 1e-12;
+  double largest = 0;
+  for (const Vector& change : reactionChanges(at))
+    largest = std::max(largest, bem::largestEntry(change));
+  return largest > rounding * numbers_.stress ? largest / numbers_.stress : 0;
+}
+
+void ContactSystem::reactBy(const Configuration& at) {
+  std::vector<Vector> changes = reactionChanges(at);
+  Vector all;
+  for (const Vector& change : changes)
+    all.insert(all.end(), change.begin(), change.end());
+  const double share = aitken_.shareOf(std::move(all));
+  for (std::size_t b = 0; b < size(); ++b) {
+    if (changes[b].empty())
+      continue;
+    ContactBody& own = (*bodies_)[b];
+    for (double& change : changes[b])
+      change *= share;
+    const ContactBody::Response response = own.react(changes[b]);
+    axpy(1, apply(b, response.displacement), numbers_.offset);
+    for (std::size_t i = 0; i < response.terms.size(); ++i) {
+      const auto k = bem::at(numbering_(b, static_cast<Index>(i)));
+      given_[k] += response.terms[i];
+      numbers_.offset[k] += response.terms[i];
+    }
+  }
+}
+
+std::vector<Vector> ContactSystem::reactions() const {
+  std::vector<Vector> all;
+  for (const ContactBody& body : *bodies_)
+    all.push_back(body.reactions());
+  return all;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,

@@ -50,6 +50,7 @@ class ContactSystem {
     std::vector<LoadResponses>
         responses{};                 ///< of the previous step, by body; empty: none known
     std::vector<Wear> wearBefore{};  ///< likewise; empty: no wear so far
+    std::vector<Vector> reactionsBefore{};  ///< likewise, see reactBy; empty: zero
   };
   /// The same bodies on the same meshes at another time.  Kinds of conditions on boundaries and
   /// free motions stay the same; friction uses slipBefore.  Shares factors, D and couplings, so
@@ -80,7 +81,8 @@ class ContactSystem {
   const Vector& gap() const { return gap_; }
   /// The prescribed part of r, one number per coefficient: -g, less the jumps of bonded sides and
   /// the prescribed sliding, and with body loads what their displacement u_p of the sides and,
-  /// through the stabilisation, their traction t_p add.  Without wear and rigid bodies.
+  /// through the stabilisation, their traction t_p and those of what Fix holds add.  Without wear and
+  /// rigid bodies.
   const Vector& given() const { return given_; }
 
   /// Does the wear of this step depend on slips of its solution?  Until wearBy is called it is
@@ -90,6 +92,15 @@ class ContactSystem {
   /// worn depth under its pressure.
   double wearBy(const Configuration& at);
   const StepWear& wear() const { return wear_; }
+
+  /// What Fix holds needs tractions that the residual of the stabilisation has to know; they are those
+  /// of reactBy, at first zero.  Returns by how much those of a configuration differ from them, of the
+  /// load; zero where that is rounding or no residual depends on them.      [doc/theory/contact.md, In numbers]
+  double reactionChange(const Configuration& at) const;
+  /// Takes Aitken's share of the change.
+  void reactBy(const Configuration& at);
+  /// Those of each body, for the next step.
+  std::vector<Vector> reactions() const;
 
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
@@ -139,6 +150,8 @@ class ContactSystem {
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
+  /// Of ρ of each body; empty where no residual depends on it.
+  std::vector<Vector> reactionChanges(const Configuration& at) const;
 
   std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
@@ -151,6 +164,7 @@ class ContactSystem {
   Vector slipBefore_{};
   Vector defectBefore_{};
   std::vector<LoadResponses> responses_{};
+  Aitken aitken_{};  ///< of the reactions
 };
 
 }  // namespace epafi::contact

@@ -84,33 +84,23 @@ Vector StepWear::tested(const std::vector<Wear>& wear) const {
 }
 
 void StepWear::takeSlips(const Vector& slip) {
-  std::vector<Vector> changes(slip.empty() ? 0 : slips_.size());
-  double turn = 0;
-  double length = 0;
+  std::vector<Vector> changes;
+  Vector all;
   for (std::size_t b = 0; b < slips_.size(); ++b) {
     Vector own;
     for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
       own.push_back(slip[at(numbering_(b, i))]);
-    Vector now = slipsOf((*bodies_)[b], before_[b], own);
-    if (slip.empty()) {
-      slips_[b] = std::move(now);
-      continue;
-    }
-    bem::axpy(-1, slips_[b], now);
-    if (!changes_.empty()) {
-      Vector difference = now;
-      bem::axpy(-1, changes_[b], difference);
-      turn -= bem::dot(changes_[b], difference);
-      length += bem::dot(difference, difference);
-    }
-    changes[b] = std::move(now);
+    Vector change = slipsOf((*bodies_)[b], before_[b], own);
+    slips_[b].resize(change.size());
+    bem::axpy(-1, slips_[b], change);
+    all.insert(all.end(), change.begin(), change.end());
+    changes.push_back(std::move(change));
   }
-  share_ = length > 0 ? std::clamp(share_ * turn / length, 0.125, 4.0) : 1;
+  share_ = known_ ? aitken_.shareOf(std::move(all)) : 1;
+  known_ = !slip.empty();
   for (std::size_t b = 0; b < changes.size(); ++b)
     for (std::size_t k = 0; k < changes[b].size(); ++k)
       slips_[b][k] = std::max(slips_[b][k] + share_ * changes[b][k], 0.0);
-  changes_ = known_ ? std::move(changes) : std::vector<Vector>();
-  known_ = !slip.empty();
 }
 
 double StepWear::setSlips(const Vector& slip, Surface& surface) {

@@ -2,6 +2,7 @@
 
 #include "contact/opposite/Numbering.hpp"
 #include "contact/problem/Surface.hpp"
+#include "contact/system/Aitken.hpp"
 #include "contact/system/ContactBody.hpp"
 
 namespace epafi::contact {
@@ -33,8 +34,8 @@ class StepWear {
 
   /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
   /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.  From
-  /// the third time on |Δs| takes a share ω of its change, by Aitken's rule: slips may jump to and
-  /// fro or settle slowly.  Returns ω.
+  /// the third time on |Δs| takes a share ω of its change, since slips may jump to and fro or
+  /// settle slowly.  Returns ω.
   double setSlips(const Vector& slip, Surface& surface);
 
   /// Of each body behind the step, `states` their own.
@@ -48,11 +49,11 @@ class StepWear {
   std::vector<Wear> before_;
   bool wears_ = false;
   Vector testedBefore_;
-  std::vector<Vector> slips_;    ///< |Δs| of each body at the points
-  std::vector<Vector> changes_;  ///< what setSlips found to be their change
-  double share_ = 1;             ///< ω
-  bool known_ = false;           ///< are slips_ those of a solution?
-  std::vector<Vector> rates_;    ///< n k |Δs|
+  std::vector<Vector> slips_;  ///< |Δs| of each body at the points
+  bool known_ = false;         ///< are slips_ those of a solution?
+  Aitken aitken_{};
+  double share_ = 1;           ///< ω
+  std::vector<Vector> rates_;  ///< n k |Δs|
 };
 
 }  // namespace epafi::contact
