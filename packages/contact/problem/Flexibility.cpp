@@ -51,7 +51,7 @@ class Dense final : public Flexibility::Operator::Factor {
     if (!(condition > std::numeric_limits<double>::epsilon()))
       throw SingularJacobian(bem::message(
           "singular Newton matrix (reciprocal condition ", condition, ")",
-          system_.followers.empty() ? ""
+          system_.followers.empty() ? " of the balance of the free rigid motions"
                                     : " of Coulomb's problem: at this friction "
                                       "coefficient the solution may not be unique"));
   }
