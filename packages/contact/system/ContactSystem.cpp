@@ -347,9 +347,8 @@ void ContactSystem::reactBy(const Configuration& at) {
     if (changes[b].empty())
       continue;
     ContactBody& own = (*bodies_)[b];
-    for (double& change : changes[b])
-      change *= share;
-    const ContactBody::Response response = own.react(changes[b]);
+    const ContactBody::Response response =
+        own.react(bem::times(share, std::move(changes[b])));
     axpy(1, apply(b, response.displacement), numbers_.offset);
     for (std::size_t i = 0; i < response.terms.size(); ++i) {
       const auto k = bem::at(numbering_(b, static_cast<Index>(i)));
