@@ -140,6 +140,15 @@ for form, plane, basis in (
     claim(abs(levels[-1]["energy_strain"] / exact - 1) < 1e-9,
           "%s: strain energy %.9e, exact %.9e" % (name, levels[-1]["energy_strain"], exact))
 
+# the residual of the stabilisation knows the traction by which Fix holds the disc against its weight
+for form, basis in (*((form, GAUSS) for form in FORMS), ("None", "Biorthogonal")):
+    name = "held disc " + form
+    held = body("disc", disc(1, "rim"), 100, condition("rim", "Contact", Gap=-0.05), FREE,
+                inside=loads(Force_X=2))
+    level = run(written(name, [held], NONE, form, 1, 8, Multiplier=basis), name)[0][-1]
+    claim(abs(level["contact_x"] / (-10 * math.pi / 9) - 1) < 2e-9, "%s: force of the contact %.10f, exact %.10f"
+          % (name, level["contact_x"], -10 * math.pi / 9))
+
 # a disc of arcs that turns as a whole is strained at no degree
 whirl = body("disc", disc(R, "rim"), E, condition("rim", "Dirichlet", Displacement_X="-0.01*y",
                                                   Displacement_Y="0.01*x"))
