@@ -4,9 +4,9 @@
 
 #include <array>
 #include <hdf5.h>
+#include <memory>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace epafi::drivers {
@@ -39,29 +39,21 @@ inline std::string hdf5Cause() {
   return cause;
 }
 
-/// Owns an open HDF5 object and closes it in the destructor.  May be empty.
+/// An open HDF5 object, closed with its last copy.  May be empty.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Hdf5Handle() = default;
-  Hdf5Handle(hid_t id, Close how) : id_(id), close_(how) {}
-  Hdf5Handle(Hdf5Handle&& other) noexcept
-      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  ~Hdf5Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
+  Hdf5Handle(hid_t id, Close close)
+      : id_(new hid_t(id), [close](const hid_t* open) {
+          close(*open);
+          delete open;
+        }) {}
 
-  hid_t id() const { return id_; }
+  hid_t id() const { return *id_; }
 
  private:
-  hid_t id_ = H5I_INVALID_HID;
-  Close close_ = nullptr;
+  std::shared_ptr<const hid_t> id_;
 };
 
 /// \throws bem::InputError if not `good`, with `what` and the cause from HDF5.

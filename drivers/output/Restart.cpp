@@ -81,25 +81,20 @@ void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
               headOf(cellsOf(BodySpaces(scene, checkpoint.level).stepRow())));
 }
 
-/// history.csv without a last level that has not converged: it is solved again.
-std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.history;
-  checkHead(text, headOf(cellsOf(LevelRow())));
-  const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
-  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
-    throw InputError("has not one row of history.csv per level");
-  if (checkpoint.level.status == contact::Status::Converged || !checkpoint.level.complete)
+/// A table whose rows begin with the level, without those of a level that is solved again.
+std::string rowsBehind(const std::string& text, const Level& level) {
+  if (level.isSolved())
     return text;
-  return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  const auto row = text.find("\n" + std::to_string(level.number) + ",");
+  return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
-/// The same for a table whose rows begin with the level; drops all rows of a level that
-/// is solved again.
-std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
-  if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
-    return text;
-  const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
-  return row == std::string::npos ? text : text.substr(0, row + 1);
+std::string historyBehind(const std::string& text, const Level& level) {
+  checkHead(text, headOf(cellsOf(LevelRow())));
+  const int rows = level.number + (level.complete ? 1 : 0);
+  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
+    throw InputError("has not one row of history.csv per level");
+  return rowsBehind(text, level);
 }
 
 bem::Index freeMotions(const std::vector<RigidBody>& bodies) {
@@ -147,8 +142,7 @@ void checkLevel(const Level& level, const Scene& scene) {
   for (const PathPoint& point : level.path)
     if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
       throw InputError("has a path that does not fit its own mesh");
-  if (scene.history && level.complete && level.path.empty() &&
-      level.status == contact::Status::Converged)
+  if (scene.history && level.isSolved() && level.path.empty())
     throw InputError("has no path");
 }
 
@@ -159,13 +153,13 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);
       checkMeaning(checkpoint, scene);
-      checkpoint.history = historyBehind(checkpoint);
-      if (checkpoint.level.status == contact::Status::Converged &&
-          checkpoint.level.complete)
-        checkpoint.level.relativeEstimate =
+      Level& level = checkpoint.level;
+      checkpoint.history = historyBehind(checkpoint.history, level);
+      if (level.isSolved())
+        level.relativeEstimate =
             valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
-      checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
-      checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
+      checkpoint.steps = rowsBehind(checkpoint.steps, level);
+      checkpoint.bodies = rowsBehind(checkpoint.bodies, level);
       if (!checkpoint.bodies.empty())
         checkHead(checkpoint.bodies, bodiesHead());
     });

@@ -6,9 +6,11 @@
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 #include <map>
 #include <string_view>
+#include <type_traits>
 
 namespace epafi::drivers {
 
@@ -20,6 +22,9 @@ const std::string group = "/Epafi";
 /// The numbers of a level in the order of the checksum: body by body; for a path step by
 /// step, within a step body by body.
 using Arrays = std::vector<DataArray>;
+
+template <class T>
+constexpr bool isText = std::is_same_v<std::decay_t<T>, std::string>;
 
 constexpr const char* apart = "/Epafi: bodies does not go with the other arrays";
 
@@ -244,45 +249,59 @@ Level levelOf(Arrays arrays) {
   return level;
 }
 
-bool converged(const Level& level) { return level.status == contact::Status::Converged; }
+/// Gives at(name, value) the numbers and texts beside the arrays, in the order of the checksum.
+template <class At>
+void visit(Checkpoint& checkpoint, const At& at) {
+  Level& level = checkpoint.level;
+  int converged = level.status == contact::Status::Converged ? 1 : 0;
+  int complete = level.complete ? 1 : 0;
+  at("level", level.number);
+  at("converged", converged);
+  at("complete", complete);
+  at("seconds_total", checkpoint.secondsTotal);
+  at("seconds_wall", checkpoint.secondsWall);
+  at("reason", level.reason);
+  at("used", checkpoint.used);
+  at("history", checkpoint.history);
+  at("steps", checkpoint.steps);
+  at("resultants", checkpoint.bodies);
+  level.status =
+      converged == 1 ? contact::Status::Converged : contact::Status::NotConverged;
+  level.complete = complete == 1;
+}
 
 /// CRC-32 of everything that a restart reads.
-unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) {
-  const Level& level = checkpoint.level;
+unsigned long long checksum(Checkpoint& checkpoint, const Arrays& arrays) {
   boost::crc_32_type sum;
   const auto add = [&](const auto& values) {
     sum.process_bytes(values.data(), values.size() * sizeof values[0]);
   };
-  add(std::vector<int>{level.number, converged(level) ? 1 : 0, level.complete ? 1 : 0});
-  add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
-  for (const std::string& text : {level.reason, checkpoint.used, checkpoint.history,
-                                  checkpoint.steps, checkpoint.bodies})
-    add(text);
+  visit(checkpoint, [&](const char*, const auto& value) {
+    if constexpr (isText<decltype(value)>)
+      add(value);
+    else
+      add(std::array{value});
+  });
   for (const DataArray& array : arrays)
     std::visit(add, array.numbers);
   return sum.checksum();
 }
 
-void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
-  const Level& level = checkpoint.level;
-  const Arrays arrays = arraysOf(level);
+void writeCheckpoint(Checkpoint checkpoint, Hdf5Writer& writer) {
+  const Arrays arrays = arraysOf(checkpoint.level);
   const auto number = [&](const char* name, auto value) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
   number("format", format);
-  number("level", level.number);
-  number("converged", converged(level) ? 1 : 0);
-  number("complete", level.complete ? 1 : 0);
-  number("seconds_total", checkpoint.secondsTotal);
-  number("seconds_wall", checkpoint.secondsWall);
   number("checksum", checksum(checkpoint, arrays));
+  visit(checkpoint, [&](const char* name, const auto& value) {
+    if constexpr (isText<decltype(value)>)
+      writer.text(group + "/" + name, value);
+    else
+      number(name, value);
+  });
   for (const DataArray& array : arrays)
     write(group, array, writer);
-  writer.text(group + "/reason", level.reason);
-  writer.text(group + "/used", checkpoint.used);
-  writer.text(group + "/history", checkpoint.history);
-  writer.text(group + "/steps", checkpoint.steps);
-  writer.text(group + "/resultants", checkpoint.bodies);
 }
 
 Checkpoint readCheckpoint(const Hdf5Reader& reader) {
@@ -300,22 +319,14 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
                                      static_cast<hsize_t>(array.columns));
         },
         array.numbers);
-
   Checkpoint checkpoint;
-  Level& level = checkpoint.level;
-  level = levelOf(arrays);
-  level.number = reader.attribute<int>(group, "level");
-  level.status = reader.attribute<int>(group, "converged") == 1
-                     ? contact::Status::Converged
-                     : contact::Status::NotConverged;
-  level.complete = reader.attribute<int>(group, "complete") == 1;
-  level.reason = reader.text(group + "/reason");
-  checkpoint.used = reader.text(group + "/used");
-  checkpoint.history = reader.text(group + "/history");
-  checkpoint.steps = reader.text(group + "/steps");
-  checkpoint.bodies = reader.text(group + "/resultants");
-  checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
-  checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
+  checkpoint.level = levelOf(arrays);
+  visit(checkpoint, [&](const char* name, auto& value) {
+    if constexpr (isText<decltype(value)>)
+      value = reader.text(group + "/" + name);
+    else
+      value = reader.attribute<std::decay_t<decltype(value)>>(group, name);
+  });
   if (reader.attribute<unsigned long long>(group, "checksum") !=
       checksum(checkpoint, arrays))
     throw bem::InputError("is damaged: its checksum is wrong");

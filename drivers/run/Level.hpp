@@ -53,6 +53,8 @@ struct Level {
   std::vector<StepFields> steps{};
   bool complete = true;  ///< has the path reached its end?  True without a History
 
+  /// Converged, a path to its end?
+  bool isSolved() const { return complete && status == contact::Status::Converged; }
   const StepFields& last() const { return steps.back(); }
   bool onPath() const { return last().t > 0; }
   /// The time of a step, at most that of the last solved point; `end` without a History.

@@ -229,13 +229,12 @@ std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
 
 std::variant<Level, Outcome> levelAfterRestart(const Scene& scene, const Level& level,
                                                const bem::Processes& processes) {
-  if (level.status != contact::Status::Converged || !level.complete) {
-    Level again = level;
-    if (scene.history)  // whose last state is not that of the first step
-      again.steps.clear();
-    return again;
-  }
-  return nextLevel(scene, level, processes);
+  if (level.isSolved())
+    return nextLevel(scene, level, processes);
+  Level again = level;
+  if (scene.history)  // whose last state is not that of the first step
+    again.steps.clear();
+  return again;
 }
 
 }  // namespace epafi::drivers
