@@ -45,7 +45,7 @@ class SavedRun {
   std::vector<double> times() const {
     stepOf("1");  // there are some
     std::vector<double> times;
-    for (const StepFields& step : checkpoint_.level.steps)
+    for (const SolvedState& step : checkpoint_.level.steps)
       times.push_back(step.t);
     return times;
   }
@@ -62,7 +62,7 @@ class SavedRun {
     return readSolution(fileIn(folder));
   }
 
-  const StepFields& stepOf(const std::string& text) const {
+  const SolvedState& stepOf(const std::string& text) const {
     const Level& level = checkpoint_.level;
     if (text.empty())
       return level.last();

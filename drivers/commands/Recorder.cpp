@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Inside.hpp"
-#include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
@@ -113,8 +112,8 @@ void Recorder::take(const SolvedLevel& level) {
   isTaken_ = true;
   writeIfDue();  // who reads the line may look for its row in the file
   progress_.clear();
-  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
-         << operatorsNote(row) << worstStepNote(row) << std::flush;
+  table_ << tableLine(row) << notesOn(row, scene_.stabilization.firstGamma0())
+         << std::flush;
   apart_ += cpuSeconds() - begin;
 }
 

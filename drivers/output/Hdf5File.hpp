@@ -142,9 +142,8 @@ class Hdf5Reader {
   /// Reads an array of `columns` columns, row by row.
   template <class T>
   std::vector<T> array(const std::string& name, hsize_t columns) const {
-    const Hdf5Handle data = dataset(name);
-    std::vector<T> values(columns * rowsOf(data, name, columns, sizeof(T)));
-    read(data, name, hdf5Type<T>(), values.data());
+    std::vector<T> values(columns * rowsOf(name, columns, sizeof(T)));
+    read(name, hdf5Type<T>(), values.data());
     return values;
   }
   std::string text(const std::string& name) const;
@@ -159,10 +158,9 @@ class Hdf5Reader {
 
  private:
   Hdf5Handle dataset(const std::string& name) const;
-  hsize_t rowsOf(const Hdf5Handle& dataset, const std::string& name, hsize_t columns,
-                 std::size_t bytes) const;
-  static void read(const Hdf5Handle& dataset, const std::string& name, hid_t type,
-                   void* values);
+  Hdf5Handle spaceOf(const std::string& name) const;
+  hsize_t rowsOf(const std::string& name, hsize_t columns, std::size_t bytes) const;
+  void read(const std::string& name, hid_t type, void* values) const;
   void readAttribute(const std::string& group, const std::string& name, hid_t type,
                      void* value) const;
 

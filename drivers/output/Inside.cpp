@@ -16,7 +16,7 @@ constexpr double end = 0.05;
 
 }  // namespace
 
-BodyInsides::BodyInsides(const Scene& scene, const Level& level, const StepFields& step)
+BodyInsides::BodyInsides(const Scene& scene, const Level& level, const SolvedState& step)
     : scene_(scene), spaces_(scene, level) {
   for (const auto& conditions :
        spaces_.conditionsAt(level.timeOf(step, scene.endOfPath())))

@@ -53,7 +53,7 @@ struct InsidePoint {
 class BodyInsides {
  public:
   /// In a step of the level.  Keeps references to the arguments.
-  BodyInsides(const Scene& scene, const Level& level, const StepFields& step);
+  BodyInsides(const Scene& scene, const Level& level, const SolvedState& step);
 
   const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }

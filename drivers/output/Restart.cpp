@@ -62,8 +62,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
     throw InputError(
         "was written by a run of another scene: ", different,
         " differs; Bodies, Geometry, Body Loads, Contacts, Constants, Tables, History, "
-        "Discretization, "
-        "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
+        "Discretization, Adaptivity->Weights and Adaptivity->Residual Factor must be as "
+        "they were");
 }
 
 void checkHead(const std::string& table, const std::string& head) {
@@ -117,7 +117,7 @@ void checkLevel(const Level& level, const Scene& scene) {
         throw InputError("has an element on edge ", piece.edge, "; the outline has ",
                          edges, " edges");
   }
-  const StepFields& last = level.last();
+  const SolvedState& last = level.last();
   if (last.rigid.size() != scene.rigid.size())
     throw InputError("has not the motions of the scene's rigid bodies");
   const BodySpaces spaces(scene, level);
@@ -139,7 +139,7 @@ void checkLevel(const Level& level, const Scene& scene) {
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-  for (const PathPoint& point : level.path)
+  for (const SolvedState& point : level.path)
     if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
       throw InputError("has a path that does not fit its own mesh");
   if (scene.history && level.isSolved() && level.path.empty())

@@ -116,7 +116,7 @@ class Archive {
 
 /// A body's mesh and the last state on it.
 void visit(Archive& archive, Level& level, std::size_t b) {
-  StepFields& last = level.steps.back();
+  SolvedState& last = level.steps.back();
   auto& [multiplier, rigid] = last.own[b];
   auto& [normal, tangential] = last.states[b];
   std::vector<bem::Piece>& pieces = level.meshes[b];
@@ -143,7 +143,7 @@ void visit(Archive& archive, Level& level, std::size_t b) {
   archive("density", last.density[b]);
 }
 
-void visit(Archive& archive, PathPoint& point, std::size_t points) {
+void visit(Archive& archive, SolvedState& point, std::size_t points) {
   archive.resize(point.state.multiplier, archive.rows("path_multiplier", points));
   archive.resize(point.state.rigid, archive.rows("path_rigid", points));
   archive("path_t", point.t);
@@ -156,7 +156,7 @@ void visit(Archive& archive, PathPoint& point, std::size_t points) {
 }
 
 /// \param like a step on the same meshes
-void visit(Archive& archive, StepFields& step, const StepFields& like) {
+void visit(Archive& archive, SolvedState& step, const SolvedState& like) {
   const std::size_t bodies = like.displacement.size();
   archive("step_t", step.t);
   archive.resize(step.displacement, bodies);
@@ -181,7 +181,7 @@ void visit(Archive& archive, StepFields& step, const StepFields& like) {
 void visit(Archive& archive, Level& level) {
   const std::size_t bodies = archive.rows("bodies");
   archive.resize(level.steps, std::max<std::size_t>(archive.rows("step_t"), 1));
-  StepFields& last = level.steps.back();
+  SolvedState& last = level.steps.back();
   archive.resize(level.meshes, bodies);
   archive.resize(level.indicators, bodies);
   archive.resize(last.own, bodies);
@@ -193,10 +193,10 @@ void visit(Archive& archive, Level& level) {
   archive.resize(last.rigid, archive.rows("rigid_bodies"));
   archive("rigid_bodies", last.rigid);
   archive.resize(level.path, archive.rows("path_t"));
-  for (PathPoint& point : level.path)
+  for (SolvedState& point : level.path)
     visit(archive, point, level.path.size());
   if (archive.rows("step_t") > 0 || (level.complete && level.onPath()))
-    for (StepFields& step : level.steps)
+    for (SolvedState& step : level.steps)
       visit(archive, step, last);
   else if (last.t == 0 && !level.path.empty())
     last.t = level.path.back().t;
@@ -238,6 +238,37 @@ Arrays arraysOf(Level level) {
   return arrays;
 }
 
+/// Gives each step of a path the states of the bodies, from that of all together in its points:
+/// pressures of all bodies, then all other coefficients, and motions.
+void divideStates(Level& level) {
+  for (SolvedState& step : level.steps) {
+    const auto point =
+        std::find_if(level.path.begin(), level.path.end(),
+                     [&](const SolvedState& other) { return other.t == step.t; });
+    if (point == level.path.end())
+      continue;                   // the step in which a path broke off
+    step.own = level.last().own;  // with the sizes
+    std::size_t taken = 0;
+    const auto take = [&](const bem::Vector& all, double& number) {
+      if (taken == all.size())
+        throw bem::InputError(apart);
+      number = all[taken++];
+    };
+    const bem::Vector& multiplier = point->state.multiplier;
+    for (std::size_t b = 0; b < step.own.size(); ++b)
+      for (std::size_t i = 0; i < step.states[b].normal.size(); ++i)
+        take(multiplier, step.own[b].multiplier[i]);
+    for (std::size_t b = 0; b < step.own.size(); ++b)
+      for (std::size_t i = step.states[b].normal.size();
+           i < step.own[b].multiplier.size(); ++i)
+        take(multiplier, step.own[b].multiplier[i]);
+    taken = 0;
+    for (contact::State& own : step.own)
+      for (double& motion : own.rigid)
+        take(point->state.rigid, motion);
+  }
+}
+
 /// The inverse of arraysOf.
 /// \throws bem::InputError if the sizes do not match, or for an unknown state.
 Level levelOf(Arrays arrays) {
@@ -246,6 +277,8 @@ Level levelOf(Arrays arrays) {
   visit(archive, level);
   if (!archive.tookAll())
     throw bem::InputError(apart);
+  if (level.onPath() && !level.path.empty())
+    divideStates(level);
   return level;
 }
 

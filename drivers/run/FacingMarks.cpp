@@ -74,11 +74,6 @@ bool has(const std::vector<int>& elements, int e) {
   return std::binary_search(elements.begin(), elements.end(), e);
 }
 
-void add(int e, std::vector<int>& elements) {
-  if (!has(elements, e))
-    elements.insert(std::upper_bound(elements.begin(), elements.end(), e), e);
-}
-
 /// What a side's singular points are opposite to on the body that it meets.
 std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
                                                   const ContactPair& pair,
@@ -150,10 +145,14 @@ std::vector<std::vector<int>> withFacing(const Scene& scene,
     const bem::Mesh& opposite = meshes[b].mesh;
     for (const auto& [e, facing] : facingPairs(scene, pair, meshes[a], opposite)) {
       if (has(chosen[a], e) && opposite[facing].half > shortest * side[e].half)
-        add(facing, worst[b]);
+        worst[b].push_back(facing);
       if (has(chosen[b], facing) && side[e].half > shortest * opposite[facing].half)
-        add(e, worst[a]);
+        worst[a].push_back(e);
     }
+  }
+  for (std::vector<int>& elements : worst) {
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
   }
   return worst;
 }

@@ -1,13 +1,260 @@
 #include "drivers/run/Levels.hpp"
 
-#include "bem/base/Error.hpp"
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "bem/operators/ExactRotation.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/solve/DefectCorrection.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/LevelPlan.hpp"
-#include "drivers/run/SolveLevel.hpp"
+#include "drivers/run/Path.hpp"
+#include "drivers/run/Solver.hpp"
+#include "drivers/run/UnheldMotions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
 
 namespace epafi::drivers {
 
 namespace {
+
+/// The Steklov-Poincaré operators of all bodies, factored, as dense matrices or compressed.
+/// \throws bem::NumericalError if a factorisation breaks down
+std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
+                                                const std::vector<bem::Lame>& lames,
+                                                bool compressed, const Run& run) {
+  const Scene& scene = spaces.scene();
+  if (compressed)
+    return run.timer.run(Phase::Factorization, [&] {
+      return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
+                                              scene.units(), run.processes,
+                                              scene.solver.linear.compression);
+    });
+  std::vector<bem::SteklovPoincare> all;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = spaces.space(b);
+    bem::Operators operators = run.timer.run(Phase::Assembly, [&] {
+      return bem::withExactRotation(bem::assembleOperators(space, lames[b]), space);
+    });
+    run.timer.run(Phase::Factorization, [&] {
+      const bem::LocalCompliance compliance = contact::densityCompliance(
+          space, spaces.multiplier(b), scene.stabilization, lames[b], scene.units());
+      if (run.krylov != nullptr)
+        all.emplace_back(std::move(operators), *run.krylov, compliance);
+      else
+        all.emplace_back(std::move(operators), compliance);
+    });
+  }
+  return all;
+}
+
+/// See Level::relativeEstimate.
+double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
+  // of squared norms: rounding of a motion without strain has all digits of those below
+  constexpr double rounding = 1e-24;
+  double largest = solved.steps.front()->row.energyStrain;
+  for (const auto& step : solved.steps)
+    largest = std::max(largest, step->row.energyStrain);
+  double result = 0;
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    if (!std::isfinite(estimates[k]))
+      return std::numeric_limits<double>::infinity();
+    const SolvedStep& step = *solved.steps[k];
+    const double square = estimates[k] * estimates[k];
+    // rounding may leave an energy below zero
+    const double norm = 2 * std::max({step.row.energyStrain, largest / 100, 0.0});
+    const double motion = step.largestDisplacement();
+    if (std::max(square, norm) >
+        rounding * step.spaces.scene().energy() * motion * motion)
+      result = std::max(result, estimates[k] / std::sqrt(norm));
+  }
+  return result;
+}
+
+/// Estimates the error of all steps; of a half cut by symmetry as of the whole.
+///
+/// Sets the level's indicators, of each element those of the step in which they are largest,
+/// and its relative estimate.
+/// \returns the error estimate of each step
+bem::Vector estimateErrors(const bem::Processes& processes, SolvedLevel& solved) {
+  const Scene& scene = solved.last().spaces.scene();
+  bem::Vector estimates(solved.steps.size(), 0.0);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    std::vector<adaptivity::Estimated> ofBody;
+    ofBody.reserve(solved.steps.size());
+    for (const auto& step : solved.steps)
+      ofBody.push_back({step->bodies[b], step->densities[b]});
+    std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
+        ofBody, scene.lame(b), scene.adaptivity.estimator, processes);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      for (adaptivity::Contributions& squares : all[k].squares)
+        for (double& square : squares)
+          square *= scene.symmetry.copies();
+      estimates[k] = std::hypot(estimates[k], all[k].estimate());
+    }
+    solved.level.indicators.push_back(adaptivity::largest(all));
+  }
+  solved.level.relativeEstimate =
+      processes.broadcast({relative(solved, estimates)}).front();
+  return estimates;
+}
+
+/// The smallest gamma0 of a body with stabilised contact; zero if there is none.
+double gamma0Of(const contact::ContactSystem& system) {
+  double smallest = 0;
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const double own = system.body(b).coupling().gamma0;
+    if (own > 0 && (smallest == 0 || own < smallest))
+      smallest = own;
+  }
+  return smallest;
+}
+
+/// CPU seconds of the level's phases, elapsed seconds and memory until now, the largest of
+/// all processes.
+void addTimes(const Run& run, LevelRow& row) {
+  const auto& phases = run.timer.levelSeconds();
+  bem::Vector cost(phases.begin(), phases.end());
+  cost.insert(cost.end(), {cpuSeconds(), run.timer.wallSeconds(), peakMemory()});
+  cost = largestOverRanks(run.processes, cost);
+  std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
+  row.secondsTotal = cost[phaseCount];
+  row.secondsWall = cost[phaseCount + 1];
+  row.memory = cost[phaseCount + 2];
+}
+
+/// Adds the results of the last step to the row, `estimates` of all steps.
+void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
+  const SolvedStep& last = solved.last();
+  const Level& level = solved.level;
+  LevelRow& row = solved.row;
+  row.level = level.number;
+  row.gamma0 = gamma0Of(*last.system);
+  row.summary = wholeOf(last.spaces.scene().symmetry, contact::sumOf(last.summaries()));
+  row.energyFriction = last.row.energyDissipated;
+  row.energyInterface = last.interfaceEnergy();
+  row.estimate = level.estimate();
+  row.relativeEstimate = level.relativeEstimate;
+  row.squares = level.squares();
+  row.worstEstimate = row.estimate;
+  if (level.onPath()) {
+    const auto worst = std::max_element(estimates.begin(), estimates.end());
+    row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
+    row.worstEstimate = *worst;
+  }
+}
+
+/// Estimates the error of what is solved and hands out the level.
+Level finish(const Run& run, SolvedLevel solved) {
+  solved.last().system->numbers().flexibility.release();  // estimates take as much
+  Level& level = solved.level;
+  level.complete = true;
+  level.status = solved.row.report.status;
+  level.steps.clear();
+  for (const auto& step : solved.steps)
+    level.steps.push_back(step->fields());
+  level.indicators.clear();
+  const bem::Vector estimates = run.timer.run(
+      Phase::Estimate, [&] { return estimateErrors(run.processes, solved); });
+  run.timer.run(Phase::Results, [&] {
+    addResults(estimates, solved);
+    addTimes(run, solved.row);
+    run.handOut(solved);
+  });
+  return std::move(level);
+}
+
+/// Hands out the last step of a path that is not at its end.
+void handOutStep(const Run& run, SolvedLevel& path) {
+  Level& level = path.level;
+  level.complete = false;
+  level.status = path.row.report.status;
+  level.steps = {path.last().fields()};
+  level.indicators.resize(level.meshes.size());
+  for (std::size_t b = 0; b < level.meshes.size(); ++b)
+    level.indicators[b].squares.resize(level.meshes[b].size());
+  addTimes(run, path.row);
+  run.handOutStep(path);
+}
+
+/// One load, from the start value of the level, into `level`.
+void solveOnce(const BodySpaces& spaces,
+               const std::shared_ptr<const SolvedStep::Conditions>& conditions,
+               const std::shared_ptr<const contact::ContactSystem>& system,
+               const Level& from, const Run& run, SolvedLevel& level) {
+  const contact::State start = from.steps.empty()
+                                   ? contact::State()
+                                   : system->joined(from.last().own, from.last().rigid);
+  SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
+    return solve(
+        *system, spaces, [&] { return start; }, start, run.processes, run.timer);
+  });
+  level.row.report = outcome.solution.report;
+  level.level.reason = outcome.reason;
+  const bool converged = level.row.report.converged();
+  if (level.row.memoryOfDense && !converged)
+    return;
+  contact::Configuration at = run.timer.run(Phase::Newton, [&] {
+    return converged ? contact::corrected(*system, outcome.solution.state, run.processes)
+                     : system->configuration(outcome.solution.state);
+  });
+  const auto solved =
+      std::make_shared<SolvedStep>(spaces, conditions, system, std::move(at));
+  StepRow& row = solved->row = spaces.stepRow();
+  row.level = from.number;
+  row.energyStrain =
+      wholeOf(spaces.scene().symmetry, contact::sumOf(solved->summaries())).energyStrain;
+  row.energyDissipated = solved->frictionWorkOfStep();
+  solved->addRigid(row);
+  level.steps.push_back(solved);
+}
+
+/// A level that was handed out, or the reason why dense operators have to solve it instead.
+using Attempt = std::variant<Level, std::string>;
+
+/// Forms and factors the operators of all bodies, makes the contact system, solves it for the
+/// load or for all steps of the path, estimates the error and hands out the level.
+/// \param planned see planOf
+/// \throws bem::InputError if nothing holds a body; bem::NumericalError, Interrupted
+Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& planned,
+                   const Run& run) {
+  const Scene& scene = spaces.scene();
+  std::vector<bem::Lame> lames;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    lames.push_back(scene.lame(b));
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
+  const auto stiffness = makeStiffness(spaces, lames, planned.isCompressed(), run);
+  // a path starts with the conditions at t = 0
+  const double start = scene.history ? 0 : 1;
+  const auto first =
+      std::make_shared<const SolvedStep::Conditions>(spaces.conditionsAt(start));
+  const auto system = run.timer.run(Phase::Stabilization, [&] {
+    std::vector<contact::BodyInput> inputs;
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
+                        (*first)[b], basis, scene.stabilization, spaces.opposite(b),
+                        formedUpTo(scene.history.steps())});
+    return std::make_shared<const contact::ContactSystem>(inputs, scene.drivesAt(start));
+  });
+  checkResistance(scene, *system);
+  SolvedLevel solved{stiffness, {from.number}, planned};
+  solved.level.meshes = from.meshes;
+  if (scene.history)
+    followPath(
+        spaces, *system, from, run,
+        [&] {
+          const bool another = solved.row.memoryOfDense && !solved.last().row.converged;
+          if (run.handOutStep && !another)
+            run.timer.run(Phase::Results, [&] { handOutStep(run, solved); });
+        },
+        solved);
+  else
+    solveOnce(spaces, first, system, from, run, solved);
+  if (planned.memoryOfDense && !solved.row.report.converged())
+    return solved.level.reason;
+  return finish(run, std::move(solved));
+}
 
 /// As planned; with dense operators where compressed ones fail and the plan lets it: which is
 /// told.  Of several processes one may have broken down alone: that ends all of them.

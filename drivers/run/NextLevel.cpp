@@ -6,7 +6,6 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/opposite/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/FacingMarks.hpp"
 #include "drivers/run/UnheldMotions.hpp"
@@ -68,13 +67,13 @@ const adaptivity::Strategy& strategyOf(const Scene& scene) {
 }
 
 std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
-                                         const std::vector<StepFields>& steps) {
+                                         const std::vector<SolvedState>& steps) {
   const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     std::vector<contact::ContactState> states;
     states.reserve(steps.size());
-    for (const StepFields& step : steps)
+    for (const SolvedState& step : steps)
       states.push_back(step.states[b]);
     const bem::Mesh& mesh = spaces.space(b).mesh();
     meshes.push_back(
@@ -87,12 +86,12 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
 }
 
 /// Of each element of a body: does it look analytic in every step?
-std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b,
+std::vector<bool> analyticIn(const std::vector<SolvedState>& steps, std::size_t b,
                              const BodySpaces& spaces) {
   const Scene& scene = spaces.scene();
   const bem::Space& space = spaces.space(b);
   std::vector<bool> always(space.mesh().size(), true);
-  for (const StepFields& step : steps) {
+  for (const SolvedState& step : steps) {
     const std::vector<bool> now = adaptivity::looksAnalytic(
         space, scene.bodies[b].conditions, step.displacement[b], step.density[b],
         scene.adaptivity.strategy.analyticityThreshold);
@@ -104,9 +103,9 @@ std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b
 
 /// The steps whose tractions are not rounding beside the largest ones.  In others, such as one in
 /// which all loads are gone, the states of contact are rounding, too.
-std::vector<StepFields> loaded(std::vector<StepFields> steps) {
+std::vector<SolvedState> loaded(std::vector<SolvedState> steps) {
   constexpr double rounding = 1e-9;
-  const auto largestOf = [](const StepFields& step) {
+  const auto largestOf = [](const SolvedState& step) {
     double largest = 0;
     for (const bem::Vector& density : step.density)
       for (const double value : density)
@@ -114,10 +113,10 @@ std::vector<StepFields> loaded(std::vector<StepFields> steps) {
     return largest;
   };
   double largest = 0;
-  for (const StepFields& step : steps)
+  for (const SolvedState& step : steps)
     largest = std::max(largest, largestOf(step));
   steps.erase(std::remove_if(steps.begin(), steps.end(),
-                             [&](const StepFields& step) {
+                             [&](const SolvedState& step) {
                                return largestOf(step) < rounding * largest;
                              }),
               steps.end());
@@ -129,7 +128,7 @@ std::vector<StepFields> loaded(std::vector<StepFields> steps) {
 std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& level,
                                        const bem::Processes& processes) {
   const Scene& scene = spaces.scene();
-  const std::vector<StepFields> steps = loaded(level.steps);
+  const std::vector<SolvedState> steps = loaded(level.steps);
   const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
@@ -170,24 +169,15 @@ bool hasFirst(const Scene& scene, const Level& level) {
 }
 
 /// The state from which the next level starts: under the load, or in the first step of a path.
-StepFields carryFirst(const BodySpaces& spaces, const Level& level, const Level& next) {
+SolvedState carryFirst(const BodySpaces& spaces, const Level& level, const Level& next) {
   const Scene& scene = spaces.scene();
-  StepFields start;
-  start.rigid = level.steps.front().rigid;
-  const contact::Numbering numbering(spaces.sides());
-  std::size_t motions = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    contact::State state = level.last().own[b];
-    if (scene.history) {
-      const contact::State& first = level.path.front().state;
-      state.multiplier = numbering.of(b, first.multiplier);
-      for (double& motion : state.rigid)
-        motion = first.rigid[motions++];
-    }
+  const SolvedState& first = level.steps.front();
+  SolvedState start;
+  start.rigid = first.rigid;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
     start.own.push_back(adaptivity::carry(
-        spaces.space(b).mesh(), spaces.multiplier(b), state,
+        spaces.space(b).mesh(), spaces.multiplier(b), first.own[b],
         {scene.bodies[b].outline, next.meshes[b]}, scene.bodies[b].conditions));
-  }
   return start;
 }
 

@@ -60,16 +60,16 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
         stages.begin(), stages.end(),
         [](const StageRun& run) { return run.stage == Stage::FollowOffset; });
     return worded(report, {stages.begin(), before}) +
-           ".  Complementary pivoting, which mostly solves what Newton's steps do "
-           "not, was " +
+           ".  Complementary pivoting, which mostly solves what Newton's steps do not, "
+           "was " +
            (last.end == End::TooLarge
                 ? message("not tried: operators that are not dense allow it for up to ",
                           contact::ContactSolver::mostToPivot, " contact coefficients")
                 : message("given up after ", contact::ContactSolverOptions().mostWork,
                           " operations: with so many contact coefficients it would take "
                           "hours")) +
-           ".  Try a smaller friction coefficient, or a coarser mesh on "
-           "the sides in contact";
+           ".  Try a smaller friction coefficient, or a coarser mesh on the sides in "
+           "contact";
   }
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +

@@ -7,9 +7,6 @@
 #include "drivers/run/Reasons.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace epafi::drivers {
 
 namespace {
@@ -36,30 +33,6 @@ SolvedProblem solveFrom(const contact::State& start, const Scene& scene,
   return {std::move(solution), reason};
 }
 
-constexpr std::ptrdiff_t scalars = 5;
-
-Vector packed(const SolvedProblem& solved) {
-  const contact::Report& report = solved.solution.report;
-  Vector numbers = {
-      report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
-      static_cast<double>(report.coulombIterations), report.residual, report.tolerance};
-  numbers.insert(numbers.end(), solved.reason.begin(), solved.reason.end());
-  return numbers;
-}
-
-void unpack(const Vector& numbers, SolvedProblem& solved) {
-  contact::Report& report = solved.solution.report;
-  report.status =
-      numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
-  report.newtonIterations = static_cast<int>(numbers[1]);
-  report.coulombIterations = static_cast<int>(numbers[2]);
-  report.residual = numbers[3];
-  report.tolerance = numbers[4];
-  std::transform(numbers.begin() + scalars, numbers.end(),
-                 std::back_inserter(solved.reason),
-                 [](double c) { return static_cast<char>(c); });
-}
-
 /// What rank 0 makes of it, on all ranks; where D is not formed all of them have a part in
 /// it, and take the same steps.
 template <class Solve>
@@ -75,50 +48,55 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
     return solved;
   state.multiplier = processes.broadcast(std::move(state.multiplier));
   state.rigid = processes.broadcast(std::move(state.rigid));
-  const Vector numbers = processes.broadcast(packed(solved));
-  if (processes.rank() != 0)
-    unpack(numbers, solved);
+  contact::Report& report = solved.solution.report;
+  const Vector numbers = processes.broadcast(
+      {report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
+       static_cast<double>(report.coulombIterations), report.residual, report.tolerance});
+  const Vector reason =
+      processes.broadcast(Vector(solved.reason.begin(), solved.reason.end()));
+  if (processes.rank() != 0) {
+    report.status =
+        numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
+    report.newtonIterations = static_cast<int>(numbers[1]);
+    report.coulombIterations = static_cast<int>(numbers[2]);
+    report.residual = numbers[3];
+    report.tolerance = numbers[4];
+    solved.reason.assign(reason.begin(), reason.end());
+  }
   return solved;
 }
 
 }  // namespace
 
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-                    const contact::State& start, const bem::Processes& processes,
+                    const std::function<contact::State()>& start,
+                    const contact::State& otherwise, const bem::Processes& processes,
                     PhaseTimer& timer) {
-  return onFirstRank(system, processes, [&]() -> SolvedProblem {
+  const Scene& scene = spaces.scene();
+  const bool onPath = static_cast<bool>(scene.history);
+  const auto from = [&](const contact::State& state) -> SolvedProblem {
+    // of this step only: a run that goes on behind it shall compute the same digits
+    contact::FactorMemory memory;
+    std::string reason;
     try {
-      SolvedProblem solved = solveFrom(start, spaces.scene(), system, nullptr, timer);
-      solved.reason += changingPlaces(solved.solution.report, system, spaces);
-      return solved;
+      return solveFrom(state, scene, system, onPath ? &memory : nullptr, timer);
     } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error, unresisted(spaces, system)));
-    }
-  });
-}
-
-SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
-                        const contact::Prediction& prediction,
-                        const contact::State* better, const bem::Processes& processes,
-                        PhaseTimer& timer) {
-  const auto from = [&](const contact::State& start) -> SolvedProblem {
-    try {
-      // of this step only: a run that goes on behind it shall compute the same digits
-      contact::FactorMemory memory;
-      return solveFrom(start, spaces.scene(), system, &memory, timer);
-    } catch (const contact::NoBalance& error) {
-      return {{}, withAdvice(error, unresisted(spaces, system))};
+      reason = withAdvice(error, unresisted(spaces, system));
     } catch (const bem::NumericalError& error) {
-      return {{}, error.what()};
+      reason = error.what();
     }
+    if (!onPath)
+      throw bem::NumericalError(reason);
+    return {{}, reason};
   };
   return onFirstRank(system, processes, [&] {
-    const contact::State start = better != nullptr ? *better : prediction.start(system);
-    SolvedProblem solved = from(start);
-    if (solved.solution.report.converged() ||
-        start.multiplier == prediction.last().multiplier)
+    const contact::State first = start();
+    SolvedProblem solved = from(first);
+    if (!onPath)
+      solved.reason += changingPlaces(solved.solution.report, system, spaces);
+    if (solved.solution.report.converged() || first.multiplier == otherwise.multiplier)
       return solved;
-    SolvedProblem again = from(prediction.last());
+    SolvedProblem again = from(otherwise);
     again.solution.report =
         contact::joined(std::move(again.solution.report), solved.solution.report);
     return again;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "bem/base/Processes.hpp"
-#include "contact/path/Prediction.hpp"
 #include "contact/solve/Report.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Scene.hpp"
 
+#include <functional>
 #include <string>
 
 namespace epafi::drivers {
@@ -24,17 +24,13 @@ struct SolvedProblem {
 /// Rank 0 broadcasts state, status, iterations, residual, tolerance and reason, so that
 /// all ranks have the same bits; it alone has the histories of steps.  The timer's watch
 /// receives the progress of long solves.
-/// \throws see contact::NonlinearSolver; exceptions of the watch
+/// \param start,otherwise where it starts, and, if that fails, starts again, unless both are
+///   the same; start() is called only where it is needed
+/// \throws see contact::NonlinearSolver; exceptions of the watch.  On a path a
+///   bem::NumericalError gives a report without a state, since the step may be tried in parts.
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-                    const contact::State& start, const bem::Processes& processes,
+                    const std::function<contact::State()>& start,
+                    const contact::State& otherwise, const bem::Processes& processes,
                     PhaseTimer& timer);
-
-/// The same for a step of a path, from `better` or, if null, from the prediction; if that
-/// fails, from the previous state.  A bem::NumericalError gives a report without a state,
-/// since the step may be tried in parts.
-SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
-                        const contact::Prediction& prediction,
-                        const contact::State* better, const bem::Processes& processes,
-                        PhaseTimer& timer);
 
 }  // namespace epafi::drivers

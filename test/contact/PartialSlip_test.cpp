@@ -4,7 +4,7 @@
 #include "contact/Form.hpp"
 #include "contact/SolvedScene.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/results/ContactFields.hpp"
+#include "contact/results/Solved.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
