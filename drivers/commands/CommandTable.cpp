@@ -2,7 +2,7 @@
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/Help.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
 

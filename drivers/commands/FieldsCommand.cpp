@@ -2,7 +2,7 @@
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"

@@ -1,7 +1,7 @@
 #include "drivers/output/OutputFolder.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -250,9 +250,8 @@ void divideStates(Level& level) {
     step.own = level.last().own;  // with the sizes
     std::size_t taken = 0;
     const auto take = [&](const bem::Vector& all, double& number) {
-      if (taken == all.size())
-        throw bem::InputError(apart);
-      number = all[taken++];
+      if (taken < all.size())  // else see checkLevel
+        number = all[taken++];
     };
     const bem::Vector& multiplier = point->state.multiplier;
     for (std::size_t b = 0; b < step.own.size(); ++b)

@@ -18,6 +18,9 @@ struct SolvedProblem {
   std::string reason;
 };
 
+/// Why a solve did not converge and what in the scene might help; empty if it did.
+std::string reasonOf(const contact::Report& report, const Scene& scene);
+
 /// Solves one problem as the scene's list Solver says: Newton's method by NOX, Tresca's
 /// problem on it, and Coulomb's on that where the slip bound depends on the pressure.
 ///

@@ -1,4 +1,4 @@
-#include "drivers/run/Reasons.hpp"
+#include "drivers/run/Solver.hpp"
 
 #include "contact/solve/ContactSolver.hpp"
 #include "drivers/output/HistoryTables.hpp"
