@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace epafi::drivers {
@@ -66,24 +67,13 @@ void addCurve(const bem::Curve& curve, int lines, const std::array<int, 4>& of,
   }
 }
 
-/// The numbers of boundaries, see namesOfBoundaries.
-class BoundaryNumbers {
- public:
-  explicit BoundaryNumbers(const Scene& scene)
-      : scene_(scene), names_(namesOfBoundaries(scene)) {}
-  int operator()(const SideOfBody& side) const {
-    const auto place = std::find(names_.begin(), names_.end(), scene_.boundaryName(side));
-    return static_cast<int>(place - names_.begin());
-  }
-
- private:
-  const Scene& scene_;
-  std::vector<std::string> names_;
-};
+/// The number of each boundary by its name.
+using Numbers = std::map<std::string, int>;
 
 /// Adds the boundary of an elastic body, element by element.
-void addElastic(const SolvedStep& step, std::size_t b, const BoundaryNumbers& numbers,
+void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
                 VtkGrid& grid) {
+  const Scene& scene = step.spaces.scene();
   const contact::Solved& solved = step.bodies[b];
   const bem::Mesh& mesh = solved.space.mesh();
   const contact::ContactFields fields(solved);
@@ -92,7 +82,7 @@ void addElastic(const SolvedStep& step, std::size_t b, const BoundaryNumbers& nu
     contacts[element.element] = &element;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Element& element = mesh[e];
-    const int boundary = numbers({false, b, mesh.boundary(e)});
+    const int boundary = numbers.at(scene.boundaryName({false, b, mesh.boundary(e)}));
     addCurve(element.curve, 2 * (element.degree + 1),
              {e, element.degree, boundary, static_cast<int>(b)}, grid, [&](double t) {
                std::optional<contact::ContactPoint> contact;
@@ -110,13 +100,14 @@ void addElastic(const SolvedStep& step, std::size_t b, const BoundaryNumbers& nu
 
 /// Adds the outline of a rigid body, moved by `motion`, in the user's units.
 void addRigid(const Scene& scene, std::size_t k, const contact::RigidMotion& motion,
-              const BoundaryNumbers& numbers, VtkGrid& grid) {
+              const Numbers& numbers, VtkGrid& grid) {
   const RigidBody& body = scene.rigid[k];
   const int number = static_cast<int>(scene.bodies.size() + k);
   int e = 0;
   for (const bem::Edge& edge : body.outline->edges())
-    addCurve(edge.curve, 1, {e++, 1, numbers({true, k, edge.boundary}), number}, grid,
-             [&](double t) {
+    addCurve(edge.curve, 1,
+             {e++, 1, numbers.at(scene.boundaryName({true, k, edge.boundary})), number},
+             grid, [&](double t) {
                const bem::Vec2 place = body.outline->physical(edge.curve.point(t));
                addPoint(place, motion.at(place - body.pole), {}, {}, grid);
              });
@@ -126,7 +117,9 @@ void addRigid(const Scene& scene, std::size_t k, const contact::RigidMotion& mot
 
 VtkGrid boundaryLines(const SolvedStep& solved) {
   const Scene& scene = solved.spaces.scene();
-  const BoundaryNumbers numbers(scene);
+  Numbers numbers;
+  for (const std::string& name : namesOfBoundaries(scene))
+    numbers.emplace(name, static_cast<int>(numbers.size()));
   VtkGrid grid = emptyGrid();
   for (std::size_t b = 0; b < solved.bodies.size(); ++b)
     addElastic(solved, b, numbers, grid);

@@ -14,50 +14,46 @@ namespace {
 using bem::InputError;
 using Teuchos::ParameterList;
 
-/// The path of the first key in which two lists differ; empty if they are equal.
-std::string difference(const ParameterList& a, const ParameterList& b,
-                       const std::string& path);
-
-std::string differenceIn(const ParameterList& a, const ParameterList& b,
-                         const std::string& path, const std::string& name) {
-  const auto* inA = a.getEntryPtr(name);
-  const auto* inB = b.getEntryPtr(name);
-  const std::string here = bem::join(path, name);
-  if (inA == nullptr || inB == nullptr)
-    return inA == inB ? "" : here;
-  if (inA->isList() && inB->isList())
-    return difference(a.sublist(name), b.sublist(name), here);
-  return inA->getAny() == inB->getAny() ? "" : here;
+std::vector<std::string> keysOf(const ParameterList& a, const ParameterList& b) {
+  std::vector<std::string> keys;
+  for (const ParameterList* list : {&a, &b})
+    for (const auto& item : *list)
+      keys.push_back(item.first);
+  return keys;
 }
 
+/// The path of the first of some keys in which two lists differ; empty if they are equal.
 std::string difference(const ParameterList& a, const ParameterList& b,
-                       const std::string& path) {
-  for (const ParameterList* list : {&a, &b})
-    for (const auto& item : *list) {
-      std::string found = differenceIn(a, b, path, item.first);
-      if (!found.empty())
-        return found;
+                       const std::string& path, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    const auto* inA = a.getEntryPtr(key);
+    const auto* inB = b.getEntryPtr(key);
+    const bool inBoth = inA != nullptr && inB != nullptr;
+    std::string place = bem::join(path, key);
+    if (inBoth && inA->isList() && inB->isList()) {
+      const ParameterList& ofA = a.sublist(key);
+      const ParameterList& ofB = b.sublist(key);
+      place = difference(ofA, ofB, place, keysOf(ofA, ofB));
+    } else if (inA == inB || (inBoth && inA->getAny() == inB->getAny())) {
+      place.clear();
     }
+    if (!place.empty())
+      return place;
+  }
   return "";
 }
 
-/// The scene for which a checkpoint was written.
-ParameterList sceneOf(const Checkpoint& checkpoint) {
-  return *drivers::sceneOf(checkpoint.used, "used.xml", {}).used;
-}
-
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
-  const ParameterList then = sceneOf(checkpoint);
+  const Scene earlier = sceneOf(checkpoint.used, "used.xml", {});
+  const ParameterList& then = *earlier.used;
   const ParameterList& now = *scene.used;
-  std::string different;
-  for (const char* section : {"Bodies", "Geometry", "Body Loads", "Contacts", "Constants",
-                              "Tables", "History", "Discretization"})
-    if (different.empty())
-      different = differenceIn(then, now, "", section);
-  for (const char* key : {"Weights", "Residual Factor"})
-    if (different.empty())
-      different = differenceIn(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
-                               "Adaptivity", key);
+  std::string different =
+      difference(then, now, "",
+                 {"Bodies", "Geometry", "Body Loads", "Contacts", "Constants", "Tables",
+                  "History", "Discretization"});
+  if (different.empty())
+    different = difference(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
+                           "Adaptivity", {"Weights", "Residual Factor"});
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
