@@ -16,31 +16,6 @@ namespace {
 using contact::ContactPoint;
 using Element = contact::ContactFields::Element;
 
-/// Arc length along a contact boundary.  It starts at 0 on each chain of consecutive
-/// elements of one contact.
-class ArcLength {
- public:
-  ArcLength(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
-
-  /// Elements must come in the order of the multiplier; t in [-1, 1].  Returns a length.
-  double at(const Element& element, double t) {
-    if (&element != last_) {
-      const bool follows = last_ != nullptr &&
-                           mesh_[last_->element].next == element.element &&
-                           last_->condition == element.condition;
-      start_ = follows ? start_ + 2 * mesh_[last_->element].half : 0;
-      last_ = &element;
-    }
-    return length_ * (start_ + mesh_[element.element].half * (1 + t));
-  }
-
- private:
-  const bem::Mesh& mesh_;
-  double length_;
-  const Element* last_ = nullptr;
-  double start_ = 0;
-};
-
 double stressAlong(const contact::Solved& solved, const bem::Material& material,
                    int element, double t, double pressure) {
   const bem::Element& on = solved.space.mesh()[element];
@@ -76,8 +51,15 @@ std::string tableOf(
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const contact::ContactFields fields(bodies[b]);
     const bem::Vector continuous = fields.continuous();
-    ArcLength arc(bodies[b].space.mesh(), bodies[b].units.length);
-    for (const Element& element : fields.elements())
+    const bem::Mesh& mesh = bodies[b].space.mesh();
+    const Element* last = nullptr;
+    double start = 0;  // arc length, from 0 on each chain of elements of one contact
+    for (const Element& element : fields.elements()) {
+      const bool follows = last != nullptr &&
+                           mesh[last->element].next == element.element &&
+                           last->condition == element.condition;
+      start = follows ? start + 2 * mesh[last->element].half : 0;
+      last = &element;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
         const ContactPoint p = fields.at(element, t);
@@ -96,7 +78,8 @@ std::string tableOf(
                       {"friction", number(numberOf(p.friction))},
                       {"body", scene.bodies[b].name},
                       {"contact_name", name.empty() ? *element.boundary : name},
-                      {"s", exactly(arc.at(element, t))}};
+                      {"s", exactly(bodies[b].units.length *
+                                    (start + mesh[element.element].half * (1 + t)))}};
         if (more)
           append(row, more(b, element, t, p));
         const auto stress = fields.inUnits(continuous, element, t);
@@ -105,6 +88,7 @@ std::string tableOf(
                      {"shear", exactly(stress.tangential)}});
         addRow(row, csv);
       }
+    }
   }
   return csv;
 }

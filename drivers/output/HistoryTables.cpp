@@ -109,28 +109,24 @@ CsvRow cellsOf(const StepRow& r) {
   };
   for (const auto& [name, s] : r.contacts)
     append(cells,
-           {
-               {"force_x", number(s.contact.x)},
-               {"force_y", number(s.contact.y)},
-               {"force_normal", number(s.forceNormal)},
-               {"force_tangential", number(s.forceTangential)},
-               {"contact_length", number(s.contactLength)},
-               {"slip_length", number(s.slipLength)},
-               {"energy_dissipated", number(s.dissipated)},
-               {"worn_volume", number(s.wornVolume)},
-               {"pressure_max", number(s.pressureMax)},
-           },
+           {{"force_x", number(s.contact.x)},
+            {"force_y", number(s.contact.y)},
+            {"force_normal", number(s.forceNormal)},
+            {"force_tangential", number(s.forceTangential)},
+            {"contact_length", number(s.contactLength)},
+            {"slip_length", number(s.slipLength)},
+            {"energy_dissipated", number(s.dissipated)},
+            {"worn_volume", number(s.wornVolume)},
+            {"pressure_max", number(s.pressureMax)}},
            name + ".");
   for (const auto& [name, s] : r.rigid)  // the forces that move or hold it
     append(cells,
-           {
-               {"motion_x", number(s.motion.slide.x)},
-               {"motion_y", number(s.motion.slide.y)},
-               {"rotation", number(s.motion.turn)},
-               {"force_x", number(s.load.x + s.reaction.x)},
-               {"force_y", number(s.load.y + s.reaction.y)},
-               {"moment", number(s.load.moment + s.reaction.moment)},
-           },
+           {{"motion_x", number(s.motion.slide.x)},
+            {"motion_y", number(s.motion.slide.y)},
+            {"rotation", number(s.motion.turn)},
+            {"force_x", number(s.load.x + s.reaction.x)},
+            {"force_y", number(s.load.y + s.reaction.y)},
+            {"moment", number(s.load.moment + s.reaction.moment)}},
            name + ".");
   return cells;
 }

@@ -24,13 +24,17 @@ using bem::Vector;
 /// The free rigid motions of each elastic body, as displacements.
 using FreeMotions = std::vector<std::vector<Vector>>;
 
+std::vector<Vector> motionsOf(const contact::Holding& holding) {
+  std::vector<Vector> motions;
+  for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
+    motions.push_back(bem::columnOf(holding.allowed, k));
+  return motions;
+}
+
 FreeMotions motionsOf(const contact::ContactSystem& system) {
-  FreeMotions motions(system.size());
-  for (std::size_t b = 0; b < system.size(); ++b) {
-    const contact::Holding& holding = system.body(b).holding();
-    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
-      motions[b].push_back(bem::columnOf(holding.allowed, k));
-  }
+  FreeMotions motions;
+  for (std::size_t b = 0; b < system.size(); ++b)
+    motions.push_back(motionsOf(system.body(b).holding()));
   return motions;
 }
 
@@ -189,7 +193,7 @@ Balance balanceOf(const BodySpaces& spaces,
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
   contact::Stabilization none;  // rigid motions have no tractions
   none.form = contact::Stabilization::Form::None;
-  Balance balance{{}, FreeMotions(spaces.size())};
+  Balance balance;
   contact::Problem& numbers = balance.numbers;
   numbers.normals = numbering.normals();
   std::vector<Vector> columns;
@@ -204,11 +208,10 @@ Balance balanceOf(const BodySpaces& spaces,
         contact::makeLoads(spaces.space(b), conditions[b], scene.units());
     const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
     size += obstacle.largestPenetration + loads.size();
-    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
-      balance.free[b].push_back(bem::columnOf(holding.allowed, k));
-      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
-    }
-    if (balance.free[b].empty())
+    balance.free.push_back(motionsOf(holding));
+    for (const Vector& motion : balance.free.back())
+      numbers.rigidLoad.push_back(bem::dot(motion, loads.load));
+    if (balance.free.back().empty())
       continue;
     const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
                                                         scene.lame(b), scene.units());
