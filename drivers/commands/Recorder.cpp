@@ -94,7 +94,7 @@ void Recorder::take(const SolvedLevel& level) {
   }
   if (scene_.hasContact())
     files_.emplace_back("contact.csv", made(onPath ? std::exchange(contactOfStep_, {})
-                                                   : contactCsv(level.last())));
+                                                   : contact_.next(level.last())));
   if (scene_.output.fields)
     files_.emplace_back("boundary.csv",
                         [this, grid = grid_] { return boundaryCsv(scene_, *grid); });

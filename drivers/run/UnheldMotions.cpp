@@ -21,20 +21,23 @@ namespace {
 
 using bem::Vector;
 
+/// Takes from a vector what orthonormal ones have of it; twice, for rounding.
+void orthogonalise(const std::vector<Vector>& basis, Vector& v) {
+  for (int pass = 0; pass < 2; ++pass)
+    for (const Vector& q : basis)
+      bem::axpy(-bem::dot(q, v), q, v);
+}
+
 /// The free rigid motions of each elastic body, as displacements.
 using FreeMotions = std::vector<std::vector<Vector>>;
 
-std::vector<Vector> motionsOf(const contact::Holding& holding) {
-  std::vector<Vector> motions;
-  for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
-    motions.push_back(bem::columnOf(holding.allowed, k));
-  return motions;
-}
-
 FreeMotions motionsOf(const contact::ContactSystem& system) {
-  FreeMotions motions;
-  for (std::size_t b = 0; b < system.size(); ++b)
-    motions.push_back(motionsOf(system.body(b).holding()));
+  FreeMotions motions(system.size());
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const contact::Holding& holding = system.body(b).holding();
+    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
+      motions[b].push_back(bem::columnOf(holding.allowed, k));
+  }
   return motions;
 }
 
@@ -44,53 +47,47 @@ void requireResistance(const Scene& scene, const bem::Matrix& motions,
                        const FreeMotions& free) {
   if (!scene.hasSeveral())
     return;
-  struct Motion {
-    bem::Index column;
-    std::size_t holds;  ///< that the body lacks
-    std::string body;
-    const char* advice;
-  };
-  std::vector<Motion> all;
-  bem::Index column = 0;
-  for (std::size_t b = 0; b < free.size(); ++b)
-    for (std::size_t own = 0; own < free[b].size(); ++own)
-      all.push_back({column++, free[b].size(), scene.bodies[b].name,
-                     "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or "
-                     "friction"});
-  for (const RigidBody& body : scene.rigid)
-    for (const RigidBody::Component& component : body.components)
-      if (component.stiffness > 0)
-        ++column;
-      else if (component.free)
-        all.push_back({column++, 4, body.name,
-                       "give it a Displacement or a Rotation instead of a Force or a "
-                       "Moment, or a Stiffness, contact or friction"});
-  // of bodies that move together the one with the fewest holds is named
-  std::stable_sort(all.begin(), all.end(), [](const Motion& one, const Motion& other) {
-    return one.holds < other.holds;
-  });
   constexpr double rounding = 1e-9;
-  const auto sizeOf = [](const Vector& v) { return std::sqrt(bem::dot(v, v)); };
   double largest = 0;
-  for (bem::Index k = 0; k < motions.columns(); ++k)
-    largest = std::max(largest, sizeOf(bem::columnOf(motions, k)));
-  std::vector<Vector> basis;  // orthonormal
-  for (const Motion& motion : all) {
-    Vector rest = bem::columnOf(motions, motion.column);
-    for (int pass = 0; pass < 2; ++pass)  // for rounding
-      for (const Vector& q : basis)
-        bem::axpy(-bem::dot(q, rest), q, rest);
-    const double size = sizeOf(rest);
+  for (bem::Index k = 0; k < motions.columns(); ++k) {
+    const Vector column = bem::columnOf(motions, k);
+    largest = std::max(largest, std::sqrt(bem::dot(column, column)));
+  }
+  std::vector<Vector> basis;
+  const auto resist = [&](bem::Index k, const std::string& name, const char* advice) {
+    Vector rest = bem::columnOf(motions, k);
+    orthogonalise(basis, rest);
+    const double size = std::sqrt(bem::dot(rest, rest));
     if (!(size > rounding * largest))
       throw bem::InputError(
-          "Bodies->", motion.body,
-          ": can move as a rigid body, alone or with what it touches, in a way that "
-          "nothing resists; ",
-          motion.advice);
+          "Bodies->", name,
+          ": can move as a rigid body, alone or with what it touches, in a "
+          "way that nothing resists; ",
+          advice);
     for (double& x : rest)
       x /= size;
     basis.push_back(std::move(rest));
-  }
+  };
+  bem::Index k = 0;
+  std::vector<std::pair<std::size_t, bem::Index>> order;  // body, and its first column
+  for (std::size_t b = 0; b < free.size(); k += static_cast<bem::Index>(free[b++].size()))
+    order.emplace_back(b, k);
+  // of bodies that move together the one with the fewest holds is named
+  std::stable_sort(order.begin(), order.end(), [&](const auto& one, const auto& other) {
+    return free[one.first].size() < free[other.first].size();
+  });
+  for (const auto& [b, column] : order)
+    for (std::size_t own = 0; own < free[b].size(); ++own)
+      resist(column + static_cast<bem::Index>(own), scene.bodies[b].name,
+             "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
+  for (const RigidBody& body : scene.rigid)
+    for (const RigidBody::Component& component : body.components)
+      if (component.stiffness > 0)
+        ++k;
+      else if (component.free)
+        resist(k++, body.name,
+               "give it a Displacement or a Rotation instead of a Force or a Moment, or "
+               "a Stiffness, contact or friction");
 }
 
 struct Moved {
@@ -193,7 +190,7 @@ Balance balanceOf(const BodySpaces& spaces,
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
   contact::Stabilization none;  // rigid motions have no tractions
   none.form = contact::Stabilization::Form::None;
-  Balance balance;
+  Balance balance{{}, FreeMotions(spaces.size())};
   contact::Problem& numbers = balance.numbers;
   numbers.normals = numbering.normals();
   std::vector<Vector> columns;
@@ -208,10 +205,11 @@ Balance balanceOf(const BodySpaces& spaces,
         contact::makeLoads(spaces.space(b), conditions[b], scene.units());
     const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
     size += obstacle.largestPenetration + loads.size();
-    balance.free.push_back(motionsOf(holding));
-    for (const Vector& motion : balance.free.back())
-      numbers.rigidLoad.push_back(bem::dot(motion, loads.load));
-    if (balance.free.back().empty())
+    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
+      balance.free[b].push_back(bem::columnOf(holding.allowed, k));
+      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
+    }
+    if (balance.free[b].empty())
       continue;
     const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
                                                         scene.lame(b), scene.units());
