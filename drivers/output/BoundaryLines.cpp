@@ -206,10 +206,11 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   if (!(depth > 0))
     return;
   const auto touch = [&](const SideOfBody& a, const SideOfBody& b) {
-    return std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                       [&](const ContactPair& pair) {
-                         return pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b);
-                       });
+    return std::any_of(
+        scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
+          return (pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b)) ||
+                 (pair.side.isOnBodyOf(b) && pair.opposite.isOnBodyOf(a));
+        });
   };
   for (std::size_t b = 0; scene.symmetry && b < bodies.size(); ++b) {
     const double beyond = drawn > 0 ? -across(bodies[b].low()) : across(bodies[b].high());
@@ -223,8 +224,7 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   }
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]) ||
-          touch(all[b], all[a]))
+      if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]))
         continue;
       if (const auto x = bodies[a].insideOf(bodies[b], depth))
         return warnings.push_back(bem::message(

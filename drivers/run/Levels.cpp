@@ -183,9 +183,9 @@ void solveOnce(const BodySpaces& spaces,
                const std::shared_ptr<const SolvedStep::Conditions>& conditions,
                const std::shared_ptr<const contact::ContactSystem>& system,
                const Level& from, const Run& run, SolvedLevel& level) {
-  const contact::State start = from.steps.empty()
-                                   ? contact::State()
-                                   : system->joined(from.last().own, from.last().rigid);
+  contact::State start;
+  if (!from.steps.empty())
+    start = system->joined(from.last().own, from.last().rigid);
   SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
     return solve(
         *system, spaces, [&] { return start; }, start, run.processes, run.timer);
