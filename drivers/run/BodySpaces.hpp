@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/opposite/ContactSide.hpp"
 #include "contact/opposite/Opposite.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"

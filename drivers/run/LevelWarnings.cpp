@@ -31,7 +31,7 @@ std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
         auto& [sliding, wearing] = contacts[nameOf(element)];
         if (const double length = lengths.at(nameOf(element)); point.closed && length > 0)
           sliding = std::max(sliding, std::abs(point.tangential) / length);
-        if (condition.wear && element.tangential >= 0 && level.level.onPath())
+        if (condition.wear && element.shears() && level.level.onPath())
           wearing = std::max(
               wearing, condition.cycles * condition.wear(point.place) * point.bound);
       }

@@ -1,10 +1,10 @@
 #include "drivers/run/NextLevel.hpp"
 
 #include "adaptivity/mark/Analyticity.hpp"
-#include "adaptivity/mark/Doerfler.hpp"
 #include "adaptivity/mark/Strategy.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/geometry/NormalRay.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
@@ -269,8 +269,7 @@ std::vector<SolvedState> loaded(std::vector<SolvedState> steps) {
   const auto largestOf = [](const SolvedState& step) {
     double largest = 0;
     for (const bem::Vector& density : step.density)
-      for (const double value : density)
-        largest = std::max(largest, std::abs(value));
+      largest = std::max(largest, bem::largestEntry(density));
     return largest;
   };
   double largest = 0;

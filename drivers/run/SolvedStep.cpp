@@ -1,6 +1,6 @@
 #include "drivers/run/SolvedStep.hpp"
 
-#include "contact/body/IterativeRefinement.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/equation/ContactState.hpp"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ const std::vector<contact::Summary>& SolvedStep::summaries() const {
 double SolvedStep::largestDisplacement() const {
   double largest = 0;
   for (const bem::Vector& displacement : at.displacements)
-    largest = std::max(largest, contact::largestEntry(displacement));
+    largest = std::max(largest, bem::largestEntry(displacement));
   return largest;
 }
 

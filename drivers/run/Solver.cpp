@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/ContactSolver.hpp"
 #include "contact/solve/Report.hpp"
@@ -141,7 +140,7 @@ std::string changingPlaces(const contact::Report& report,
       const Vector at = multiplier.basis().places(element.degree);
       for (int i = 0; i <= element.degree; ++i) {
         if (!changes(element.normalOf(i)) &&
-            (element.tangential < 0 || !changes(element.tangentialOf(i))))
+            (!element.shears() || !changes(element.tangentialOf(i))))
           continue;
         const bem::Vec2 place =
             spaces.space(b).mesh().physicalPoint(element.element, at[i]);
@@ -159,14 +158,13 @@ std::string changingPlaces(const contact::Report& report,
   return text;
 }
 
-/// By what the options are assembled to for the problem; `memory`: see contact::NoxNewton;
-/// the timer's watch is told of long paths of pivots.
+/// By what the options are assembled to for the problem; the timer's watch is told of long paths
+/// of pivots.
 SolvedProblem solveFrom(const contact::State& start, const Scene& scene,
-                        const contact::ContactSystem& system,
-                        contact::FactorMemory* memory, PhaseTimer& timer) {
+                        const contact::ContactSystem& system, PhaseTimer& timer) {
   const SolverOptions& options = scene.solver;
   const contact::Problem& problem = system.numbers();
-  const contact::NoxNewton newton(options.nox, memory);
+  const contact::NoxNewton newton(options.nox);
   const contact::ContactSolver fixed(newton, options.contact, [&](int pivots, int most) {
     timer.tell(bem::message(nameOf(Phase::Newton), ", complementary pivoting: ", pivots,
                             " of at most ", most, " changes"));
@@ -221,11 +219,9 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
   const Scene& scene = spaces.scene();
   const bool onPath = static_cast<bool>(scene.history);
   const auto from = [&](const contact::State& state) -> SolvedProblem {
-    // of this step only: a run that goes on behind it shall compute the same digits
-    contact::FactorMemory memory;
     std::string reason;
     try {
-      return solveFrom(state, scene, system, onPath ? &memory : nullptr, timer);
+      return solveFrom(state, scene, system, timer);
     } catch (const contact::NoBalance& error) {
       reason = withAdvice(error, unresisted(spaces, system));
     } catch (const bem::NumericalError& error) {

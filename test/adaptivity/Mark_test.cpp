@@ -1,6 +1,6 @@
 #include "Rectangle.hpp"
 #include "adaptivity/mark/Analyticity.hpp"
-#include "adaptivity/mark/Doerfler.hpp"
+#include "adaptivity/mark/Strategy.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 

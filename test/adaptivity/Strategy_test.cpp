@@ -3,7 +3,6 @@
 #include "Message.hpp"
 #include "Processes.hpp"
 #include "Rectangle.hpp"
-#include "adaptivity/mark/Doerfler.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -5,7 +5,6 @@
 #include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/body/DenseBody.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,9 +1,7 @@
 // Slip bounds as coefficients, alone and as products with a pressure: of full order where
 // they are smooth, within their hull where they jump.
-#include "contact/multiplier/BoundCoefficients.hpp"
-
 #include "contact/law/FrictionLaws.hpp"
-#include "contact/multiplier/Interpolation.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Tangential.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -48,7 +48,7 @@ Counts countsOf(const Conditions& conditions, int degree) {
   for (const auto& element : space.elements())
     for (int i = 0; i <= element.degree; ++i) {
       used.insert(element.normalOf(i));
-      if (element.tangential >= 0)
+      if (element.shears())
         used.insert(element.tangentialOf(i));
     }
   const Index all = space.size();  // numbered without gaps
@@ -102,7 +102,7 @@ double legendre(int degree, double t) {
 }
 
 struct MissingEnds {
-  contact::Ends ends;
+  std::array<contact::Coefficients::End, 2> ends;
   bool last = false;
   int lost = 0;  ///< degrees
 };
@@ -116,7 +116,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, endWeightsReproduceOneDegreeLessForEachMissingEnd
   for (int p = 1; p <= 12; ++p)
     for (const MissingEnds& missing : missingEnds)
       for (int k = 0; k <= p - missing.lost; ++k) {
-        const bem::Vector a = contact::endWeights(p, missing.ends, missing.last);
+        const bem::Vector a = contact::endWeights({p, missing.ends}, missing.last);
         const bem::Vector w = lobattoWeights(p);
         const bem::Vector moments =
             momentsOf(p, [k](double t) { return legendre(k, t); });
@@ -131,11 +131,11 @@ TEUCHOS_UNIT_TEST(SharedNodes, endWeightsReproduceOneDegreeLessForEachMissingEnd
 TEUCHOS_UNIT_TEST(SharedNodes, extendedFunctionsStayDualToAllFreeDisplacements) {
   for (int p = 2; p <= 9; ++p)
     for (const MissingEnds& missing : missingEnds) {
-      const bem::Vector a = contact::endWeights(p, missing.ends, missing.last);
+      const bem::Vector a = contact::endWeights({p, missing.ends}, missing.last);
       const bem::Vector w = lobattoWeights(p);
       const std::size_t end = missing.last ? a.size() - 1 : 0;
       for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!MultiplierSpace::ContactElement::isOwn(missing.ends, p, static_cast<int>(i)))
+        if (!contact::Coefficients{p, missing.ends}.isOwn(static_cast<int>(i)))
           continue;
         const bem::Vector products = momentsOf(p, [&](double t) {
           const bem::Vector chi = dual().values(p, t);
@@ -159,10 +159,9 @@ bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
     });
     for (int i = 0; i <= element.degree; ++i) {
       const double value = moments[i] / w[i];
-      if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, element.degree, i))
+      if (element.normal.isOwn(i))
         result[element.normalOf(i)] = value;
-      if (MultiplierSpace::ContactElement::isOwn(element.tangentialEnds, element.degree,
-                                                 i))
+      if (element.tangential.isOwn(i))
         result[element.tangentialOf(i)] = value;
     }
   }
@@ -205,8 +204,8 @@ TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpac
                           {"bottom", "right", "top", "left"}};
   const bem::Mesh mesh = bem::makeMesh(test::outlineOf(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
-  TEST_ASSERT(!space.elements().back().normalEnds[1].isUnknown);
-  TEST_ASSERT(space.elements().back().normalEnds[1].clamped);
+  TEST_ASSERT(!space.elements().back().normal.ends[1].isUnknown);
+  TEST_ASSERT(space.elements().back().normal.ends[1].clamped);
   TEST_COMPARE(worstOfCubic(mesh, space), <, 1e-12);
 }
 
@@ -221,7 +220,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {
     bem::Vector weights(space.size(), 0.0);
     for (const auto& element : space.elements())
       for (int i = 0; i <= p; ++i)
-        if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, p, i))
+        if (element.normal.isOwn(i))
           weights[element.normalOf(i)] +=
               mesh[element.element].half * lobattoWeights(p)[i];
     const bem::Vector gap =

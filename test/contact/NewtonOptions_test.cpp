@@ -2,7 +2,7 @@
 #include "Message.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "contact/equation/SmoothMerit.hpp"
+#include "contact/equation/Equation.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 #include "reference/Violation.hpp"
 

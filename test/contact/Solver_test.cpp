@@ -2,7 +2,7 @@
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ContactState.hpp"
-#include "contact/equation/SmoothMerit.hpp"
+#include "contact/equation/Equation.hpp"
 #include "reference/Violation.hpp"
 
 #include <Teuchos_ParameterList.hpp>

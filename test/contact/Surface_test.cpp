@@ -1,8 +1,6 @@
 // Normal laws, and problems whose surfaces yield.
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "contact/newton/KeptFactor.hpp"
-#include "contact/newton/NewtonSystem.hpp"
 #include "reference/Violation.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -62,26 +60,6 @@ contact::Problem drawn(const char* normal, const char* law, std::mt19937& random
   test::Recipe recipe = test::Recipe::of(law, 0.5, 1);
   recipe.normal = normal;
   return test::randomProblem(recipe, random);
-}
-
-TEUCHOS_UNIT_TEST(Surface, aKeptFactorKnowsWhatIsAddedToD) {
-  std::mt19937 random(8);
-  contact::FactorMemory memory;
-  contact::Problem problem = drawn("Linear", "Tresca", random);
-  for (const double more : {0.0, 0.1, 0.7}) {
-    problem.surface.linear.push_back({0, 0, more});
-    for (const double load : {1.0, 1.02, 1.05}) {
-      problem.offset[0] *= load;
-      const contact::Equation equation = test::equationOf(problem, 0);
-      const contact::Evaluation e =
-          equation.at(pack(problem, test::solve(problem).state));
-      const Vector b(e.unknowns.size(), 1.0);
-      const Vector kept = contact::NewtonSystem(equation, e, &memory).solve(b);
-      const Vector own = contact::NewtonSystem(equation, e).solve(b);
-      for (std::size_t i = 0; i < b.size(); ++i)
-        TEST_FLOATING_EQUALITY(kept[i], own[i], 1e-8);
-    }
-  }
 }
 
 TEUCHOS_UNIT_TEST(Surface, tangentsTouch) {

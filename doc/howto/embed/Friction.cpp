@@ -51,7 +51,7 @@ Point measure(const Block& block, const contact::ContactSystem& system,
     const auto& weights = bem::gaussLegendre(element.degree + 1).weights;
     const double half = block.units.length * block.space.mesh()[element.element].half;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      const auto k = static_cast<std::size_t>(element.tangential) + i;
+      const auto k = static_cast<std::size_t>(element.tangential.first) + i;
       if (slips(k - static_cast<std::size_t>(numbers.normals)))
         point.slipLength += half * weights[i];
       point.shear +=

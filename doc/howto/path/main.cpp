@@ -3,7 +3,6 @@
 //
 //   drive        prints t, where the actuator is, its force and friction's work so far
 
-#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/path/PathMemory.hpp"
@@ -51,8 +50,7 @@ double forceOf(const contact::ContactSystem& step, const contact::Configuration&
 }
 
 contact::State solved(const contact::Problem& problem, const contact::State& start) {
-  contact::FactorMemory memory;  // its systems differ in few rows
-  const contact::NoxNewton newton(nullptr, &memory);
+  const contact::NoxNewton newton;
   const contact::ContactSolver solver(newton);
   return contact::makeCoulomb(solver, {})->solve(problem, start).state;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "adaptivity/estimate/EndValues.hpp"
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/results/Summary.hpp"
@@ -11,6 +11,16 @@
 namespace epafi::adaptivity {
 
 using ContactElement = contact::MultiplierSpace::ContactElement;
+
+/// Vectors at the start and the end of an element.
+struct AtEnds {
+  bem::Vec2 start;
+  bem::Vec2 end;
+};
+
+/// (factors.start e(-t) + factors.end e(t)) / half at a point of an element, see
+/// bem::endValues.
+bem::Vec2 valueAt(const AtEnds& factors, const bem::Element& element, double t);
 
 /// x⁺
 inline double positive(double x) { return std::max(x, 0.0); }

@@ -4,7 +4,6 @@
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
-#include "contact/body/Loads.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
 
 #include <algorithm>
@@ -14,29 +13,6 @@ namespace epafi::adaptivity {
 namespace {
 
 using bem::Vec2;
-
-/// The tractions Σ ρ_k r_k that hold fixed rigid motions, dimensionless.
-class FixedTraction {
- public:
-  explicit FixedTraction(const contact::Solved& solved)
-      : mesh_(solved.space.mesh()),
-        conditions_(solved.conditions),
-        centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
-        amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
-
-  Vec2 at(int e, double t) const {
-    if (!conditions_.isBoundary(mesh_.boundary(e)))
-      return {};
-    const Vec2 arm = mesh_.scaledPoint(e, t) - centroid_;
-    return Vec2{amplitudes_[0], amplitudes_[1]} + amplitudes_[2] * turnLeft(arm);
-  }
-
- private:
-  const bem::Mesh& mesh_;
-  const contact::Conditions& conditions_;
-  Vec2 centroid_;
-  Vector amplitudes_;
-};
 
 /// p/h |u_D - u|² of prescribed components on an element, where they are interpolated.
 double clampSquares(const contact::Solved& solved, int e,
@@ -77,7 +53,7 @@ class Residuals {
         weights_(weights),
         mu_(lame.mu),
         mesh_(solved.space.mesh()),
-        fixed_(solved) {}
+        amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
 
   /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
   Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
@@ -99,7 +75,7 @@ class Residuals {
       const Vec2 load = loaded ? (1 / solved_.units.stress) *
                                      neumann->second.at(mesh_.physicalPoint(e, t))
                                : Vec2{};
-      Vec2 r = load + solved_.pressed.at(e, t) + fixed_.at(e, t) - value.traction;
+      Vec2 r = load + solved_.pressed.at(e, t) + fixedTraction(e, t) - value.traction;
       if (solved_.conditions.inside)
         r = r - solved_.conditions.inside->traction(mesh_, e, t);
       of(squares, Source::Neumann) +=
@@ -119,7 +95,7 @@ class Residuals {
       const auto stress = multiplier.at(solved_.state.multiplier, contact, t);
       result.push_back(stress.normal * mesh_[e].curve.normal(t) +
                        stress.tangential * mesh_[e].curve.tangent(t) + value.traction -
-                       fixed_.at(e, t));
+                       fixedTraction(e, t));
       if (solved_.conditions.inside)
         result.back() = result.back() + solved_.conditions.inside->traction(mesh_, e, t);
     }
@@ -171,11 +147,19 @@ class Residuals {
   }
 
  private:
+  /// Σ ρ_k r_k, what holds fixed rigid motions, dimensionless.
+  Vec2 fixedTraction(int e, double t) const {
+    if (!solved_.conditions.isBoundary(mesh_.boundary(e)))
+      return {};
+    const Vec2 arm = mesh_.scaledPoint(e, t) - solved_.problem.holding().modes.centroid;
+    return Vec2{amplitudes_[0], amplitudes_[1]} + amplitudes_[2] * turnLeft(arm);
+  }
+
   const contact::Solved& solved_;
   const Weights& weights_;
   double mu_;
   const bem::Mesh& mesh_;
-  FixedTraction fixed_;
+  Vector amplitudes_;  ///< ρ
 };
 
 Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,

@@ -1,7 +1,7 @@
 #include "adaptivity/mark/Analyticity.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/space/LocalField.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +12,12 @@ namespace {
 
 using bem::Vector;
 
-struct Series {
-  Vector displacement;
-  Vector density;
-};
-
-Series seriesOf(const bem::LocalField& field, int degree, int component) {
-  const auto part = [component](bem::Complex z) {
-    return component == 0 ? z.real() : z.imag();
-  };
-  Series series;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k) {
-    series.displacement.push_back(part(field.value[k]));
-    if (k < static_cast<std::size_t>(degree))
-      series.density.push_back(part(field.density[k]));
-  }
+/// Legendre coefficients of one component, degree + 1 of them.
+template <class Series>
+Vector seriesOf(const Series& field, int degree, int component) {
+  Vector series;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k)
+    series.push_back(component == 0 ? field[k].real() : field[k].imag());
   return series;
 }
 
@@ -34,7 +25,7 @@ Series seriesOf(const bem::LocalField& field, int degree, int component) {
 
 bool decays(const Vector& coefficients, double floor, double threshold) {
   const auto n = static_cast<double>(coefficients.size());
-  if (n < 2 || contact::largestEntry(coefficients) <= floor)
+  if (n < 2 || bem::largestEntry(coefficients) <= floor)
     return true;
   const double middle = 0.5 * (n - 1);
   double product = 0;
@@ -53,8 +44,8 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
                                 const Vector& displacement, const Vector& density,
                                 double threshold) {
   constexpr double rounding = 1e-13;
-  const double displacementFloor = rounding * contact::largestEntry(displacement);
-  const double densityFloor = rounding * contact::largestEntry(density);
+  const double displacementFloor = rounding * bem::largestEntry(displacement);
+  const double densityFloor = rounding * bem::largestEntry(density);
   const bem::Mesh& mesh = space.mesh();
   const Vector inner = space.withoutRotation(displacement);
   std::vector<bool> result;
@@ -63,10 +54,12 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
     const bem::Vec2 given = conditions.given(mesh.boundary(e));
     bool all = true;
     for (int component = 0; component < 2; ++component) {
-      const Series series = seriesOf(field, mesh[e].degree, component);
-      all = all && ((component == 0 ? given.x : given.y) != 0
-                        ? decays(series.density, densityFloor, threshold)
-                        : decays(series.displacement, displacementFloor, threshold));
+      const bool isGiven = (component == 0 ? given.x : given.y) != 0;
+      const int p = mesh[e].degree;
+      all = all && (isGiven ? decays(seriesOf(field.density, p - 1, component),
+                                     densityFloor, threshold)
+                            : decays(seriesOf(field.value, p, component),
+                                     displacementFloor, threshold));
     }
     result.push_back(all);
   }

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Interpolation.hpp"
 
 namespace epafi::adaptivity {
 
@@ -12,35 +11,6 @@ using contact::Index;
 using contact::MultiplierSpace;
 using contact::Vector;
 using ContactElement = MultiplierSpace::ContactElement;
-
-/// Coefficients element by element; where two elements share one, it is their mean.
-class Collection {
- public:
-  explicit Collection(Index size) : sums_(size), counts_(size) {}
-
-  template <class Number>
-  void add(const Vector& coefficients, const contact::Ends& ends, const Number& number) {
-    const int degree = static_cast<int>(coefficients.size()) - 1;
-    for (int i = 0; i <= degree; ++i) {
-      if (!ContactElement::isOwn(ends, degree, i))
-        continue;
-      const std::size_t k = number(i);
-      sums_[k] += coefficients[i];
-      ++counts_[k];
-    }
-  }
-
-  Vector means() const {
-    Vector means = sums_;
-    for (std::size_t k = 0; k < means.size(); ++k)
-      means[k] /= counts_[k];
-    return means;
-  }
-
- private:
-  Vector sums_;
-  std::vector<int> counts_;
-};
 
 /// A multiplier at places of an edge, asked for in increasing order.
 class Walk {
@@ -87,8 +57,17 @@ class Walk {
 Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
                        const Vector& multiplier, const bem::Mesh& toMesh,
                        const MultiplierSpace& to) {
-  Collection result(to.size());
   Walk walk(fromMesh, from, multiplier);
+  // element by element; where two elements share a coefficient, it is their mean
+  Vector sums(to.size());
+  std::vector<int> counts(sums.size());
+  const auto add = [&](const Vector& coefficients, const contact::Coefficients& own) {
+    for (int i = 0; i <= own.degree; ++i)
+      if (own.isOwn(i)) {
+        sums[own.number(i)] += coefficients[i];
+        ++counts[own.number(i)];
+      }
+  };
   for (const ContactElement& element : to.elements()) {
     const bem::Piece& piece = toMesh[element.element].piece;
     const Vector& places = bem::gaussLegendre(element.degree + 1).points;
@@ -102,12 +81,13 @@ Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
     }
     interpolation.solve(normal);
     interpolation.solve(tangential);
-    result.add(normal, element.normalEnds, [&](int i) { return element.normalOf(i); });
-    if (element.tangential >= 0)
-      result.add(tangential, element.tangentialEnds,
-                 [&](int i) { return element.tangentialOf(i); });
+    add(normal, element.normal);
+    if (element.shears())
+      add(tangential, element.tangential);
   }
-  return result.means();
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    sums[k] /= counts[k];
+  return sums;
 }
 
 contact::State carry(const bem::Mesh& from, const MultiplierSpace& multiplier,

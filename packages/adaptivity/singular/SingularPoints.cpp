@@ -49,20 +49,17 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::ContactState& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
-  std::vector<const contact::MultiplierSpace::ContactElement*> elementOf(mesh.size(),
-                                                                         nullptr);
-  for (const auto& element : multiplier.elements())
-    elementOf[element.element] = &element;
-  for (const auto& element : multiplier.elements()) {
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
+    const auto& element = multiplier.elements()[k];
     const auto places = multiplier.basis().places(element.degree);
-    const auto stateAt = [&](const auto& where, int i) {
-      return pointState(multiplier, where, i, states);
+    const auto stateAt = [&](std::size_t where, int i) {
+      return pointState(multiplier, multiplier.elements()[where], i, states);
     };
-    const auto* before = elementOf[mesh[element.element].previous];
-    if (before != nullptr && stateAt(*before, before->degree) != stateAt(element, 0))
-      points.nodes[mesh[element.element].startNode] = Singularity::Strong;
+    if (const auto next = multiplier.follower(k);
+        next && stateAt(k, element.degree) != stateAt(*next, 0))
+      points.nodes[mesh[element.element].endNode] = Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
-      if (stateAt(element, i) != stateAt(element, i + 1))
+      if (stateAt(k, i) != stateAt(k, i + 1))
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;
@@ -121,7 +118,7 @@ PointState pointState(const contact::MultiplierSpace& multiplier,
   const bool idle = state.normal == contact::NormalState::Open &&
                     element.condition->friction &&
                     element.condition->friction.law->dependsOnPressure();
-  if (element.tangential >= 0 && !idle)
+  if (element.shears() && !idle)
     state.friction = states.tangential[element.tangentialOf(i) - multiplier.normals()];
   return state;
 }

@@ -8,6 +8,7 @@
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace epafi::bem {
@@ -21,6 +22,22 @@ double dot(const Vector& a, const Vector& b) {
 void axpy(double s, const Vector& x, Vector& y) {
   for (std::size_t i = 0; i < y.size(); ++i)
     y[i] += s * x[i];
+}
+
+Vector times(double s, Vector x) {
+  for (double& entry : x)
+    entry *= s;
+  return x;
+}
+
+double largestEntry(const Vector& x) {
+  double size = 0;
+  for (const double entry : x) {
+    if (std::isnan(entry))
+      return entry;
+    size = std::max(size, std::abs(entry));
+  }
+  return size;
 }
 
 Vector columnOf(const Matrix& a, Index j) {

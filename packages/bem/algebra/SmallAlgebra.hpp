@@ -9,8 +9,14 @@ namespace epafi::bem {
 
 double dot(const Vector& a, const Vector& b);
 
+/// max |x_i|, or NaN if there is one
+double largestEntry(const Vector& x);
+
 /// y += s x
 void axpy(double s, const Vector& x, Vector& y);
+
+/// s x
+Vector times(double s, Vector x);
 
 Vector columnOf(const Matrix& a, Index j);
 

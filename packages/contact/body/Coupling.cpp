@@ -48,7 +48,7 @@ class ElementCoupling {
   void addTo(double gamma, Index firstRow, Coupling& coupling) const {
     for (Index i = 0; i < size(); ++i) {
       const Index number = numberOf(i);
-      const EndCoefficient* end = endOf(i);
+      const Coefficients::End* end = endOf(i);
       const bool clamped = end != nullptr && end->clamped;
       addTrace(i, number, 1, clamped ? coupling.completion : coupling.trace);
       if (end != nullptr)
@@ -86,22 +86,20 @@ class ElementCoupling {
 
  private:
   Index functions() const { return contact_.degree + 1; }
-  Index size() const { return contact_.tangential >= 0 ? 2 * functions() : functions(); }
+  Index size() const { return contact_.shears() ? 2 * functions() : functions(); }
   bool isTangential(Index i) const { return i >= functions(); }
   std::size_t functionOf(Index i) const { return at(i % functions()); }
-  Index numberOf(Index i) const {
-    const auto function = static_cast<int>(functionOf(i));
-    return isTangential(i) ? contact_.tangentialOf(function)
-                           : contact_.normalOf(function);
-  }
+  Index numberOf(Index i) const { return own(i).number(static_cast<int>(functionOf(i))); }
   Vec2 directionOf(Index i, const SidePoint& point) const {
     return isTangential(i) ? point.tangent : point.normal;
   }
+  const Coefficients& own(Index i) const {
+    return isTangential(i) ? contact_.tangential : contact_.normal;
+  }
   /// Null inside the element.
-  const EndCoefficient* endOf(Index i) const {
-    const Ends& ends = isTangential(i) ? contact_.tangentialEnds : contact_.normalEnds;
-    return functionOf(i) == 0                     ? &ends[0]
-           : functionOf(i) == at(contact_.degree) ? &ends[1]
+  const Coefficients::End* endOf(Index i) const {
+    return functionOf(i) == 0                     ? &own(i).ends[0]
+           : functionOf(i) == at(contact_.degree) ? &own(i).ends[1]
                                                   : nullptr;
   }
   /// The rows of the element's tractions, or its densities.

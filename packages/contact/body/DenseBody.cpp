@@ -119,13 +119,13 @@ DenseBody::DenseBody(const BodyInput& input, std::shared_ptr<const Holding> hold
       columns_(response_ != nullptr    ? &response_->displacements
                : tractions_ != nullptr ? &tractions_->rows
                                        : nullptr),
-      modes_(makeRigidModes(space_)),
       free_(unclamped(holding_->clamped)),
       factor_(factored()) {
   for (Index k = 0; k < motions; ++k) {
     long double square = 0;
-    for (Index i = 0; i < modes_.motions.rows(); ++i)
-      square += static_cast<long double>(modes_.functionals(i, k)) * modes_.motions(i, k);
+    for (Index i = 0; i < holding_->modes.motions.rows(); ++i)
+      square += static_cast<long double>(holding_->modes.functionals(i, k)) *
+                holding_->modes.motions(i, k);
     squares_.push_back(static_cast<double>(square));
   }
 }
@@ -247,14 +247,16 @@ double DenseBody::stiffnessWork(const Vector& u) const {
 DenseBody::Extended DenseBody::withoutMotions(const Vector& u) const {
   Extended result(u.begin(), u.end());
   for (Index k = 0; k < motions; ++k)
-    takeOff(modes_.functionals.column(k), squares_[k], modes_.motions.column(k), result);
+    takeOff(holding_->modes.functionals.column(k), squares_[k],
+            holding_->modes.motions.column(k), result);
   return result;
 }
 
 // Pᵀ f
 DenseBody::Extended DenseBody::balanced(Extended forces) const {
   for (Index k = motions; k-- > 0;)
-    takeOff(modes_.motions.column(k), squares_[k], modes_.functionals.column(k), forces);
+    takeOff(holding_->modes.motions.column(k), squares_[k],
+            holding_->modes.functionals.column(k), forces);
   return forces;
 }
 

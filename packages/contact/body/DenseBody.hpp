@@ -64,8 +64,7 @@ class DenseBody final : public ElasticBody {
   std::shared_ptr<const bem::ComplianceResponse> response_;  ///< Density; else null
   Tractions tractions_;
   const Matrix* columns_;    ///< R
-  RigidModes modes_;         ///< r
-  Vector squares_;           ///< <r, r>
+  Vector squares_;           ///< <r, r> of the modes r
   std::vector<Index> free_;  ///< displacements that are not clamped
   bem::CholeskyFactor
       factor_;  ///< of A + Σ c cᵀ there, c: functionals of allowed motions

@@ -22,13 +22,11 @@ Matrix clampedMotions(const RigidModes& modes, const std::vector<char>& clamped)
 }
 
 std::vector<int> namedModes(const Conditions::Fix& fix) {
+  const bool isFixed[] = {fix.x, fix.y, fix.rotation};
   std::vector<int> modes;
-  if (fix.x)
-    modes.push_back(0);
-  if (fix.y)
-    modes.push_back(1);
-  if (fix.rotation)
-    modes.push_back(2);
+  for (const int mode : {0, 1, 2})
+    if (isFixed[mode])
+      modes.push_back(mode);
   return modes;
 }
 
@@ -170,9 +168,7 @@ void scaleMotions(Holding& holding) {
   for (Index k = 0; k < holding.allowed.columns(); ++k) {
     double* motion = holding.allowed.column(k);
     double* functional = holding.functionals.column(k);
-    double largest = 0;
-    for (Index j = 0; j < holding.allowed.rows(); ++j)
-      largest = std::max(largest, std::abs(motion[j]));
+    const double largest = bem::largestEntry(columnOf(holding.allowed, k));
     for (Index j = 0; j < holding.allowed.rows(); ++j) {
       motion[j] /= largest;
       functional[j] *= largest;

@@ -89,25 +89,16 @@ void addInside(const bem::Space& space, const ParticularSolution& inside, Loads&
   bem::axpy(-1, loads.inside.traction, loads.load);
 }
 
-void clamp(const bem::Space& space, int e, const Vector& values, int component,
-           Loads& loads) {
-  for (int k = 0; k <= space.mesh()[e].degree; ++k) {
-    const Index unknown = space.displacement(e, k, component);
-    loads.prescribed[unknown] = values[unknown];
-    loads.largestDisplacement =
-        std::max(loads.largestDisplacement, std::abs(values[unknown]));
-  }
-}
-
 void addDirichlet(const bem::Space& space, const std::string& name,
                   const Conditions::Dirichlet& dirichlet, const BodyLoadSolution& inside,
                   bem::Units units, Loads& loads) {
   const bem::Mesh& mesh = space.mesh();
   const std::vector<int> elements = mesh.elementsOf(name);
-  // interpolates on every element; only the named ones are used, where the functions
-  // exist
-  const auto values = [&](const Function& f, int component) {
-    return space.interpolatePlaces(elements, [&](int e, double t) {
+  for (const int component : {0, 1}) {
+    const Function& f = component == 0 ? dirichlet.x : dirichlet.y;
+    if (!f)
+      continue;
+    const Vector given = space.interpolatePlaces(elements, [&](int e, double t) {
       double value = f(mesh.physicalPoint(e, t)) / units.length;
       if (inside) {
         const Vec2 known = inside->displacement(mesh, e, t);
@@ -115,14 +106,13 @@ void addDirichlet(const bem::Space& space, const std::string& name,
       }
       return component == 0 ? Vec2{value, 0} : Vec2{0, value};
     });
-  };
-  for (int component = 0; component < 2; ++component) {
-    const Function& f = component == 0 ? dirichlet.x : dirichlet.y;
-    if (!f)
-      continue;
-    const Vector given = values(f, component);
     for (const int e : elements)
-      clamp(space, e, given, component, loads);
+      for (int k = 0; k <= mesh[e].degree; ++k) {
+        const Index unknown = space.displacement(e, k, component);
+        loads.prescribed[unknown] = given[unknown];
+        loads.largestDisplacement =
+            std::max(loads.largestDisplacement, std::abs(given[unknown]));
+      }
   }
 }
 

@@ -110,9 +110,7 @@ Vector CompressedBody::responsesTo(const Vector& w) const {
 }
 
 std::pair<Vector, Vector> CompressedBody::answerTo(const Vector& g) const {
-  Vector psi = densityFor(placed(g), 1);
-  for (double& x : psi)
-    x = -x;
+  Vector psi = bem::times(-1, densityFor(placed(g), 1));
   Vector force = forcesIn(operators_->times(placed(psi)));
   return {std::move(psi), std::move(force)};
 }
@@ -162,7 +160,7 @@ Vector CompressedBody::densityFor(const Matrix& right, int refinements) const {
 
 const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
   if (leftOfMotions_ == nullptr) {
-    const Matrix modes = makeRigidModes(space_).motions;
+    const Matrix& modes = holding_->modes.motions;
     Matrix left =
         bem::rowsBetween(operators_->times(placed(modes)), range_.densities, range_.last);
     Matrix right(operators_->size(), modes.columns());

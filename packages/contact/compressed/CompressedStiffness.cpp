@@ -16,7 +16,7 @@ void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
   for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
     for (int i = 0; i <= contact.degree; ++i) {
       visit(at(contact.normalOf(i)), contact.element);
-      if (contact.tangential >= 0)
+      if (contact.shears())
         visit(at(contact.tangentialOf(i)), contact.element);
     }
 }
@@ -53,7 +53,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
     }
   }
   for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-    for (int i = 0; i <= contact.degree && contact.tangential >= 0; ++i)
+    for (int i = 0; i <= contact.degree && contact.shears(); ++i)
       elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
   return elements;
 }

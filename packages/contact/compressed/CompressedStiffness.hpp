@@ -2,7 +2,7 @@
 
 #include "bem/compressed/CompressedOperators.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/opposite/Opposite.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 
 #include <string>

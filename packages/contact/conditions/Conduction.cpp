@@ -1,5 +1,6 @@
 #include "contact/conditions/Conduction.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
@@ -90,8 +91,7 @@ std::shared_ptr<const ConductedHeat> Conduction::heat(
         space_.interpolatePlaces(elements, [&, &given = given](int e, double t) {
           return Vec2{given(mesh.physicalPoint(e, t)), 0};
         });
-    for (const double value : values)
-      largest = std::max(largest, std::abs(value));
+    largest = std::max(largest, bem::largestEntry(values));
     for (const int e : elements) {
       bem::LegendreSeries<double> rest = seriesOf(given, mesh, e);
       const bem::Matrix phi =

@@ -142,9 +142,7 @@ ParticularSolution::Stress ParticularSolution::stressOfHeat(Vec2 at) const {
 }
 
 ParticularSolution::Stress ParticularSolution::stress(Vec2 at) const {
-  const Stress a = stressOf(forces_, at);
-  const Stress b = stressOfHeat(at);
-  return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
+  return stressOf(forces_, at) + stressOfHeat(at);
 }
 
 Vec2 ParticularSolution::force(Vec2 at) const {
@@ -152,9 +150,7 @@ Vec2 ParticularSolution::force(Vec2 at) const {
 }
 
 double ParticularSolution::energyDensity(Vec2 at) const {
-  const Stress a = stressOf(forces_, at);
-  const Stress b = stressOf(heat_, at);
-  const Stress s{a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
+  const Stress s = stressOf(forces_, at) + stressOf(heat_, at);
   const double trace = s.xx + s.yy;
   return (s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy - lame_.nu * trace * trace) /
          (4 * lame_.mu);

@@ -48,6 +48,9 @@ class ParticularSolution {
     double yy = 0;
     double xy = 0;
 
+    Stress operator+(const Stress& other) const {
+      return {xx + other.xx, yy + other.yy, xy + other.xy};
+    }
     bem::Vec2 on(bem::Vec2 normal) const {
       return {xx * normal.x + xy * normal.y, xy * normal.x + yy * normal.y};
     }

@@ -170,10 +170,9 @@ void Equation::evaluateRows(Evaluation& e) const {
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum =
-        problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j);
-    for (Index i = 0; i < n; ++i)
-      sum += g[i] * entry(e.unknowns, i);
+    const double sum = std::inner_product(
+        g, g + n, e.unknowns.begin(),
+        problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j));
     e.residual.push_back(sum / entry(balanceScales_, j));
   }
 }
@@ -249,9 +248,8 @@ Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) con
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum = problem_.stiffness(j) * entry(direction, n + j);
-    for (Index i = 0; i < n; ++i)
-      sum += g[i] * entry(direction, i);
+    const double sum = std::inner_product(
+        g, g + n, direction.begin(), problem_.stiffness(j) * entry(direction, n + j));
     result.push_back(sum / entry(balanceScales_, j));
   }
   return result;
@@ -323,6 +321,42 @@ Vector pack(const Problem& problem, const State& state) {
 State unpack(const Problem& problem, const Vector& unknowns) {
   return {Vector(unknowns.begin(), unknowns.begin() + problem.size()),
           Vector(unknowns.begin() + problem.size(), unknowns.end())};
+}
+
+namespace {
+
+/// The balance is the same.
+Evaluation withSmoothRows(const Equation& equation, const Evaluation& e) {
+  const Problem& problem = equation.problem();
+  Evaluation result = e;
+  result.rows.clear();
+  result.stepBounds.clear();
+  for (Index i = 0; i < problem.size(); ++i) {
+    const double multiplier = e.unknowns[at(i)];
+    const double y = e.penetration[at(i)];
+    if (i < problem.normals) {
+      result.rows.push_back(fischerNormal(multiplier, y));
+    } else {
+      const std::size_t t = at(i - problem.normals);
+      result.rows.push_back(fischerTangential(multiplier, y, e.bounds[t]));
+      result.stepBounds.push_back(
+          {e.bounds[t], problem.tangentials[t].slope(e.unknowns)});
+    }
+    result.residual[at(i)] = result.rows.back().value;
+  }
+  return result;
+}
+
+}  // namespace
+
+double merit(const Equation& equation, const Evaluation& e) {
+  const Vector f = withSmoothRows(equation, e).residual;
+  return 0.5 * std::inner_product(f.begin(), f.end(), f.begin(), 0.0);
+}
+
+Vector meritGradient(const Equation& equation, const Evaluation& e) {
+  const Evaluation smooth = withSmoothRows(equation, e);
+  return equation.transposeTimes(smooth, smooth.residual);
 }
 
 }  // namespace epafi::contact

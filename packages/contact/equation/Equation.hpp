@@ -106,4 +106,9 @@ class Equation {
 Vector pack(const Problem& problem, const State& state);
 State unpack(const Problem& problem, const Vector& unknowns);
 
+/// Ψ = ½ |F|² with the Fischer-Burmeister function in place of the projection; same zeros.
+double merit(const Equation& equation, const Evaluation& at);
+/// ∇Ψ, continuous if the slip bound is continuously differentiable.
+Vector meritGradient(const Equation& equation, const Evaluation& at);
+
 }  // namespace epafi::contact

@@ -59,7 +59,7 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
     for (const double sign : {-1.0, 1.0}) {
       if (tangential.followsPressure())
         add(tangential.normal(), i, sign * slope);
-      if (tangential.boundWithoutPressure() > 0)
+      if (tangential.bound(0.0) > 0)
         add(-1, i, sign);
     }
   }

@@ -18,7 +18,7 @@ struct NoBalance : bem::NumericalError {
 ///
 ///   Gₙ,   Gₙ ± s' Gₜ,   and ± Gₜ if s(0) > 0 (Tresca, bonds),
 ///
-/// s': the largest slope of the slip bound, Tangential::steepest.  Motions with springs
+/// s': the largest slope of the slip bound, PointLaw::steepest.  Motions with springs
 /// are left
 /// out.  By nonnegative least squares.                               [Lawson & Hanson 1974]
 Vector unresistedMotion(const Problem& problem);

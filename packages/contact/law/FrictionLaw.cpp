@@ -1,29 +1,19 @@
 #include "contact/law/FrictionLaw.hpp"
 
 #include "contact/law/FrictionLaws.hpp"
-#include "contact/law/LawTable.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
 namespace epafi::contact {
 
-namespace {
-
-template <class Law>
-FrictionLawMember member(const char* name) {
-  return lawOfFields<FrictionLaw, Law>(name);
-}
-
-}  // namespace
-
 bem::Family<FrictionLawMember>& frictionLaws() {
   static bem::Family<FrictionLawMember> laws(
       "friction law", {
                           {"None", {}, {}},
-                          member<TrescaLaw>("Tresca"),
-                          member<CoulombLaw>("Coulomb"),
-                          member<CappedCoulombLaw>("Capped Coulomb"),
-                          member<TiedLaw>("Tied"),
+                          lawOfFields<FrictionLaw, TrescaLaw>("Tresca"),
+                          lawOfFields<FrictionLaw, CoulombLaw>("Coulomb"),
+                          lawOfFields<FrictionLaw, CappedCoulombLaw>("Capped Coulomb"),
+                          lawOfFields<FrictionLaw, TiedLaw>("Tied"),
                       });
   return laws;
 }
@@ -40,13 +30,16 @@ bem::SchemaRows frictionRows() {
 }
 
 double PointLaw::bound(double pressure) const {
-  return law_ == nullptr
-             ? bound_
-             : law_->bound(stress_ * std::max(pressure, 0.0), fields_) / stress_;
+  return factor_ *
+         (law_ == nullptr
+              ? bound_
+              : law_->bound(stress_ * std::max(pressure, 0.0), fields_) / stress_);
 }
 
 double PointLaw::slope(double pressure) const {
-  return law_ != nullptr && pressure > 0 ? law_->slope(stress_ * pressure, fields_) : 0;
+  return law_ != nullptr && pressure > 0
+             ? factor_ * law_->slope(stress_ * pressure, fields_)
+             : 0;
 }
 
 double PointLaw::steepest() const {

@@ -37,7 +37,7 @@ bem::SchemaRows frictionRows();
 
 /// A law at one point, dimensionless: numbers only.
 ///
-///   s(p) = law(stress p, fields) / stress
+///   s(p) = m law(stress p, fields) / stress
 class PointLaw {
  public:
   PointLaw() = default;  ///< no friction: s = 0
@@ -46,6 +46,9 @@ class PointLaw {
   /// `stress`: the unit of dimensionless stresses.
   PointLaw(std::shared_ptr<const FrictionLaw> law, Vector fields, double stress)
       : law_(std::move(law)), fields_(std::move(fields)), stress_(stress) {}
+
+  /// With m multiplied by a factor >= 0.
+  void scale(double factor) { factor_ *= factor; }
 
   /// s(p⁺) >= 0.
   double bound(double pressure) const;
@@ -60,6 +63,7 @@ class PointLaw {
   Vector fields_;
   double stress_ = 1;
   double bound_ = 0;
+  double factor_ = 1;  ///< m
 };
 
 /// Friction law of a boundary and shear compliance of its surfaces [length/stress]; their

@@ -1,7 +1,5 @@
 #include "contact/law/NormalLaw.hpp"
 
-#include "contact/law/LawTable.hpp"
-
 #include <Teuchos_ParameterList.hpp>
 
 #include <boost/math/special_functions/log1p.hpp>

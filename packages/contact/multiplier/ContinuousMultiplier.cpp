@@ -1,8 +1,8 @@
 #include "contact/multiplier/ContinuousMultiplier.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +19,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// λₙ or λₜ.
 struct Component {
   double MultiplierSpace::Value::*value;
-  Index (Element::*number)(int) const;
+  Coefficients Element::*own;
 };
-
-double largestOf(const Vector& numbers) {
-  double largest = 0;
-  for (const double x : numbers)
-    largest = std::max(largest, std::abs(x));
-  return largest;
-}
 
 class Jumps {
  public:
@@ -41,17 +34,13 @@ class Jumps {
         before_(space.elements().size(), none),
         behind_(before_),
         factors_(before_.size(), 0.0),
-        small_(1e-9 * largestOf(multiplier)) {
-    std::vector<std::size_t> contactOf(static_cast<std::size_t>(mesh.size()), none);
+        small_(1e-9 * bem::largestEntry(multiplier)) {
     for (std::size_t k = 0; k < before_.size(); ++k)
-      contactOf[at(element(k).element)] = k;
-    for (std::size_t k = 0; k < before_.size(); ++k) {
-      const std::size_t next = contactOf[at(mesh[element(k).element].next)];
-      if (next != none && next != k && isJoint(element(k), element(next))) {
-        behind_[k] = next;
-        before_[next] = k;
+      if (const auto next = space.follower(k);
+          next && *next != k && isJoint(element(k), element(*next))) {
+        behind_[k] = *next;
+        before_[*next] = k;
       }
-    }
     close();
   }
 
@@ -67,7 +56,7 @@ class Jumps {
         more.push_back(correction(k, t));
       interpolation(space_.basis(), places).solve(more);
       for (int i = 0; i <= here.degree; ++i)
-        result[(here.*component_.number)(i)] += more[at(i)];
+        result[(here.*component_.own).number(i)] += more[at(i)];
     }
   }
 
@@ -76,13 +65,13 @@ class Jumps {
   double half(std::size_t k) const { return mesh_[element(k).element].half; }
 
   double coefficient(const Element& e, int i) const {
-    return multiplier_[(e.*component_.number)(i)];
+    return multiplier_[(e.*component_.own).number(i)];
   }
 
   bool isNormal() const { return component_.value == &MultiplierSpace::Value::normal; }
 
   bool isStressed(const Element& e) const {
-    for (int i = 0; i <= e.degree && (isNormal() || e.tangential >= 0); ++i)
+    for (int i = 0; i <= e.degree && (e.*component_.own).first >= 0; ++i)
       if (std::abs(coefficient(e, i)) > small_)
         return true;
     return false;
@@ -91,7 +80,7 @@ class Jumps {
   /// Is the coefficient at its bound?
   bool slips(const Element& e, int i) const {
     constexpr double almost = 1 - 1e-9;
-    return std::abs(coefficient(e, i)) >= almost * bounds_[(e.*component_.number)(i)];
+    return std::abs(coefficient(e, i)) >= almost * bounds_[(e.*component_.own).number(i)];
   }
 
   bool isJoint(const Element& a, const Element& b) const {
@@ -161,8 +150,8 @@ class Jumps {
 Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
                     const Vector& multiplier, const Vector& bounds) {
   static const Component components[] = {
-      {&MultiplierSpace::Value::normal, &Element::normalOf},
-      {&MultiplierSpace::Value::tangential, &Element::tangentialOf}};
+      {&MultiplierSpace::Value::normal, &Element::normal},
+      {&MultiplierSpace::Value::tangential, &Element::tangential}};
   Vector result = multiplier;
   if (space.basis().sharesNodes)
     return result;

@@ -1,17 +1,21 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
+#include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace epafi::contact {
 
-namespace {
-
+using bem::Index;
 using bem::Vector;
+
+namespace {
 
 // The zeros of P_{q+1}.
 Vector gaussPlaces(int degree) { return bem::gaussLegendre(degree + 1).points; }
@@ -181,6 +185,71 @@ bem::SchemaRow multiplierRow() {
                   "basis of the contact stress; " + meanings(multiplierBases()))
       .defaultValue(multiplierBases().front().name)
       .allowed(multiplierBases().names());
+}
+
+bem::LuFactor interpolation(const MultiplierBasis& basis, const Vector& places) {
+  const auto n = static_cast<Index>(places.size());
+  bem::Matrix values(n, n);
+  for (Index k = 0; k < n; ++k) {
+    const Vector row = basis.values(static_cast<int>(n) - 1, places[k]);
+    for (Index j = 0; j < n; ++j)
+      values(k, j) = row[j];
+  }
+  bem::LuFactor factor(std::move(values));
+  if (!factor.isRegular())
+    throw bem::NumericalError("the multiplier's basis is linearly dependent");
+  return factor;
+}
+
+namespace {
+
+using Bound = std::function<double(double)>;
+
+Vector valuesAt(const Vector& places, const Bound& bound) {
+  Vector values;
+  for (const double t : places)
+    values.push_back(bound(t));
+  return values;
+}
+
+double largestError(const MultiplierBasis& basis, const Vector& coefficients,
+                    const Vector& places, const Vector& values) {
+  const int degree = static_cast<int>(coefficients.size()) - 1;
+  double largest = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vector chi = basis.values(degree, places[k]);
+    const double value =
+        std::inner_product(chi.begin(), chi.end(), coefficients.begin(), 0.0);
+    largest = std::max(largest, std::abs(value - values[k]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+Vector boundCoefficients(const MultiplierBasis& basis, int degree, const Bound& bound) {
+  Vector values = valuesAt(basis.places(degree), bound);
+  if (!basis.controlPoints || degree < 2)
+    return values;
+  const Vector nodes = multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
+  Vector closer = valuesAt(nodes, bound);
+  const Vector& places = bem::gaussForGiven(degree).points;
+  const Vector samples = valuesAt(places, bound);
+  Vector all = samples;
+  all.insert(all.end(), closer.begin(), closer.end());
+  const auto range = std::minmax_element(all.begin(), all.end());
+
+  interpolation(basis, nodes).solve(closer);
+  for (double& coefficient : closer)
+    coefficient = std::max(coefficient, 0.0);
+  const bool isWithin = std::all_of(closer.begin(), closer.end(), [&](double c) {
+    return *range.first <= c && c <= *range.second;
+  });
+  constexpr double clearlyCloser = 0.25;
+  const bool isCloser =
+      largestError(basis, closer, places, samples) <=
+      (isWithin ? 1 : clearlyCloser) * largestError(basis, values, places, samples);
+  return isCloser ? closer : values;
 }
 
 }  // namespace epafi::contact

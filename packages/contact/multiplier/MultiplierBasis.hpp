@@ -1,10 +1,12 @@
 #pragma once
 
+#include "bem/algebra/LuFactor.hpp"
 #include "bem/base/Family.hpp"
 #include "bem/base/Matrix.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 
+#include <functional>
 #include <string>
 
 namespace epafi::contact {
@@ -48,5 +50,26 @@ const MultiplierBasis& multiplierBasis(const std::string& name);
 
 /// Schema row of the key Multiplier.
 bem::SchemaRow multiplierRow();
+
+/// Factor of E_kj = χ_j(t_k): E⁻¹ values are the coefficients of the polynomial with these values
+/// at `places`, q + 1 distinct ones for the basis of degree q.
+/// \throws bem::NumericalError if the functions are linearly dependent
+bem::LuFactor interpolation(const MultiplierBasis& basis, const bem::Vector& places);
+
+/// Bounds of the q + 1 shear coefficients of an element, from the bound s(t) >= 0 of the
+/// shear itself, t in [-1, 1]; all >= 0, in the unit of s.
+///
+/// The values of s at MultiplierBasis::places, unless coefficients are control points.
+/// Then
+///
+///   c = max(0, coefficients of the polynomial that interpolates s at the Gauss-Lobatto points)
+///
+/// if its largest error is below that of the values at the control points and c is within
+/// the range of s, or if its error is at most a quarter.  So the error is of order q + 1
+/// for a smooth s (of order 2 with the values).  If s has a jump J, c is within the range
+/// of s, since the error of a continuous function is at least J/2 and that of the values
+/// at most J.
+bem::Vector boundCoefficients(const MultiplierBasis& basis, int degree,
+                              const std::function<double(double)>& bound);
 
 }  // namespace epafi::contact

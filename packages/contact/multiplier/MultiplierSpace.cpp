@@ -42,17 +42,18 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     element.degree = mesh[e].degree;
     element.boundary = &conditions.contact.find(mesh.boundary(e))->first;
     element.condition = condition;
-    if (element.condition->friction)
-      element.tangential = 0;
+    element.normal.degree = element.tangential.degree = element.degree;
+    if (condition->friction)
+      element.tangential.first = 0;
     element.point = points();
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
-  place_.assign(mesh.size(), -1);
-  for (std::size_t k = 0; k < elements_.size(); ++k) {
-    place_[elements_[k].element] = static_cast<int>(k);
-    next_.push_back(mesh[elements_[k].element].next);
-  }
+  std::vector<std::optional<std::size_t>> place(mesh.size());
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    place[elements_[k].element] = k;
+  for (const ContactElement& element : elements_)
+    followers_.push_back(place[mesh[element.element].next]);
   if (basis.sharesNodes)
     shareNodes(mesh, conditions);
   number();
@@ -61,71 +62,44 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
 }
 
 void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& conditions) {
+  std::vector<bool> joinsNext(elements_.size());
   for (std::size_t k = 0; k < elements_.size(); ++k)
     if (const auto behind = follower(k))
-      joined_[*behind] = continues(mesh, elements_[k], elements_[*behind]);
-  NodeDirections nodes = clampedDirections(mesh, conditions);
-  const auto decide = [&](std::size_t k, bool tangential) {
-    const bem::Element& element = mesh[elements_[k].element];
-    const auto direction = [&](double t) {
-      return tangential ? element.curve.tangent(t) : element.curve.normal(t);
-    };
-    Ends ends;
-    if (!joined_[k])
-      ends[0].isUnknown = nodes.take(element.startNode, direction(-1));
-    const auto behind = follower(k);
-    if (!behind || !joined_[*behind])
-      ends[1].isUnknown = nodes.take(element.endNode, direction(1));
-    if (elements_[k].degree == 1 && !ends[0].isUnknown && !ends[1].isUnknown)
-      throw bem::InputError(
-          placeOf(elements_[k]),
-          ": an element of degree 1 without a free node cannot carry the multiplier '",
-          basis_->name, "'; use more elements, a higher degree or another multiplier");
-    return ends;
-  };
-  for (std::size_t k = 0; k < elements_.size(); ++k)
-    elements_[k].normalEnds = decide(k, false);
-  for (std::size_t k = 0; k < elements_.size(); ++k)
-    if (elements_[k].tangential >= 0)
-      elements_[k].tangentialEnds = decide(k, true);
-}
-
-std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
-  const int place = place_[next_[k]];
-  return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
+      joined_[*behind] = joinsNext[k] = continues(mesh, elements_[k], elements_[*behind]);
+  chooseEnds(mesh, conditions, joined_, joinsNext, elements_);
+  for (const ContactElement& element : elements_)
+    for (const Coefficients* own : {&element.normal, &element.tangential})
+      if (element.degree == 1 && !own->isOwn(0) && !own->isOwn(1))
+        throw bem::InputError(
+            placeOf(element),
+            ": an element of degree 1 without a free node cannot carry the multiplier '",
+            basis_->name, "'; use more elements, a higher degree or another multiplier");
 }
 
 void MultiplierSpace::number() {
-  const auto assign = [&](Index ContactElement::*first, Index ContactElement::*last,
-                          Ends ContactElement::*ends, const auto& belongs) {
+  const auto assign = [&](Coefficients ContactElement::*own, const auto& belongs) {
     bool isOpen =
         false;  // the next element shares its first coefficient with the last one
     for (std::size_t k = 0; k < elements_.size(); ++k) {
-      ContactElement& element = elements_[k];
-      if (!belongs(element))
+      if (!belongs(elements_[k]))
         continue;
-      element.*first = isOpen ? size_ - 1 : size_;
+      Coefficients& now = elements_[k].*own;
+      now.first = isOpen ? size_ - 1 : size_;
       const auto behind = follower(k);
       const bool joins = behind && joined_[*behind];
       const bool closes = joins && *behind <= k;
-      if (closes)
-        element.*last = elements_[*behind].*first;
       isOpen = joins && !closes;
-      size_ = element.*first + element.offset(element.*ends, element.degree) +
-              (closes ? 0 : 1);
+      size_ = now.number(now.degree) + (closes ? 0 : 1);
+      if (closes)
+        now.closing = (elements_[*behind].*own).first;
     }
   };
-  const auto normals = [&](const auto& belongs) {
-    assign(&ContactElement::normal, &ContactElement::normalLast,
-           &ContactElement::normalEnds, belongs);
-  };
   const auto ties = [](const ContactElement& element) { return element.ties(); };
-  normals([&](const ContactElement& element) { return !ties(element); });
+  assign(&ContactElement::normal, [&](const auto& element) { return !ties(element); });
   normals_ = size_;
-  normals(ties);
-  assign(&ContactElement::tangential, &ContactElement::tangentialLast,
-         &ContactElement::tangentialEnds,
-         [](const ContactElement& element) { return element.tangential >= 0; });
+  assign(&ContactElement::normal, ties);
+  assign(&ContactElement::tangential,
+         [](const ContactElement& element) { return element.shears(); });
 }
 
 Index MultiplierSpace::points() const {
@@ -138,10 +112,12 @@ double MultiplierSpace::throughPoints(const Vector& values, const ContactElement
   return std::inner_product(chi.begin(), chi.end(), values.begin() + element.point, 0.0);
 }
 
-Index MultiplierSpace::ContactElement::offset(const Ends& ends, int i) const {
+Index Coefficients::number(int i) const {
+  if (closing >= 0 && i == degree)
+    return closing;
   const int skipped = ends[0].isUnknown ? 0 : 1;
   const int last = degree - skipped - (ends[1].isUnknown ? 0 : 1);
-  return std::clamp(i - skipped, 0, last);
+  return first + std::clamp(i - skipped, 0, last);
 }
 
 std::vector<int> MultiplierSpace::meshElements() const {
@@ -166,22 +142,16 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            const ContactElement& element,
                                            double t) const {
   const Vector chi = basis_->values(element.degree, t);
-  const auto coefficient = [&](Index k) { return multiplier[k]; };
-  Value value;
-  for (int i = 0; i <= element.degree; ++i) {
-    const double weight = chi[i];
-    value.normal += weight * coefficient(element.normalOf(i));
-    if (element.tangential >= 0)
-      value.tangential += weight * coefficient(element.tangentialOf(i));
-  }
-  for (const std::size_t end : {0, 1}) {
-    const double weight = end == 0 ? chi.front() : chi.back();
-    for (const auto& [k, factor] : element.normalEnds[end].added)
-      value.normal += weight * factor * coefficient(k);
-    for (const auto& [k, factor] : element.tangentialEnds[end].added)
-      value.tangential += weight * factor * coefficient(k);
-  }
-  return value;
+  const auto sum = [&](const Coefficients& own) {
+    double value = 0;
+    for (int i = 0; i <= own.degree; ++i)
+      value += chi[i] * multiplier[own.number(i)];
+    for (const std::size_t end : {0, 1})
+      for (const auto& [k, factor] : own.ends[end].added)
+        value += (end == 0 ? chi.front() : chi.back()) * factor * multiplier[k];
+    return value;
+  };
+  return {sum(element.normal), element.shears() ? sum(element.tangential) : 0};
 }
 
 }  // namespace epafi::contact

@@ -20,17 +20,35 @@ using bem::Vector;
 const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                                      const Conditions& conditions);
 
-/// The coefficient of an element at one of its ends.
-struct EndCoefficient {
-  /// Is it an unknown, not replaced by another one?
-  bool isUnknown = true;
-  /// The displacement is prescribed there, and its contact condition is dropped.
-  bool clamped = false;
-  /// Additional terms of the polynomial of the element, see completeEnds: numbers of
-  /// coefficients and their weights.
-  std::vector<std::pair<Index, double>> added{};
+/// The coefficients of an element in one direction, of its basis functions i = 0 ... degree.
+struct Coefficients {
+  /// That of one end of the element.
+  struct End {
+    /// Is it an unknown, not replaced by another one?
+    bool isUnknown = true;
+    /// The displacement is prescribed there, and its contact condition is dropped.
+    bool clamped = false;
+    /// Additional terms of the polynomial of the element, see completeEnds: numbers of
+    /// coefficients and their weights.
+    std::vector<std::pair<Index, double>> added{};
+  };
+
+  int degree = 1;
+  std::array<End, 2> ends{};  ///< the first, the last
+  Index first = -1;           ///< number of the first one; -1: none
+  /// If the last node closes a chain of elements, the first coefficient of the chain; else -1.
+  Index closing = -1;
+
+  Index number(int i) const;
+  /// Is coefficient i an unknown, not replaced by another one?
+  bool isOwn(int i) const {
+    return (ends[0].isUnknown || i > 0) && (ends[1].isUnknown || i < degree);
+  }
+  /// Is coefficient i at a clamped end, so that it has no contact condition?
+  bool holdsNothing(int i) const {
+    return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
+  }
 };
-using Ends = std::array<EndCoefficient, 2>;  ///< the first, the last
 
 /// Numbering of the multiplier: on each contact element of degree p, p + 1 normal
 /// coefficients and, with friction, p + 1 tangential ones.  First the normal coefficients
@@ -52,42 +70,18 @@ class MultiplierSpace {
     int degree = 1;
     const std::string* boundary = nullptr;
     const Conditions::Contact* condition = nullptr;
-    Index point = 0;        ///< number of the first of its p + 1 Gauss points
-    Index normal = 0;       ///< number of the first normal coefficient
-    Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
-    /// If the last node closes a chain of elements, the first coefficient of the chain;
-    /// else -1.
-    Index normalLast = -1;
-    Index tangentialLast = -1;
-    Ends normalEnds;
-    Ends tangentialEnds;
+    Index point = 0;  ///< number of the first of its p + 1 Gauss points
+    Coefficients normal{};
+    Coefficients tangential{};  ///< none without friction
 
     /// Are the sides bonded?
     bool ties() const { return condition->friction.ties(); }
+    /// Has it tangential coefficients?
+    bool shears() const { return tangential.first >= 0; }
 
     /// Numbers of the coefficients of the basis functions i = 0 ... degree.
-    Index normalOf(int i) const {
-      return closes(normalLast, i) ? normalLast : normal + offset(normalEnds, i);
-    }
-    Index tangentialOf(int i) const {
-      return closes(tangentialLast, i) ? tangentialLast
-                                       : tangential + offset(tangentialEnds, i);
-    }
-
-    /// Is coefficient i at a clamped end, so that it has no contact condition?
-    bool holdsNothing(const Ends& ends, int i) const {
-      return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
-    }
-
-    /// Is coefficient i an unknown, not replaced by another one?
-    static bool isOwn(const Ends& ends, int degree, int i) {
-      return (ends[0].isUnknown || i > 0) && (ends[1].isUnknown || i < degree);
-    }
-
-   private:
-    friend class MultiplierSpace;
-    bool closes(Index last, int i) const { return last >= 0 && i == degree; }
-    Index offset(const Ends& ends, int i) const;
+    Index normalOf(int i) const { return normal.number(i); }
+    Index tangentialOf(int i) const { return tangential.number(i); }
   };
 
   /// Contact elements in the order of the mesh.
@@ -104,6 +98,8 @@ class MultiplierSpace {
   /// Conditions of the constructor, or of under().
   const Conditions& conditions() const { return *conditions_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
+  /// Number of the contact element that starts where number k ends, if any.
+  std::optional<std::size_t> follower(std::size_t k) const { return followers_[k]; }
   /// Mesh indices of elements().
   std::vector<int> meshElements() const;
   /// Number of normal coefficients that are not bonded: pressures.
@@ -125,14 +121,11 @@ class MultiplierSpace {
  private:
   void shareNodes(const bem::Mesh& mesh, const Conditions& conditions);
   void number();
-  /// The contact element that starts where this one ends.
-  std::optional<std::size_t> follower(std::size_t k) const;
 
   const MultiplierBasis* basis_;
   const Conditions* conditions_;
   std::vector<ContactElement> elements_;
-  std::vector<int> next_;     ///< in the mesh, of each contact element
-  std::vector<int> place_;    ///< of each element of the mesh among these, or -1
+  std::vector<std::optional<std::size_t>> followers_;
   std::vector<bool> joined_;  ///< shares its first node with the element before
   Index normals_ = 0;
   Index size_ = 0;

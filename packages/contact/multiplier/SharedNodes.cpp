@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace epafi::contact {
 
@@ -17,22 +18,56 @@ using Combination = std::vector<std::pair<Index, double>>;
 /// of a node; below, the node gets no coefficient for it, see completeEnds.
 constexpr double spent = 1e-2;
 
+/// Directions in which the displacements of nodes are constrained.
+class NodeDirections {
+ public:
+  /// Those constrained by Dirichlet conditions.
+  NodeDirections(const bem::Mesh& mesh, const Conditions& conditions) {
+    for (int e = 0; e < mesh.size(); ++e) {
+      const Vec2 given = conditions.given(mesh.boundary(e));
+      for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
+        take(node, {given.x, 0});
+        take(node, {0, given.y});
+      }
+    }
+  }
+
+  /// Component of `direction` orthogonal to the constrained directions of the node.
+  Vec2 rest(int node, Vec2 direction) const {
+    const auto taken = taken_.find(node);
+    if (taken != taken_.end())
+      for (const Vec2& other : taken->second)
+        direction = direction - dot(direction, other) * other;
+    return direction;
+  }
+
+  /// Constrains rest(node, direction) and returns true, if its norm is at least `spent` for a unit
+  /// vector; else returns false.
+  bool take(int node, Vec2 direction) {
+    const Vec2 left = rest(node, direction);
+    const double length = norm(left);
+    if (length < spent)
+      return false;
+    taken_[node].push_back((1 / length) * left);
+    return true;
+  }
+
+  bool anyAt(int node) const { return taken_.count(node) > 0; }
+
+ private:
+  std::map<int, std::vector<Vec2>> taken_;  // orthonormal
+};
+
 /// A coefficient of an element at one of its ends, in one direction.
 struct EndOf {
-  ContactElement* element;
-  bool tangential;
+  Coefficients* own;
   bool last;
   int node;
   Vec2 direction;
   double weight;  ///< force on the node for a unit coefficient: ∫ χ ds
 
-  EndCoefficient& coefficient() const {
-    return (tangential ? element->tangentialEnds : element->normalEnds)[last ? 1 : 0];
-  }
+  Coefficients::End& coefficient() const { return own->ends[last ? 1 : 0]; }
   bool isOwn() const { return coefficient().isUnknown; }
-  Index number(int i) const {
-    return tangential ? element->tangentialOf(i) : element->normalOf(i);
-  }
 };
 
 Vector legendreAt(int degree, double t) {
@@ -48,26 +83,24 @@ std::vector<EndOf> endsOf(const bem::Mesh& mesh, ContactElement& element) {
   std::vector<EndOf> ends;
   for (const bool last : {false, true}) {
     const int node = last ? geometry.endNode : geometry.startNode;
-    ends.push_back(
-        {&element, false, last, node, geometry.curve.normal(last ? 1 : -1), weight});
-    if (element.tangential >= 0)
+    const double t = last ? 1 : -1;
+    ends.push_back({&element.normal, last, node, geometry.curve.normal(t), weight});
+    if (element.shears())
       ends.push_back(
-          {&element, true, last, node, geometry.curve.tangent(last ? 1 : -1), weight});
+          {&element.tangential, last, node, geometry.curve.tangent(t), weight});
   }
   return ends;
 }
 
 /// Coefficient by endWeights minus that of the neighbour.
 Combination beyondNeighbour(const EndOf& end) {
-  const ContactElement& element = *end.element;
-  const Vector weights =
-      endWeights(element.degree,
-                 end.tangential ? element.tangentialEnds : element.normalEnds, end.last);
+  const Coefficients& own = *end.own;
+  const Vector weights = endWeights(own, end.last);
   Combination result;
-  for (int i = 0; i <= element.degree; ++i)
+  for (int i = 0; i <= own.degree; ++i)
     if (weights[i] != 0)
-      result.emplace_back(end.number(i), weights[i]);
-  result.emplace_back(end.number(end.last ? element.degree : 0), -1);
+      result.emplace_back(own.number(i), weights[i]);
+  result.emplace_back(own.number(end.last ? own.degree : 0), -1);
   return result;
 }
 
@@ -115,38 +148,22 @@ void completeNode(const std::vector<EndOf>& ends) {
 
 }  // namespace
 
-Vec2 NodeDirections::rest(int node, Vec2 direction) const {
-  const auto taken = taken_.find(node);
-  if (taken != taken_.end())
-    for (const Vec2& other : taken->second)
-      direction = direction - dot(direction, other) * other;
-  return direction;
+void chooseEnds(const bem::Mesh& mesh, const Conditions& conditions,
+                const std::vector<bool>& joined, const std::vector<bool>& joinsNext,
+                std::vector<ContactElement>& elements) {
+  NodeDirections nodes(mesh, conditions);
+  for (const bool tangential : {false, true})
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      for (EndOf& end : endsOf(mesh, elements[k]))
+        if (end.own == (tangential ? &elements[k].tangential : &elements[k].normal) &&
+            !(end.last ? joinsNext : joined)[k])
+          end.coefficient().isUnknown = nodes.take(end.node, end.direction);
 }
 
-bool NodeDirections::take(int node, Vec2 direction) {
-  const Vec2 left = rest(node, direction);
-  const double length = norm(left);
-  if (length < spent)
-    return false;
-  taken_[node].push_back((1 / length) * left);
-  return true;
-}
-
-NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& conditions) {
-  NodeDirections nodes;
-  for (int e = 0; e < mesh.size(); ++e) {
-    const Vec2 given = conditions.given(mesh.boundary(e));
-    for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
-      nodes.take(node, {given.x, 0});
-      nodes.take(node, {0, given.y});
-    }
-  }
-  return nodes;
-}
-
-Vector endWeights(int degree, const Ends& ends, bool last) {
+Vector endWeights(const Coefficients& own, bool last) {
+  const int degree = own.degree;
   const Vector places = multiplierBasis("Biorthogonal").places(degree);
-  const bool alone = !ends[0].isUnknown && !ends[1].isUnknown;
+  const bool alone = !own.ends[0].isUnknown && !own.ends[1].isUnknown;
   const double sign = last ? 1 : -1;
   Vector products;  // w_i Q(x_i) up to a common factor
   for (const double x : places) {
@@ -156,16 +173,14 @@ Vector endWeights(int degree, const Ends& ends, bool last) {
   }
   const int end = last ? degree : 0;
   const double product = products[end];
-  for (int i = 0; i <= degree; ++i) {
-    const bool exists = ContactElement::isOwn(ends, degree, i);
-    products[i] = exists ? -products[i] / product : 0;
-  }
+  for (int i = 0; i <= degree; ++i)
+    products[i] = own.isOwn(i) ? -products[i] / product : 0;
   return products;
 }
 
 void completeEnds(const bem::Mesh& mesh, const Conditions& conditions,
                   std::vector<ContactElement>& elements) {
-  const NodeDirections clamped = clampedDirections(mesh, conditions);
+  const NodeDirections clamped(mesh, conditions);
   std::map<int, std::vector<EndOf>> nodes;
   for (ContactElement& element : elements)
     for (const EndOf& end : endsOf(mesh, element)) {

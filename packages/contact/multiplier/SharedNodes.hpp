@@ -2,28 +2,14 @@
 
 #include "contact/multiplier/MultiplierSpace.hpp"
 
-#include <map>
-
 namespace epafi::contact {
 
-/// Directions in which the displacements of nodes are constrained.
-class NodeDirections {
- public:
-  /// Component of `direction` orthogonal to the constrained directions of the node.
-  bem::Vec2 rest(int node, bem::Vec2 direction) const;
-
-  /// Constrains rest(node, direction) and returns true, if its norm is at least 1e-2 for
-  /// a unit vector; else returns false.
-  bool take(int node, bem::Vec2 direction);
-
-  bool anyAt(int node) const { return taken_.count(node) > 0; }
-
- private:
-  std::map<int, std::vector<bem::Vec2>> taken_;  // orthonormal
-};
-
-/// Directions constrained by Dirichlet conditions.
-NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& conditions);
+/// Decides which ends of elements have a coefficient of their own: those whose node has a direction
+/// for it that neither clamps nor other coefficients take, normals first.
+/// \param joined  shares its first node with the element before  \param joinsNext  its last one
+void chooseEnds(const bem::Mesh& mesh, const Conditions& conditions,
+                const std::vector<bool>& joined, const std::vector<bool>& joinsNext,
+                std::vector<MultiplierSpace::ContactElement>& elements);
 
 /// Weights a of the end's coefficient, c_end = Σ_i a_i c_i for every polynomial of degree
 /// p - 1 in the dual basis, so that an element without it has degree p - 1.  i:
@@ -35,7 +21,7 @@ NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& condit
 /// exists, Q = P_p - P_{p-1} for the first and P_p + P_{p-1} for the last, which vanish
 /// at the other end: degree p - 2.  a_i = 0 for coefficients that do not exist.
 /// \pre p >= 2, or one end exists
-Vector endWeights(int degree, const Ends& ends, bool last);
+Vector endWeights(const Coefficients& own, bool last);
 
 /// Sets the completions of numbered elements: an end without a coefficient gets that of
 /// endWeights().

@@ -2,8 +2,6 @@
 
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/IterativeRefinement.hpp"
-#include "contact/newton/KeptFactor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +15,6 @@ namespace {
 constexpr double heldThreshold = 1e-9;
 // Down to this fraction the motions are left as they are; else they are combined to equal values.
 constexpr double wellHeld = 1e-3;
-// Largest relative change by the last refinement with a kept factor; the next change
-// would be of the order of its square.
-constexpr double enoughOfKept = 1e-7;
-// Largest ratio of successive changes with a kept factor.
-constexpr double progressOfKept = 1e-3;
 
 /// diag(factors) M
 Matrix withScaledRows(const Matrix& m, const Vector& factors) {
@@ -45,7 +38,7 @@ Split splitBy(Matrix a) {
   const Index rank = bem::rank(svd, heldThreshold * largest);
   const Matrix v = bem::transposed(svd.vt);
   Split split{Matrix(k, k), bem::columnsBetween(v, rank, k)};
-  // well held: the unit vectors, which do not depend on the rows, as KeptFactor needs
+  // well held: the unit vectors
   if (rank == k && (k == 0 || svd.s.back() > wellHeld * largest)) {
     for (Index j = 0; j < k; ++j)
       split.held(j, j) = 1;
@@ -60,19 +53,13 @@ Split splitBy(Matrix a) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Equation& equation, const Evaluation& at,
-                           FactorMemory* memory)
+NewtonSystem::NewtonSystem(const Equation& equation, const Evaluation& at)
     : equation_(equation), rows_(at), problem_(equation.problem()) {
   for (Index i = 0; i < problem_.size(); ++i)
     if (!isKnown(i))
       inactive_.push_back(i);
   splitMotions();
-  const Flexibility& flexibility = problem_.flexibility;
-  Flexibility::Operator::System system = reduced();
-  isKept_ = memory != nullptr && flexibility.isFormed() && loose_.columns() == 0 &&
-            system.added.size() == rows_.slopes.size();
-  factor_ = isKept_ ? KeptFactor::make(flexibility, system, *memory)
-                    : flexibility.factor(std::move(system));
+  factor_ = problem_.flexibility.factor(reduced());
 }
 
 std::pair<Index, double> NewtonSystem::followed(Index i) const {
@@ -165,31 +152,11 @@ Vector NewtonSystem::byFactor(const Vector& b) const {
   return d;
 }
 
-double NewtonSystem::refine(const Vector& b, Vector& d) const {
-  Vector defect = equation_.jacobianTimes(rows_, d);
-  for (std::size_t i = 0; i < b.size(); ++i)
-    defect[i] = b[i] - defect[i];
-  const Vector correction = byFactor(defect);
-  bem::axpy(1, correction, d);
-  return largestEntry(correction);
-}
-
 Vector NewtonSystem::solve(const Vector& b) const {
   Vector d = byFactor(b);
-  double last = largestEntry(d);
-  for (bool converges = isKept_; converges;) {
-    const double change = refine(b, d);
-    if (change <= enoughOfKept * largestEntry(d))
-      return d;
-    converges = change <= progressOfKept * last;
-    last = change;
-  }
-  if (isKept_) {
-    factor_ = problem_.flexibility.factor(reduced());
-    isKept_ = false;
-    d = byFactor(b);
-  }
-  refine(b, d);
+  Vector defect = b;
+  bem::axpy(-1, equation_.jacobianTimes(rows_, d), defect);
+  bem::axpy(1, byFactor(defect), d);
   return d;
 }
 

@@ -8,8 +8,6 @@
 
 namespace epafi::contact {
 
-class FactorMemory;
-
 /// Factored linear system of one semismooth Newton step, J d = b, after elimination of the
 /// coefficients that their own rows determine (open, slipping):
 ///
@@ -24,10 +22,8 @@ class FactorMemory;
 class NewtonSystem {
  public:
   /// All arguments must outlive this.
-  /// \param memory factor of earlier systems, used if refinement converges; null: none
   /// \throws SingularJacobian if the Jacobian is singular
-  NewtonSystem(const Equation& equation, const Evaluation& at,
-               FactorMemory* memory = nullptr);
+  NewtonSystem(const Equation& equation, const Evaluation& at);
 
   /// J⁻¹ b, refined.  \throws SingularJacobian
   Vector solve(const Vector& b) const;
@@ -52,8 +48,6 @@ class NewtonSystem {
   Vector balance(const Vector& b) const;
   /// (d, α) of J d = b, not refined.
   Vector byFactor(const Vector& b) const;
-  /// One step of iterative refinement of d; returns the largest change.
-  double refine(const Vector& b, Vector& d) const;
 
   const Equation& equation_;
   const Evaluation& rows_;
@@ -63,9 +57,7 @@ class NewtonSystem {
   Matrix held_;       ///< combinations of scaled motions that rows or springs constrain
   Matrix loose_;      ///< orthonormal ones that they do not
   Matrix unpressed_;  ///< ... that the rows do not; empty without springs
-  /// From the memory if isKept_, until refinement with it fails.
-  mutable std::unique_ptr<const Flexibility::Operator::Factor> factor_;
-  mutable bool isKept_ = false;
+  std::unique_ptr<const Flexibility::Operator::Factor> factor_;
 };
 
 }  // namespace epafi::contact

@@ -1,5 +1,6 @@
 #include "contact/newton/RigidPlacement.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/NewtonSystem.hpp"
@@ -127,14 +128,11 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
 
 }  // namespace
 
-Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
-                   FactorMemory* memory) {
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion) {
   if (equation.problem().boundDependsOnPressure()) {
     const Evaluation sticking = bonded(equation.problem(), e);
-    const NewtonSystem system(equation, sticking, memory);
-    Vector right = sticking.residual;
-    for (double& value : right)
-      value = -value;
+    const NewtonSystem system(equation, sticking);
+    const Vector right = bem::times(-1, sticking.residual);
     if (system.unheld(right).empty()) {
       Vector step = system.solve(right);
       if (!overshoots(equation, e, step))

@@ -1,8 +1,11 @@
 #include "contact/nox/ContactJacobian.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/RigidPlacement.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+#include <Thyra_DetachedSpmdVectorView.hpp>
 #include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_MultiVectorBase.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
@@ -11,19 +14,42 @@
 
 namespace epafi::contact {
 
-namespace {
+using bem::times;
 
-Vector times(double factor, Vector x) {
-  for (double& value : x)
-    value *= factor;
-  return x;
+Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x) {
+  const auto comm = space.getComm();
+  const bool whole =
+      comm.is_null() || comm->getSize() == 1 || space.isLocallyReplicated();
+  const std::size_t begin = whole ? 0 : space.localOffset();
+  Vector mine(space.dim(), 0.0);
+  {
+    const Thyra::ConstDetachedSpmdVectorView<double> view(Teuchos::rcpFromRef(x));
+    for (Teuchos::Ordinal i = 0; i < view.subDim(); ++i)
+      mine[begin + static_cast<std::size_t>(i)] = view[i];
+  }
+  if (whole)
+    return mine;
+  // One process contributes each entry, the others zero: exact, and equal on all.
+  Vector all(mine.size());
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM,
+                     static_cast<Teuchos::Ordinal>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
-}  // namespace
+void scatter(const SpmdSpace& space, const Vector& values, double scale, double shift,
+             Thyra::VectorBase<double>& x) {
+  const auto begin =
+      static_cast<std::size_t>(space.isLocallyReplicated() ? 0 : space.localOffset());
+  const Thyra::DetachedSpmdVectorView<double> view(Teuchos::rcpFromRef(x));
+  for (Teuchos::Ordinal i = 0; i < view.subDim(); ++i) {
+    const double value = scale * values[begin + static_cast<std::size_t>(i)];
+    view[i] = shift == 0 ? value : value + shift * view[i];
+  }
+}
 
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
-    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_, memory_);
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_);
   return *system_;
 }
 
@@ -66,7 +92,7 @@ Vector ContactJacobian::solved(const Vector& b) const {
     throw NoBalance(
         "neither contact nor friction holds a rigid motion that the right-hand side "
         "demands: begin nearer to the solution");
-  return times(-scale_, placingStep(at().equation(), e, motion, at().memory()));
+  return times(-scale_, placingStep(at().equation(), e, motion));
 }
 
 Thyra::SolveStatus<double> ContactJacobian::solveImpl(

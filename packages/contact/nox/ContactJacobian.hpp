@@ -1,27 +1,35 @@
 #pragma once
 
 #include "contact/newton/NewtonSystem.hpp"
-#include "contact/nox/SpmdVectors.hpp"
 
+#include <Teuchos_ParameterListAcceptorDefaultBase.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
+#include <Thyra_SpmdVectorSpaceBase.hpp>
+#include <Thyra_VectorBase.hpp>
 
 #include <memory>
 
 namespace epafi::contact {
 
+/// A vector space in which each process has a contiguous piece (of Tpetra or of Thyra).
+using SpmdSpace = Thyra::SpmdVectorSpaceBase<double>;
+
+/// All entries, on every process.  Collective.
+Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x);
+
+/// x = scale values + shift x, each process its own piece; with shift = 0, x may be NaN.
+void scatter(const SpmdSpace& space, const Vector& values, double scale, double shift,
+             Thyra::VectorBase<double>& x);
+
 /// The contact equation at one point, with the system of its generalised Jacobian.
 class Linearisation {
  public:
-  Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation,
-                FactorMemory* memory)
-      : equation_(std::move(equation)),
-        evaluation_(std::move(evaluation)),
-        memory_(memory) {}
+  Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation)
+      : equation_(std::move(equation)), evaluation_(std::move(evaluation)) {}
 
   const Equation& equation() const { return *equation_; }
   const Evaluation& evaluation() const { return evaluation_; }
-  FactorMemory* memory() const { return memory_; }  ///< see NewtonSystem
 
   /// Factored on the first call.
   /// \throws SingularJacobian
@@ -30,7 +38,6 @@ class Linearisation {
  private:
   std::shared_ptr<const Equation> equation_;
   Evaluation evaluation_;
-  FactorMemory* memory_;
   mutable std::unique_ptr<NewtonSystem> system_;
 };
 
@@ -93,7 +100,9 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
 };
 
 /// Factory of ContactJacobian, which has no parameters.
-class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
+class ContactJacobianFactory final
+    : public Thyra::LinearOpWithSolveFactoryBase<double>,
+      virtual public Teuchos::ParameterListAcceptorDefaultBase {
  public:
   ContactJacobianFactory(Teuchos::RCP<const SpmdSpace> space, double scale,
                          SolveFailure failure)
@@ -113,20 +122,13 @@ class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<
                       Thyra::ESupportSolveUse*) const override {}
 
   void setParameterList(const Teuchos::RCP<Teuchos::ParameterList>& list) override {
-    list_ = list;
-  }
-  Teuchos::RCP<Teuchos::ParameterList> getNonconstParameterList() override {
-    return list_;
-  }
-  Teuchos::RCP<Teuchos::ParameterList> unsetParameterList() override {
-    return std::exchange(list_, Teuchos::null);
+    setMyParamList(list);
   }
 
  private:
   Teuchos::RCP<const SpmdSpace> space_;
   double scale_;
   SolveFailure failure_;
-  Teuchos::RCP<Teuchos::ParameterList> list_;
 };
 
 }  // namespace epafi::contact

@@ -58,14 +58,12 @@ ContactModel::ContactModel(ProblemFamily family, const Options& options)
       stress_(family_->original().stress),
       space_(spaceOf(family_->original(), options)),
       parameterSpace_(
-          Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)),
-      memory_(options.memory) {}
+          Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}
 
-ContactModel::ContactModel(const Equation& equation, FactorMemory* memory)
+ContactModel::ContactModel(const Equation& equation)
     : stress_(1),
       space_(spaceOf(equation.problem(), {})),
-      single_(std::shared_ptr<const void>(), &equation),
-      memory_(memory) {}
+      single_(std::shared_ptr<const void>(), &equation) {}
 
 RCP<Thyra::VectorBase<double>> ContactModel::vector(const Vector& unknowns) const {
   const RCP<Thyra::VectorBase<double>> x = Thyra::createMember(*get_x_space());
@@ -93,8 +91,8 @@ std::shared_ptr<const Linearisation> ContactModel::at(const Thyra::VectorBase<do
         known->evaluation().unknowns == unknowns)
       return known;
   points_[1] = std::move(points_[0]);
-  points_[0] = std::make_shared<const Linearisation>(
-      equation, equation->at(std::move(unknowns)), memory_);
+  points_[0] =
+      std::make_shared<const Linearisation>(equation, equation->at(std::move(unknowns)));
   return points_[0];
 }
 

@@ -39,9 +39,6 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
     /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
     /// process, no MPI.  The equation is replicated, and evaluating it is collective.
     Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space;
-    /// Factor of an earlier solve, see NewtonSystem; a step of a path reuses it.  Null:
-    /// each Jacobian is factored anew.  Must outlive the model.
-    FactorMemory* memory = nullptr;
   };
 
   /// Number of unknowns of a problem: λ and α.
@@ -58,8 +55,8 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   ContactModel(ProblemFamily family, const Options& options);
 
   /// A single equation: x = (λ, α), f = F, without parameters, on one process.  Solves
-  /// with W throw SingularJacobian and NoBalance.  Both arguments must outlive the model.
-  explicit ContactModel(const Equation& equation, FactorMemory* memory = nullptr);
+  /// with W throw SingularJacobian and NoBalance.  The equation must outlive the model.
+  explicit ContactModel(const Equation& equation);
 
   /// The linearisation at x; those of the latest two points are cached.  Collective.
   std::shared_ptr<const Linearisation> at(const Thyra::VectorBase<double>& x,
@@ -112,7 +109,6 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   Teuchos::RCP<const SpmdSpace> space_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> parameterSpace_;
   std::shared_ptr<const Equation> single_;
-  FactorMemory* memory_;
   mutable std::shared_ptr<const Member> latest_;  // parameters change seldom
   mutable std::array<std::shared_ptr<const Linearisation>, 2> points_;
 };

@@ -3,17 +3,19 @@
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/nox/Merit.hpp"
 #include "contact/nox/StatusTests.hpp"
 
+#include <NOX_MeritFunction_Generic.H>
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_StatusTest_Combo.H>
 #include <NOX_StatusTest_MaxIters.H>
 #include <NOX_Thyra_Group.H>
+#include <NOX_Thyra_Vector.H>
 #include <Teuchos_ParameterList.hpp>
 
 #include <sstream>
+#include <stdexcept>
 
 namespace epafi::contact {
 
@@ -22,6 +24,46 @@ namespace {
 using Teuchos::ParameterList;
 using Teuchos::RCP;
 using Teuchos::rcp;
+
+/// Ψ = ½ |F|² with the Fischer-Burmeister function, see merit(), for NOX's line searches.
+///
+/// Ψ is continuously differentiable where the slip bound is; ½ |F|² of Equation is not.
+///                                                       [De Luca, Facchinei, Kanzow 1996]
+class Merit final : public NOX::MeritFunction::Generic {
+ public:
+  explicit Merit(RCP<const ContactModel> model) : model_(std::move(model)) {}
+
+  double computef(const NOX::Abstract::Group& group) const override {
+    const auto point = model_->at(group);
+    return merit(point->equation(), point->evaluation());
+  }
+  void computeGradient(const NOX::Abstract::Group& group,
+                       NOX::Abstract::Vector& result) const override {
+    const auto point = model_->at(group);
+    auto& vector = dynamic_cast<NOX::Thyra::Vector&>(result).getThyraVector();
+    scatter(dynamic_cast<const SpmdSpace&>(*vector.space()),
+            meritGradient(point->equation(), point->evaluation()), 1, 0, vector);
+  }
+  double computeSlope(const NOX::Abstract::Vector& direction,
+                      const NOX::Abstract::Group& group) const override {
+    const auto gradient = direction.clone(NOX::ShapeCopy);
+    computeGradient(group, *gradient);
+    return gradient->innerProduct(direction);
+  }
+  double computeQuadraticModel(const NOX::Abstract::Vector&,
+                               const NOX::Abstract::Group&) const override {
+    throw std::logic_error("only trust regions use a quadratic model");
+  }
+  void computeQuadraticMinimizer(const NOX::Abstract::Group&,
+                                 NOX::Abstract::Vector&) const override {
+    throw std::logic_error("only trust regions use a quadratic model");
+  }
+  const std::string& name() const override { return name_; }
+
+ private:
+  RCP<const ContactModel> model_;
+  std::string name_ = "half the squared Fischer-Burmeister residual";
+};
 
 // The first key of the user that NOX did not read, as A->B->Key.
 std::string firstUnused(const ParameterList& user, const ParameterList& run,
@@ -127,7 +169,7 @@ bem::SchemaRow noxRow() {
 NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
                          int maximumIterations) const {
   const auto log = rcp(new std::ostringstream);
-  const auto model = rcp(new ContactModel(equation, memory_));
+  const auto model = rcp(new ContactModel(equation));
   const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));

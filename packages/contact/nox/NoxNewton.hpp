@@ -11,8 +11,6 @@ class ParameterList;
 
 namespace epafi::contact {
 
-class FactorMemory;
-
 /// Schema row of the list for NOX.
 bem::SchemaRow noxRow();
 
@@ -21,10 +19,8 @@ class NoxNewton final : public Newton {
  public:
   /// \param list Direction, Line Search and Printing for every run; not modified; null: full steps,
   /// no output
-  /// \param memory factor shared by all runs, see NewtonSystem; must outlive this
-  explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr,
-                     FactorMemory* memory = nullptr)
-      : list_(std::move(list)), memory_(memory) {}
+  explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr)
+      : list_(std::move(list)) {}
 
   /// \throws bem::InputError for what NOX refuses in the list, or does not use of it; the
   ///   path begins with the list's name.
@@ -33,7 +29,6 @@ class NoxNewton final : public Newton {
 
  private:
   std::shared_ptr<const Teuchos::ParameterList> list_;
-  FactorMemory* memory_;
 };
 
 }  // namespace epafi::contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/opposite/ContactSide.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 namespace epafi::contact {
 
@@ -8,7 +8,17 @@ namespace epafi::contact {
 /// bodies, then all other coefficients, each by bodies.
 class Numbering {
  public:
-  explicit Numbering(const std::vector<ContactSide>& bodies);
+  explicit Numbering(const std::vector<ContactSide>& bodies) {
+    for (const ContactSide& body : bodies)
+      normals_ += body.multiplier.normals();
+    Index normal = 0;
+    size_ = normals_;
+    for (const auto& [space, multiplier, opposite] : bodies) {
+      starts_.push_back({multiplier.normals(), multiplier.size(), normal, size_});
+      normal += multiplier.normals();
+      size_ += multiplier.size() - multiplier.normals();
+    }
+  }
 
   Index size() const { return size_; }
   Index normals() const { return normals_; }

@@ -107,7 +107,7 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       },
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
-    if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
+    if (contact.tangential.isOwn(i))
       tangential(contact.tangentialOf(i)) = std::move(tangentials[i]);
 }
 
@@ -133,20 +133,20 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
             std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
         Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
         for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.holdsNothing(contact.normalEnds, i))
+          if (!contact.normal.holdsNothing(i))
             numbers[contact.normalOf(i)] += point.weight * gap * point.chi[i];
         const bem::Function& sliding = contact.condition->sliding;
-        if (!sliding || contact.tangential < 0)
+        if (!sliding || !contact.shears())
           return;
         const double m =
             sliding(mesh.physicalPoint(contact.element, point.t)) / units.length;
         obstacle.largestSliding = std::max(obstacle.largestSliding, std::abs(m));
         for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.holdsNothing(contact.tangentialEnds, i))
+          if (!contact.tangential.holdsNothing(i))
             obstacle.jump[contact.tangentialOf(i)] += point.weight * m * point.chi[i];
       });
   for (const ContactElement& contact : multiplier.elements()) {
-    if (contact.tangential >= 0)
+    if (contact.shears())
       setFriction(mesh, multiplier, contact, units, obstacle);
     checkSurface(contact, multiplier.basis());
   }

@@ -131,4 +131,11 @@ struct Motions {
 /// Displacement of the opposite point, dimensionless; zero if `motions` is null.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
 
+/// What contact knows of an elastic body without its operators.
+struct ContactSide {
+  const bem::Space& space;
+  const MultiplierSpace& multiplier;
+  const Opposite& opposite;
+};
+
 }  // namespace epafi::contact

@@ -24,9 +24,9 @@ struct SidePoint {
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
     for (int i = 0; i <= contact.degree; ++i) {
-      if (!contact.holdsNothing(contact.normalEnds, i))
+      if (!contact.normal.holdsNothing(i))
         visit(contact.normalOf(i), chi[at(i)], normal);
-      if (contact.tangential >= 0 && !contact.holdsNothing(contact.tangentialEnds, i))
+      if (contact.shears() && !contact.tangential.holdsNothing(i))
         visit(contact.tangentialOf(i), chi[at(i)], tangent);
     }
   }

@@ -31,26 +31,15 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
   return result;
 }
 
-bool completesEnds(const MultiplierSpace& multiplier) {
-  const auto completed = [](const Ends& ends) {
-    return std::any_of(ends.begin(), ends.end(), [](const EndCoefficient& end) {
-      return end.clamped || !end.added.empty();
-    });
-  };
-  return std::any_of(
-      multiplier.elements().begin(), multiplier.elements().end(),
-      [&](const auto& element) {
-        return !element.condition->name.empty() &&
-               (completed(element.normalEnds) || completed(element.tangentialEnds));
-      });
-}
-
 void checkEnds(const MultiplierSpace& multiplier) {
-  if (completesEnds(multiplier))
-    throw bem::InputError(
-        "the multiplier '", multiplier.basis().name,
-        "' cannot end at a clamp or at another contact side where it stands "
-        "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
+  for (const ContactElement& element : multiplier.elements())
+    for (const Coefficients* own : {&element.normal, &element.tangential})
+      for (const Coefficients::End& end : own->ends)
+        if (!element.condition->name.empty() && (end.clamped || !end.added.empty()))
+          throw bem::InputError(
+              "the multiplier '", multiplier.basis().name,
+              "' cannot end at a clamp or at another contact side where it stands "
+              "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
 }
 
 /// Adds to `coupling` that of the multiplier of body a with the displacements of body b.
@@ -119,9 +108,7 @@ Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector&
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved) {
   constexpr double rounding = 1e-13;
-  double size = 0;
-  for (const double u : motion)
-    size = std::max(size, std::abs(u));
+  const double size = bem::largestEntry(motion);
   for (std::size_t i = 0; i < moved.size(); ++i)
     if (std::abs(moved[i]) <= rounding * size * std::hypot(alongX[i], alongY[i]))
       moved[i] = 0;

@@ -26,8 +26,8 @@ double trapezoid(const Vector& a, const Vector& aBefore, const Vector& b,
 /// visit(i, number among the tangential coefficients) of each that is the element's own.
 template <class Visit>
 void forEachTangential(const Element& element, Index normals, const Visit& visit) {
-  for (int i = 0; i <= element.degree && element.tangential >= 0; ++i)
-    if (Element::isOwn(element.tangentialEnds, element.degree, i))
+  for (int i = 0; i <= element.degree && element.shears(); ++i)
+    if (element.tangential.isOwn(i))
       visit(i, at(element.tangentialOf(i) - normals));
 }
 
@@ -85,16 +85,15 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       friction_(slip_.size(), 0.0),
       multiplier_(atZero.numbers().size(), 0.0),
       bounds_(atZero.numbers().slipBounds(multiplier_)),
-      gap_(atZero.gap()),
-      jump_(multiplier_.size(), 0.0) {
+      given_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
     size += atZero.body(b).loads().load.size() + (fixWorks(atZero, b) ? 3 : 0);
   motions_.assign(size, 0.0);
   forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on
-  for (double& gap : gap_)
-    gap = std::max(gap, 0.0);
+  for (std::size_t i = 0; i < atZero.gap().size(); ++i)
+    given_[i] = -std::max(atZero.gap()[i], 0.0);
 }
 
 void PathMemory::add(const ContactSystem& step, const Configuration& at) {
@@ -113,17 +112,13 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   Vector forces = forcesFromOutside(step, at);
   Vector motions = motionsOf(step, at);
   outside_ +=
-      trapezoid(forces, forces_, motions, motions_, motions.size()) -
-      trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
-      trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
+      trapezoid(forces, forces_, motions, motions_, motions.size()) +
+      trapezoid(at.state.multiplier, multiplier_, step.given(), given_, given_.size());
   wear_ = step.wear().behind(at.bodies);
   Vector worn = step.wear().tested(wear_);
   worn_.resize(worn.size());
   ofWear_ += trapezoid(at.state.multiplier, multiplier_, worn, worn_, normals);
   worn_ = std::move(worn);
-  ofInside_.resize(step.ofInside().size());
-  outside_ += trapezoid(at.state.multiplier, multiplier_, step.ofInside(), ofInside_,
-                        ofInside_.size());
   slip_ = step.slipSoFar(at);
   defect_ = step.defect(at);
   // what rounding leaves of r where contact is closed: under the same load, Newton's method would
@@ -137,9 +132,7 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   bounds_ = std::move(bounds);
   motions_ = std::move(motions);
   forces_ = std::move(forces);
-  gap_ = step.gap();
-  jump_ = step.jump();
-  ofInside_ = step.ofInside();
+  given_ = step.given();
 }
 
 double PathMemory::friction() const {

@@ -81,9 +81,7 @@ class PathMemory {
   Vector
       motions_;  ///< displacements of all bodies and motions of those that do not deform
   Vector forces_;  ///< f + R, and driving forces of rigid bodies
-  Vector gap_;
-  Vector jump_;  ///< of bonded sides, and given sliding
-  Vector ofInside_;
+  Vector given_;   ///< see ContactSystem::given
 };
 
 /// Friction work of each contact of a body, by name (see nameOf), from the body's part of

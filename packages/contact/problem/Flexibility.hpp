@@ -69,7 +69,7 @@ class Flexibility {
 
   /// A matrix of size zero.
   Flexibility() : Flexibility(Matrix()) {}
-  /// A dense matrix, which factors systems by Cholesky, with followers or springs by LU.
+  /// A dense matrix, which factors systems by Cholesky, leaders of followers and motions by LU.
   Flexibility(Matrix entries);  // NOLINT(google-explicit-constructor): the usual form
   explicit Flexibility(std::shared_ptr<const Operator> form);
 

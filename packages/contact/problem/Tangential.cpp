@@ -1,34 +1,8 @@
 #include "contact/problem/Tangential.hpp"
 
-#include "contact/multiplier/BoundCoefficients.hpp"
-
-#include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace epafi::contact {
-
-namespace {
-
-double positive(const Vector& v, Index i) {
-  return std::max(v[static_cast<std::size_t>(i)], 0.0);
-}
-
-}  // namespace
-
-double Tangential::bound(const Vector& pressures) const {
-  return isTied() ? std::numeric_limits<double>::infinity()
-                  : factor_ * law_.bound(positive(pressures, normal_));
-}
-
-double Tangential::slope(const Vector& pressures) const {
-  return isTied() ? 0 : factor_ * law_.slope(positive(pressures, normal_));
-}
-
-bool Tangential::carries() const { return isTied() || factor_ * law_.bound(1) > 0; }
-
-double Tangential::boundWithoutPressure() const {
-  return isTied() ? std::numeric_limits<double>::infinity() : factor_ * law_.bound(0);
-}
 
 Tangential Tangential::shifted(Index normals) const {
   Tangential result = *this;
@@ -39,7 +13,8 @@ Tangential Tangential::shifted(Index normals) const {
 
 Tangential Tangential::scaled(double factor) const {
   Tangential result = *this;
-  result.factor_ *= factor;
+  if (!isTied())
+    result.scale(factor);
   return result;
 }
 

@@ -18,46 +18,45 @@ struct StepBound {
   double slope = 0;
 };
 
-/// Friction law of a tangential coefficient:  |λ_t| <= m s(λ_n⁺), s with the fields at its
-/// place, λ_n the normal coefficient there, m a factor.           [doc/theory/multipliers.md]
-class Tangential {
+/// Friction law of a tangential coefficient:  |λ_t| <= s(λ_n⁺), s with the fields at its place, λ_n
+/// the normal coefficient there.                                [doc/theory/multipliers.md]
+class Tangential : public PointLaw {
  public:
   Tangential() = default;
   /// \param normal the normal coefficient at the same place
-  Tangential(Index normal, PointLaw law) : normal_(normal), law_(std::move(law)) {}
+  Tangential(Index normal, PointLaw law) : PointLaw(std::move(law)), normal_(normal) {}
 
   /// A component of a bonded contact: s = ∞.
-  static Tangential tied() { return {none, {}}; }
+  static Tangential tied() {
+    return {none, PointLaw(std::numeric_limits<double>::infinity())};
+  }
   bool isTied() const { return normal_ == none; }
 
   /// \pre not tied.
   Index normal() const { return normal_; }
 
-  /// m s >= 0; `pressures`: all normal coefficients, further entries are not used.
-  double bound(const Vector& pressures) const;
+  using PointLaw::bound;
+  using PointLaw::slope;
+  /// s >= 0 and ds/dλ_n; `pressures`: all normal coefficients, further entries are not used.
+  double bound(const Vector& pressures) const { return bound(pressureIn(pressures)); }
+  double slope(const Vector& pressures) const { return slope(pressureIn(pressures)); }
 
-  /// m ds/dλ_n; at a kink one of the one-sided derivatives.
-  double slope(const Vector& pressures) const;
-
-  bool followsPressure() const { return law_.followsPressure(); }
   /// Is there a pressure at which s > 0?
-  bool carries() const;
-  /// m s(λ_n) <= m s(0) + steepest() λ_n, see PointLaw.
-  double steepest() const { return factor_ * law_.steepest(); }
-  /// m s(0).
-  double boundWithoutPressure() const;
+  bool carries() const { return bound(1.0) > 0; }
 
   /// With the number of its normal coefficient increased by `normals`.
   Tangential shifted(Index normals) const;
 
-  /// With m multiplied by factor >= 0.
+  /// With s multiplied by factor >= 0; a bond stays one.
   Tangential scaled(double factor) const;
 
  private:
   static constexpr Index none = std::numeric_limits<Index>::min();
+  double pressureIn(const Vector& pressures) const {
+    return isTied() ? 0 : pressures[bem::at(normal_)];
+  }
+
   Index normal_ = 0;
-  PointLaw law_;
-  double factor_ = 1;  // m
 };
 
 /// The tangential coefficients of one element under a law.

@@ -71,14 +71,14 @@ double ContactFields::closing(const Element& element, double t) const {
 }
 
 double ContactFields::slipping(const Element& element, double shear, double bound) const {
-  if (element.tangential < 0 || element.ties() || bound <= tolerance_)
+  if (!element.shears() || element.ties() || bound <= tolerance_)
     return -tolerance_;
   return std::abs(shear) - bound + tolerance_;
 }
 
 double ContactFields::slipping(const Element& element, double t) const {
   const double bound = multiplierSpace().at(bounds_, element, t).tangential;
-  if (bound == 0 && element.tangential >= 0 && !element.ties())
+  if (bound == 0 && element.shears() && !element.ties())
     return closing(element, t);  // a bound of zero is reached wherever sides touch
   return slipping(element, multiplierSpace().at(multiplier_, element, t).tangential,
                   bound);
@@ -122,7 +122,7 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
         units_.length * space.throughPoints(solved_.wear->distance, element, t);
   }
   point.closed = closing(element, stress) > 0;
-  if (element.tangential >= 0) {
+  if (element.shears()) {
     point.bound = units_.stress *
                   condition.friction.at(point.place, units_.stress).bound(stress.normal);
     const double bound = space.at(bounds_, element, t).tangential;

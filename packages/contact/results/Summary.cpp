@@ -79,7 +79,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                  },
                  {0, 1, &solved.problem.opposite()});
   summary.contactLength += length * side.half * closedPart(fields, element);
-  if (element.tangential >= 0)
+  if (element.shears())
     summary.slipLength +=
         length * side.half *
         positivePart([&](double t) { return fields.slipping(element, t); }, p);

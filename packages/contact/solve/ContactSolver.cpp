@@ -14,6 +14,12 @@ namespace epafi::contact {
 using bem::Kind;
 using bem::Row;
 
+Solution NonlinearSolver::solve(const Problem& problem, const State& start) const {
+  problem.check();
+  requireEquilibrium(problem);
+  return solveSound(problem, start);
+}
+
 void ContactSolverOptions::keys(bem::Keys& keys) {
   keys.add(&tolerance, "Tolerance", "1", {0, 1, true, true},
            "residual, relative to the load");

@@ -1,12 +1,103 @@
 #include "contact/solve/CoulombIteration.hpp"
 
-#include "contact/solve/CoulombFixedPoint.hpp"
-
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
 namespace {
+
+/// Fixed point iteration: each update of the slip bound solves a Tresca problem; updates are
+/// damped if the change of the bound does not decrease.
+class CoulombFixedPoint final : public CoulombSolver {
+ public:
+  using CoulombSolver::CoulombSolver;
+
+ private:
+  Solution solveSound(const Problem& problem, const State& start) const override;
+  Solution updates(const Problem& problem, const State& start) const;
+  Solution firstBound(const Problem& problem, const State& start) const;
+  Solution update(const Problem& problem, Solution before) const;
+};
+
+constexpr double smallestDamping = 1.0 / 64;
+
+double largestDifference(const Vector& a, const Vector& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i])  // both are infinite where sides are bonded
+      largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+// A bound to begin with: that of the start or, where it is zero and friction may have to
+// hold the body, that after a few steps of the coupled problem.
+Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& start) const {
+  constexpr int steps = 5;
+  const Vector bounds = problem.slipBounds(start.multiplier);
+  const bool slippery = std::all_of(bounds.begin(), bounds.end(), [](double s) {
+    return s <= 0 || !std::isfinite(s);  // infinite where sides are bonded
+  });
+  if (problem.rigidMotions() == 0 || !slippery)
+    return {start, {}};
+  const NewtonRun run = solver_.newton().run(
+      Equation(problem, Equation::Bound::Lagged, solver_.options().tolerance),
+      pack(problem, start), steps);
+  return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
+}
+
+// One update of the bound: Tresca's problem, its report added to what came before.
+Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const {
+  Report& report = before.report;
+  report.coulombIterations += 1;
+  try {
+    Solution next = solver_.solveSound(tresca, before.state);
+    next.report = joined(std::move(next.report), report);
+    return next;
+  } catch (const bem::NumericalError& error) {
+    // With this bound there is no equilibrium; with the right one there may be.
+    report.status = Status::NotConverged;
+    report.failure = error.what();
+    report.stages.push_back({Stage::FullSteps, 0, 0, End::NoBalance});
+    return before;
+  }
+}
+
+Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
+  const double tolerance = std::max(solver_.options().tolerance, options_.tolerance);
+  const Equation coulomb(problem, Equation::Bound::Lagged, tolerance);
+  Solution solution = firstBound(problem, start);
+  Vector bounds = problem.slipBounds(solution.state.multiplier);
+  double damping = 1;
+  double change = 0;
+  for (int k = 1; k <= options_.maximumIterations; ++k) {
+    solution = update(withSlipBounds(problem, bounds), std::move(solution));
+
+    const Evaluation e = coulomb.at(pack(problem, solution.state));
+    const double previous =
+        std::exchange(change, largestDifference(e.bounds, bounds) / problem.stress);
+    Report& result = solution.report;
+    result.residual = e.scaled;
+    result.tolerance = e.tolerance;
+    if (!result.converged() || (e.converged && change <= e.tolerance))
+      return solution;
+    if (k > 2 && change > 0.95 * previous)
+      damping = std::max(0.5 * damping, smallestDamping);
+    for (std::size_t t = 0; t < bounds.size(); ++t)
+      if (e.bounds[t] != bounds[t])
+        bounds[t] += damping * (e.bounds[t] - bounds[t]);
+  }
+  solution.report.status = Status::NotConverged;
+  solution.report.stages.push_back({Stage::FixedPoint, 0, change, End::Unsettled});
+  return solution;
+}
+
+Solution CoulombFixedPoint::solveSound(const Problem& problem, const State& start) const {
+  Solution solution = updates(problem, unpack(problem, pack(problem, start)));
+  solution.report = asOne(std::move(solution.report), Stage::FixedPoint);
+  return solution;
+}
 
 /// Newton's method on the coupled problem, the derivative of the slip bound included.
 class CoulombNewton final : public CoulombSolver {

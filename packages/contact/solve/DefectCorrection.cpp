@@ -1,7 +1,6 @@
 #include "contact/solve/DefectCorrection.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 
@@ -21,61 +20,46 @@ constexpr double consistent = 1e-8;
 constexpr double progress = 0.1;
 constexpr int mostSteps = 20;
 
-class DefectCorrection {
- public:
-  DefectCorrection(const ContactSystem& system, const bem::Processes& processes)
-      : system_(system),
-        processes_(processes),
-        lengths_(system.lengths()),
-        equation_(system.numbers(), Equation::Bound::Differentiated, 0) {}
-
-  /// A configuration with its defect, and the conditions there.
-  struct Point {
-    Configuration at;
-    Evaluation evaluation;
-    bool isSolution = false;
-  };
-
-  Point point(State state) const {
-    Configuration at = system_.configuration(std::move(state));
-    const Vector& r = at.penetration;
-    Evaluation e = equation_.at(pack(system_.numbers(), at.state), r);
-    double size = 0;
-    for (const Vector& u : at.displacements)
-      size = std::max(size, largestEntry(u));
-    Vector open(r.size());
-    for (std::size_t i = 0; i < r.size(); ++i)
-      if (e.rows[i].penetration != 0)
-        open[i] = r[i] / lengths_[i];
-    const Vector decided = processes_.broadcast(
-        {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
-    at.defect = decided[0];
-    return {std::move(at), std::move(e), decided[1] != 0};
-  }
-
-  /// Where a step of Newton's leads; empty if there is none.
-  Vector next(const Evaluation& e) const {
-    const bool isFormed = system_.numbers().flexibility.isFormed();
-    Vector x;
-    if (!isFormed || processes_.rank() == 0)
-      try {
-        Vector opposite = e.residual;
-        for (double& f : opposite)
-          f = -f;
-        x = NewtonSystem(equation_, e).solve(opposite);
-        bem::axpy(1, e.unknowns, x);
-      } catch (const bem::NumericalError&) {  // on all ranks if on any
-        x.clear();
-      }
-    return isFormed ? processes_.broadcast(std::move(x)) : x;
-  }
-
- private:
-  const ContactSystem& system_;
-  const bem::Processes& processes_;
-  Vector lengths_;
-  Equation equation_;
+/// A configuration with its defect, and the conditions there.
+struct Point {
+  Configuration at;
+  Evaluation evaluation;
+  bool isSolution = false;
 };
+
+Point pointOf(const ContactSystem& system, const Equation& equation,
+              const bem::Processes& processes, State state) {
+  Configuration at = system.configuration(std::move(state));
+  const Vector& r = at.penetration;
+  const Vector lengths = system.lengths();
+  Evaluation e = equation.at(pack(system.numbers(), at.state), r);
+  double size = 0;
+  for (const Vector& u : at.displacements)
+    size = std::max(size, bem::largestEntry(u));
+  Vector open(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (e.rows[i].penetration != 0)
+      open[i] = r[i] / lengths[i];
+  const Vector decided = processes.broadcast(
+      {size > 0 ? bem::largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
+  at.defect = decided[0];
+  return {std::move(at), std::move(e), decided[1] != 0};
+}
+
+/// Where a step of Newton's leads; empty if there is none.
+Vector next(const Equation& equation, const Evaluation& e,
+            const bem::Processes& processes) {
+  const bool isFormed = equation.problem().flexibility.isFormed();
+  Vector x;
+  if (!isFormed || processes.rank() == 0)
+    try {
+      x = NewtonSystem(equation, e).solve(bem::times(-1, e.residual));
+      bem::axpy(1, e.unknowns, x);
+    } catch (const bem::NumericalError&) {  // on all ranks if on any
+      x.clear();
+    }
+  return isFormed ? processes.broadcast(std::move(x)) : x;
+}
 
 }  // namespace
 
@@ -83,22 +67,22 @@ Configuration corrected(const ContactSystem& system, State state,
                         const bem::Processes& processes) {
   if (system.numbers().size() == 0)
     return system.configuration(std::move(state));
-  const DefectCorrection correction(system, processes);
-  DefectCorrection::Point best = correction.point(std::move(state));
+  const Equation equation(system.numbers(), Equation::Bound::Differentiated, 0);
+  Point best = pointOf(system, equation, processes, std::move(state));
   if (best.at.defect <= enough)
     return std::move(best.at);
   Evaluation e = best.evaluation;
   for (int step = 0; step < mostSteps && best.at.defect > goal; ++step) {
-    const Vector x = correction.next(e);
+    const Vector x = next(equation, e, processes);
     if (x.empty())
       break;
-    DefectCorrection::Point next = correction.point(unpack(system.numbers(), x));
+    Point there = pointOf(system, equation, processes, unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
-    const bool isSettled = processes.agreed(next.evaluation.set == e.set);
-    const bool isWorthAnother = next.at.defect <= progress * best.at.defect;
-    e = next.evaluation;
-    if (next.isSolution && next.at.defect < best.at.defect)
-      best = std::move(next);
+    const bool isSettled = processes.agreed(there.evaluation.set == e.set);
+    const bool isWorthAnother = there.at.defect <= progress * best.at.defect;
+    e = there.evaluation;
+    if (there.isSolution && there.at.defect < best.at.defect)
+      best = std::move(there);
     if (isSettled && !isWorthAnother)
       break;
   }

@@ -2,18 +2,22 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/DenseBody.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedBody.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace epafi::contact {
 
 using bem::axpy;
 using bem::dot;
+using bem::largestEntry;
 
 namespace {
+
+// Corrections up to this size, relative to u, are rounding errors.
+constexpr double roundingOfCorrections = 1e-12;
 
 /// What rounding has left of a correction; it is a force where |A| is large.  Not more,
 /// or reactions would no longer say what u is worth.
@@ -93,8 +97,7 @@ void ContactBody::setResidual(const ParticularSolution& solution) {
   if (coupling().hasCompliance()) {
     inside.compliance = coupling().complianceOf(*space_, inside.weights, solution);
     std::tie(inside.density, inside.force) = elastic_->answerTo(inside.compliance);
-    for (double& x : inside.density)
-      x = -x;
+    inside.density = bem::times(-1, std::move(inside.density));
     coupling().subtractWeighted(coupling().ofDensities(inside.density), inside.terms);
   } else if (!coupling().weights.empty()) {
     inside.force = elastic_->forcesOf(inside.weights);
@@ -249,6 +252,22 @@ Vector ContactBody::fixedMeans(const Vector& displacement) const {
       means[at(k)] +=
           holding_->modes.functionals(static_cast<Index>(i), k) * displacement[i];
   return means;
+}
+
+Vector refined(Vector u, const std::function<Vector(const Vector&)>& correction) {
+  constexpr int mostSteps = 4;
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < mostSteps; ++step) {
+    const Vector change = correction(u);
+    const double size = largestEntry(change);
+    if (!(size < 0.5 * last))
+      break;
+    axpy(1, change, u);
+    last = size;
+    if (!(size > roundingOfCorrections * largestEntry(u)))
+      break;
+  }
+  return u;
 }
 
 }  // namespace epafi::contact

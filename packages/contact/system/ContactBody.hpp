@@ -3,6 +3,8 @@
 #include "contact/body/ElasticBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
 
+#include <functional>
+
 namespace epafi::contact {
 
 /// A body of a ContactSystem at one time: the stabilised mixed problem [P (13)] on its mesh,
@@ -111,5 +113,12 @@ class ContactBody {
   Vector constant_{};  ///< u_D and what Fix makes of it
   double stress_ = 1;
 };
+
+/// Iterative refinement u <- u + c(u), c(u) the solution with the factor for the residual at u.
+///
+/// Ends if a correction is at most 1e-12 of u (rounding errors of u, or of the residual in long
+/// double times the compliance of the body), after four steps, or before a correction larger than
+/// half the previous one, since the factor is then too inaccurate to converge.
+Vector refined(Vector u, const std::function<Vector(const Vector&)>& correction);
 
 }  // namespace epafi::contact

@@ -4,7 +4,6 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/body/DenseBody.hpp"
-#include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
@@ -20,20 +19,20 @@ namespace {
 
 /// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
 /// and of the opposite one, P the projection onto that one, and what their tractions add through
-/// the stabilisation.  Empty without body loads.               [doc/theory/body-loads.md]
-Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& numbering) {
+/// the stabilisation, added to r.                              [doc/theory/body-loads.md]
+void addBodyLoads(const std::vector<ContactBody>& bodies, const Numbering& numbering,
+                  Vector& r) {
   const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
     return bodies[b].multiplier().conditions().inside;
   };
-  Vector terms;
+  bool anywhere = false;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (insideOf(b))
-      terms.resize(at(numbering.size()));
-  for (std::size_t b = 0; b < bodies.size() && !terms.empty(); ++b) {
+    anywhere = anywhere || insideOf(b);
+  for (std::size_t b = 0; b < bodies.size() && anywhere; ++b) {
     const ContactBody& own = bodies[b];
     const Vector& stabilised = own.loads().inside.terms;
     for (std::size_t i = 0; i < stabilised.size(); ++i)
-      terms[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
+      r[at(numbering(b, static_cast<Index>(i)))] += stabilised[i];
     const bem::Mesh& mesh = own.space().mesh();
     forEachSidePoint(
         mesh, own.multiplier(), own.opposite(),
@@ -50,11 +49,10 @@ Vector bodyLoadTerms(const std::vector<ContactBody>& bodies, const Numbering& nu
                         ->displacement(bodies[at(there.body)].space().mesh(),
                                        there.element, there.t);
           point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
-            terms[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+            r[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
           });
         });
   }
-  return terms;
 }
 
 }  // namespace
@@ -193,7 +191,7 @@ void ContactSystem::respond() {
 void ContactSystem::finish() {
   numbers_.surface = {};
   gap_.assign(numbering_.normals(), 0.0);
-  jump_.assign(numbering_.size(), 0.0);
+  given_.assign(numbering_.size(), 0.0);
   for (std::size_t b = 0; b < size(); ++b) {
     const Obstacle& obstacle = body(b).obstacle();
     const MultiplierSpace& multiplier = body(b).multiplier();
@@ -205,9 +203,9 @@ void ContactSystem::finish() {
       numbers_.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
     for (Index i = 0; i < numbering_.sizeOf(b); ++i) {
       const Index k = numbering_(b, i);
-      jump_[k] = obstacle.jump[i];
       if (i < numbering_.normalsOf(b))
         gap_[k] = obstacle.gap[i];
+      given_[k] = -obstacle.jump[i] - (i < numbering_.normalsOf(b) ? gap_[k] : 0);
     }
     for (const auto& [row, column, value] : obstacle.surface.linear)
       numbers_.surface.linear.push_back(
@@ -215,18 +213,14 @@ void ContactSystem::finish() {
     for (const auto& [i, length, law] : obstacle.surface.places)
       numbers_.surface.places.push_back({numbering_(b, i), length, law});
   }
-  ofInside_ = bodyLoadTerms(*bodies_, numbering_);
+  addBodyLoads(*bodies_, numbering_, given_);
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
   setScale(loadSize());
 }
 
 void ContactSystem::addGiven(Vector& r) const {
-  axpy(-1, jump_, r);
-  for (std::size_t i = 0; i < gap_.size(); ++i)
-    r[i] -= gap_[i];
-  if (!ofInside_.empty())
-    axpy(1, ofInside_, r);
+  axpy(1, given_, r);
   if (!wear_.testedBefore().empty())
     axpy(-1, wear_.testedBefore(), r);
   rigid_.addGiven(r);
@@ -275,7 +269,7 @@ Vector ContactSystem::lengths() const {
       const double share = 2 * mesh[element.element].half / (element.degree + 1);
       for (int i = 0; i <= element.degree; ++i) {
         all[numbering()(b, element.normalOf(i))] += share;
-        if (element.tangential >= 0)
+        if (element.shears())
           all[numbering()(b, element.tangentialOf(i))] += share;
       }
     }
@@ -319,8 +313,8 @@ double ContactSystem::wearBy(const Configuration& at) {
   wear_.setSlips(at.penetration, surface);
   const Vector worn = wornBy();
   axpy(-1, worn, change);
-  const double all = largestEntry(worn);
-  return all > 0 ? largestEntry(change) / all : 0;
+  const double all = bem::largestEntry(worn);
+  return all > 0 ? bem::largestEntry(change) / all : 0;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,

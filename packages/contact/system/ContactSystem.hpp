@@ -78,12 +78,10 @@ class ContactSystem {
   /// contains as -g.  Dimensionless.
   const Problem& numbers() const { return numbers_; }
   const Vector& gap() const { return gap_; }
-  /// The prescribed jump of bonded sides and the prescribed sliding, one number per coefficient.
-  const Vector& jump() const { return jump_; }
-
-  /// Part of r by body loads, one number per coefficient: by the displacement u_p of the sides and,
-  /// through the stabilisation, by its traction t_p; empty: no body loads.
-  const Vector& ofInside() const { return ofInside_; }
+  /// The prescribed part of r, one number per coefficient: -g, less the jumps of bonded sides and
+  /// the prescribed sliding, and with body loads what their displacement u_p of the sides and,
+  /// through the stabilisation, their traction t_p add.  Without wear and rigid bodies.
+  const Vector& given() const { return given_; }
 
   /// Does the wear of this step depend on slips of its solution?  Until wearBy is called it is
   /// computed with the prescribed sliding only.
@@ -149,8 +147,7 @@ class ContactSystem {
   StepWear wear_;
   Problem numbers_{};
   Vector gap_{};
-  Vector jump_{};
-  Vector ofInside_{};
+  Vector given_{};
   Vector slipBefore_{};
   Vector defectBefore_{};
   std::vector<LoadResponses> responses_{};

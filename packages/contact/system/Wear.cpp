@@ -44,7 +44,7 @@ Vector slipsOf(const ContactBody& body, const Wear& before, const Vector& slip) 
   forEachPoint(body, [&](const SidePoint& point) {
     const ContactElement& element = point.contact;
     double& own = result[point.gaussPoint()];
-    if (element.tangential >= 0 && !slip.empty()) {
+    if (element.shears() && !slip.empty()) {
       own = 0;
       for (int i = 0; i <= element.degree; ++i)
         own += point.chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
