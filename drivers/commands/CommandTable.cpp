@@ -1,7 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
 

@@ -3,7 +3,7 @@
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -47,7 +47,7 @@ class SavedRun {
   std::vector<double> times() const {
     stepOf("1");  // there are some
     std::vector<double> times;
-    for (const StepFields& step : checkpoint_.level.steps)
+    for (const SolvedState& step : checkpoint_.level.steps)
       times.push_back(step.t);
     return times;
   }
@@ -64,7 +64,7 @@ class SavedRun {
     return readSolution(fileIn(folder));
   }
 
-  const StepFields& stepOf(const std::string& text) const {
+  const SolvedState& stepOf(const std::string& text) const {
     const Level& level = checkpoint_.level;
     if (text.empty())
       return level.last();

@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Inside.hpp"
-#include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
@@ -95,7 +94,7 @@ void Recorder::take(const SolvedLevel& level) {
   }
   if (scene_.hasContact())
     files_.emplace_back("contact.csv", made(onPath ? std::exchange(contactOfStep_, {})
-                                                   : contactCsv(level.last())));
+                                                   : contact_.next(level.last())));
   if (scene_.output.fields)
     files_.emplace_back("boundary.csv",
                         [this, grid = grid_] { return boundaryCsv(scene_, *grid); });
@@ -113,8 +112,8 @@ void Recorder::take(const SolvedLevel& level) {
   isTaken_ = true;
   writeIfDue();  // who reads the line may look for its row in the file
   progress_.clear();
-  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
-         << operatorsNote(row) << worstStepNote(row) << std::flush;
+  table_ << tableLine(row) << notesOn(row, scene_.stabilization.firstGamma0())
+         << std::flush;
   apart_ += cpuSeconds() - begin;
 }
 

@@ -71,7 +71,7 @@ class Recorder {
   std::vector<File> stepFiles_;
   std::vector<double> times_;
   std::string contactOfStep_;  ///< contact.csv
-  PathContact contact_;
+  ContactTable contact_;
 
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::vector<File> files_;  ///< of the last level, until they are written

@@ -4,15 +4,15 @@
 #include "drivers/output/Csv.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace epafi::drivers {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // The fields of a point, and of a segment.
 enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction };
@@ -33,129 +33,98 @@ VtkGrid emptyGrid() {
           {{"element", whole}, {"degree", whole}, {"boundary", whole}, {"body", whole}}};
 }
 
-/// Adds a point.  `contact`: null where there is no contact.
+/// Adds a point.  `contact`: empty where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
-              const contact::ContactPoint* contact, VtkGrid& grid) {
+              const std::optional<contact::ContactPoint>& contact, VtkGrid& grid) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<DataArray>& fields = grid.pointData;
   grid.points.add(place);
   fields[Displacement].add(displacement);
   fields[Traction].add(traction);
-  fields[Pressure].add(contact == nullptr ? nothing : contact->pressure);
-  fields[Shear].add(contact == nullptr ? nothing : contact->shear);
-  fields[Gap].add(contact == nullptr ? nothing : contact->gap);
-  fields[Contact].add(contact == nullptr ? -1 : contact->closed ? 1 : 0);
-  fields[Friction].add(contact == nullptr ? -1 : numberOf(contact->friction));
+  fields[Pressure].add(contact ? contact->pressure : nothing);
+  fields[Shear].add(contact ? contact->shear : nothing);
+  fields[Gap].add(contact ? contact->gap : nothing);
+  fields[Contact].add(contact ? static_cast<int>(contact->closed) : -1);
+  fields[Friction].add(contact ? numberOf(contact->friction) : -1);
 }
 
-/// Adds the `lines` segments between the `lines` + 1 points that were added last.
-void addLines(int lines, int element, int degree, int boundary, int body, VtkGrid& grid) {
-  const auto first = static_cast<long long>(grid.size()) - lines - 1;
-  for (int k = 0; k < lines; ++k) {
-    grid.corners.insert(grid.corners.end(), {first + k, first + k + 1});
-    grid.cellData[Element].add(element);
-    grid.cellData[Degree].add(degree);
-    grid.cellData[Boundary].add(boundary);
-    grid.cellData[OfBody].add(body);
-  }
-}
-
-int placeOf(const std::string& name, const std::vector<std::string>& names) {
-  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-/// Number of segments of an arc: one for every 5 degrees.
-int linesOf(const bem::Curve& curve) {
+/// Adds a curve as segments: at least `lines`, and one for every 5 degrees.
+/// \param of the fields of each of them
+/// \param addAt adds the point t in [-1, 1]
+template <class AddAt>
+void addCurve(const bem::Curve& curve, int lines, const std::array<int, 4>& of,
+              VtkGrid& grid, const AddAt& addAt) {
   constexpr double degreesALine = 5;
   const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
-  return std::max(1, static_cast<int>(std::ceil(angle / degreesALine)));
+  lines = std::max(lines, static_cast<int>(std::ceil(angle / degreesALine)));
+  auto first = static_cast<long long>(grid.size());
+  for (int k = 0; k <= lines; ++k)
+    addAt(-1 + 2.0 * k / lines);
+  for (int k = 0; k < lines; ++k, ++first) {
+    grid.corners.insert(grid.corners.end(), {first, first + 1});
+    for (std::size_t field = 0; field < of.size(); ++field)
+      grid.cellData[field].add(of[field]);
+  }
 }
 
-/// Samples the boundary of one elastic body, element by element.
-class Sampler {
- public:
-  Sampler(const contact::Solved& solved, const bem::Vector& density, int body,
-          int firstBoundary)
-      : solved_(solved),
-        body_(body),
-        firstBoundary_(firstBoundary),
-        density_(density),
-        names_(boundaryNames(mesh().outline())),
-        fields_(solved),
-        contacts_(static_cast<std::size_t>(mesh().size()), nullptr) {
-    for (const auto& element : fields_.elements())
-      contacts_[element.element] = &element;
+/// The number of each boundary by its name.
+using Numbers = std::map<std::string, int>;
+
+/// Adds the boundary of an elastic body, element by element.
+void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
+                VtkGrid& grid) {
+  const Scene& scene = step.spaces.scene();
+  const contact::Solved& solved = step.bodies[b];
+  const bem::Mesh& mesh = solved.space.mesh();
+  const contact::ContactFields fields(solved);
+  std::vector<const contact::ContactFields::Element*> contacts(bem::at(mesh.size()));
+  for (const auto& element : fields.elements())
+    contacts[element.element] = &element;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Element& element = mesh[e];
+    const int boundary = numbers.at(scene.boundaryName({false, b, mesh.boundary(e)}));
+    addCurve(element.curve, 2 * (element.degree + 1),
+             {e, element.degree, boundary, static_cast<int>(b)}, grid, [&](double t) {
+               std::optional<contact::ContactPoint> contact;
+               if (contacts[e] != nullptr)
+                 contact = fields.at(*contacts[e], t);
+               bem::Vec2 traction = solved.space.densityAt(step.densities[b], e, t);
+               if (solved.conditions.inside)
+                 traction = traction + solved.conditions.inside->traction(mesh, e, t);
+               addPoint(mesh.physicalPoint(e, t),
+                        solved.units.length * solved.displacementAt(e, t),
+                        solved.units.stress * traction, contact, grid);
+             });
   }
-
-  void sample(int e, VtkGrid& grid) const {
-    const bem::Element& element = mesh()[e];
-    const int lines = std::max(2 * (element.degree + 1), linesOf(element.curve));
-    for (int k = 0; k <= lines; ++k)
-      samplePoint(e, -1 + 2.0 * k / lines, grid);
-    addLines(lines, e, element.degree,
-             firstBoundary_ + placeOf(mesh().boundary(e), names_), body_, grid);
-  }
-
- private:
-  const bem::Mesh& mesh() const { return solved_.space.mesh(); }
-
-  void samplePoint(int e, double t, VtkGrid& grid) const {
-    const bem::Units& units = solved_.units;
-    contact::ContactPoint point;
-    const auto* contact = contacts_[e];
-    if (contact != nullptr)
-      point = fields_.at(*contact, t);
-    bem::Vec2 traction = solved_.space.densityAt(density_, e, t);
-    if (solved_.conditions.inside)
-      traction = traction + solved_.conditions.inside->traction(mesh(), e, t);
-    addPoint(mesh().physicalPoint(e, t), units.length * solved_.displacementAt(e, t),
-             units.stress * traction, contact == nullptr ? nullptr : &point, grid);
-  }
-
-  const contact::Solved& solved_;
-  int body_;
-  int firstBoundary_;
-  const bem::Vector& density_;
-  std::vector<std::string> names_;
-  contact::ContactFields fields_;
-  std::vector<const contact::ContactFields::Element*> contacts_;
-};
+}
 
 /// Adds the outline of a rigid body, moved by `motion`, in the user's units.
-void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
-              int firstBoundary, VtkGrid& grid) {
-  const bem::Outline& outline = *body.outline;
-  const std::vector<std::string> names = boundaryNames(outline);
-  for (std::size_t e = 0; e < outline.edges().size(); ++e) {
-    const bem::Edge& edge = outline.edges()[e];
-    const int lines = linesOf(edge.curve);
-    for (int k = 0; k <= lines; ++k) {
-      const bem::Vec2 place = outline.physical(edge.curve.point(-1 + 2.0 * k / lines));
-      addPoint(place, motion.at(place - body.pole), {}, nullptr, grid);
-    }
-    addLines(lines, static_cast<int>(e), 1, firstBoundary + placeOf(edge.boundary, names),
-             number, grid);
-  }
+void addRigid(const Scene& scene, std::size_t k, const contact::RigidMotion& motion,
+              const Numbers& numbers, VtkGrid& grid) {
+  const RigidBody& body = scene.rigid[k];
+  const int number = static_cast<int>(scene.bodies.size() + k);
+  int e = 0;
+  for (const bem::Edge& edge : body.outline->edges())
+    addCurve(edge.curve, 1,
+             {e++, 1, numbers.at(scene.boundaryName({true, k, edge.boundary})), number},
+             grid, [&](double t) {
+               const bem::Vec2 place = body.outline->physical(edge.curve.point(t));
+               addPoint(place, motion.at(place - body.pole), {}, {}, grid);
+             });
 }
 
 }  // namespace
 
 VtkGrid boundaryLines(const SolvedStep& solved) {
   const Scene& scene = solved.spaces.scene();
+  Numbers numbers;
+  for (const std::string& name : namesOfBoundaries(scene))
+    numbers.emplace(name, static_cast<int>(numbers.size()));
   VtkGrid grid = emptyGrid();
-  int boundaries = 0;
-  for (std::size_t b = 0; b < solved.bodies.size(); ++b) {
-    const bem::Mesh& mesh = solved.bodies[b].space.mesh();
-    const Sampler sampler(solved.bodies[b], solved.densities[b], static_cast<int>(b),
-                          boundaries);
-    for (int e = 0; e < mesh.size(); ++e)
-      sampler.sample(e, grid);
-    boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
-  }
-  for (std::size_t k = 0; k < scene.rigid.size(); ++k) {
-    addRigid(scene.rigid[k], solved.row.rigid[k].second.motion,
-             static_cast<int>(solved.bodies.size() + k), boundaries, grid);
-    boundaries += static_cast<int>(boundaryNames(*scene.rigid[k].outline).size());
-  }
+  for (std::size_t b = 0; b < solved.bodies.size(); ++b)
+    addElastic(solved, b, numbers, grid);
+  for (std::size_t k = 0; k < scene.rigid.size(); ++k)
+    addRigid(scene, k, solved.row.rigid[k].second.motion, numbers, grid);
   return grid;
 }
 
@@ -237,10 +206,11 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   if (!(depth > 0))
     return;
   const auto touch = [&](const SideOfBody& a, const SideOfBody& b) {
-    return std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                       [&](const ContactPair& pair) {
-                         return pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b);
-                       });
+    return std::any_of(
+        scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
+          return (pair.side.isOnBodyOf(a) && pair.opposite.isOnBodyOf(b)) ||
+                 (pair.side.isOnBodyOf(b) && pair.opposite.isOnBodyOf(a));
+        });
   };
   for (std::size_t b = 0; scene.symmetry && b < bodies.size(); ++b) {
     const double beyond = drawn > 0 ? -across(bodies[b].low()) : across(bodies[b].high());
@@ -254,8 +224,7 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   }
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]) ||
-          touch(all[b], all[a]))
+      if (a == b || std::min(a, b) >= elastic || touch(all[a], all[b]))
         continue;
       if (const auto x = bodies[a].insideOf(bodies[b], depth))
         return warnings.push_back(bem::message(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/results/ContactFields.hpp"
+#include "contact/results/Solved.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/run/SolvedStep.hpp"
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace epafi::drivers {
 
@@ -15,31 +14,6 @@ namespace {
 
 using contact::ContactPoint;
 using Element = contact::ContactFields::Element;
-
-/// Arc length along a contact boundary.  It starts at 0 on each chain of consecutive
-/// elements of one contact.
-class ArcLength {
- public:
-  ArcLength(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
-
-  /// Elements must come in the order of the multiplier; t in [-1, 1].  Returns a length.
-  double at(const Element& element, double t) {
-    if (&element != last_) {
-      const bool follows = last_ != nullptr &&
-                           mesh_[last_->element].next == element.element &&
-                           last_->condition == element.condition;
-      start_ = follows ? start_ + 2 * mesh_[last_->element].half : 0;
-      last_ = &element;
-    }
-    return length_ * (start_ + mesh_[element.element].half * (1 + t));
-  }
-
- private:
-  const bem::Mesh& mesh_;
-  double length_;
-  const Element* last_ = nullptr;
-  double start_ = 0;
-};
 
 double stressAlong(const contact::Solved& solved, const bem::Material& material,
                    int element, double t, double pressure) {
@@ -64,20 +38,54 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
                          : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure);
 }
 
-/// \param more  columns of a point t of a body's element on a path; empty: none
-std::string tableOf(
-    const SolvedStep& solved,
-    const std::function<CsvRow(std::size_t body, const Element& element, double t,
-                               const ContactPoint& point)>& more) {
-  const Scene& scene = solved.spaces.scene();
-  const std::vector<contact::Solved>& bodies = solved.bodies;
-  std::string csv;
+}  // namespace
+
+CsvRow ContactTable::pathCells(const contact::Solved& solved,
+                               const bem::Material& material, const bem::Vector& work,
+                               const Element& element, double t, const ContactPoint& p) {
+  const double stress = stressAlong(solved, material, element.element, t, p.pressure);
+  const double slip = p.tangential - p.sliding;
+  if (point_ == traces_.size())
+    traces_.push_back({slip, slip, slip});
+  Trace& here = traces_[point_++];
+  here.least = std::min(here.least, slip);
+  here.most = std::max(here.most, slip);
+  here.shear = std::max(here.shear, std::abs(p.shear));
+  here.tension = std::max(here.tension, stress);
+  const double amplitude = (here.most - here.least) / 2;
+  return {{"slip", exactly(slip - here.first)},
+          {"work", exactly(solved.units.stress * solved.units.length *
+                           solved.problem.multiplier().at(work, element, t).tangential)},
+          {"slip_amplitude", exactly(amplitude)},
+          {"stress_t", exactly(stress)},
+          {"ruiz_1", exactly(here.shear * amplitude)},
+          {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
+          {"worn_depth", exactly(p.worn)},
+          {"slip_distance", exactly(p.distance)}};
+}
+
+std::string ContactTable::next(const SolvedStep& step) {
+  const Scene& scene = step.spaces.scene();
   const int samples = scene.output.contactSamples;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const contact::ContactFields fields(bodies[b]);
+  std::string csv;
+  point_ = 0;
+  for (std::size_t b = 0; b < step.bodies.size(); ++b) {
+    const contact::Solved& solved = step.bodies[b];
+    const bem::Mesh& mesh = solved.space.mesh();
+    const contact::ContactFields fields(solved);
     const bem::Vector continuous = fields.continuous();
-    ArcLength arc(bodies[b].space.mesh(), bodies[b].units.length);
-    for (const Element& element : fields.elements())
+    bem::Vector work;
+    if (scene.history)
+      work = contact::frictionWorkDensity(mesh, solved.problem.multiplier(),
+                                          step.frictionWork[b]);
+    const Element* last = nullptr;
+    double start = 0;  // arc length, from 0 on each chain of elements of one contact
+    for (const Element& element : fields.elements()) {
+      const bool follows = last != nullptr &&
+                           mesh[last->element].next == element.element &&
+                           last->condition == element.condition;
+      start = follows ? start + 2 * mesh[last->element].half : 0;
+      last = &element;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
         const ContactPoint p = fields.at(element, t);
@@ -96,64 +104,19 @@ std::string tableOf(
                       {"friction", number(numberOf(p.friction))},
                       {"body", scene.bodies[b].name},
                       {"contact_name", name.empty() ? *element.boundary : name},
-                      {"s", exactly(arc.at(element, t))}};
-        if (more)
-          append(row, more(b, element, t, p));
+                      {"s", exactly(solved.units.length *
+                                    (start + mesh[element.element].half * (1 + t)))}};
+        if (scene.history)
+          append(row, pathCells(solved, scene.bodies[b].material, work, element, t, p));
         const auto stress = fields.inUnits(continuous, element, t);
         append(row, {{"normal_closing", exactly(p.closing)},
                      {"pressure", exactly(stress.normal)},
                      {"shear", exactly(stress.tangential)}});
         addRow(row, csv);
       }
+    }
   }
   return csv;
-}
-
-}  // namespace
-
-std::string contactCsv(const SolvedStep& solved) { return tableOf(solved, {}); }
-
-std::string PathContact::next(const SolvedStep& step) {
-  const Scene& scene = step.spaces.scene();
-  const bool isFirst = traces_.empty();
-  std::vector<bem::Vector> densities;
-  std::size_t elements = 0;
-  for (std::size_t b = 0; b < step.bodies.size(); ++b) {
-    const contact::MultiplierSpace& multiplier = step.bodies[b].problem.multiplier();
-    densities.push_back(contact::frictionWorkDensity(step.bodies[b].space.mesh(),
-                                                     multiplier, step.frictionWork[b]));
-    elements += multiplier.elements().size();
-  }
-  traces_.resize(elements * static_cast<std::size_t>(scene.output.contactSamples));
-  auto trace = traces_.begin();
-  return tableOf(
-      step,
-      [&](std::size_t b, const Element& element, double t,
-          const ContactPoint& point) -> CsvRow {
-        Trace& here = *trace++;
-        const contact::Solved& solved = step.bodies[b];
-        const double stress = stressAlong(solved, scene.bodies[b].material,
-                                          element.element, t, point.pressure);
-        const double slip = point.tangential - point.sliding;
-        if (isFirst)
-          here.first = here.least = here.most = slip;
-        here.least = std::min(here.least, slip);
-        here.most = std::max(here.most, slip);
-        here.shear = std::max(here.shear, std::abs(point.shear));
-        here.tension = std::max(here.tension, stress);
-        const double amplitude = (here.most - here.least) / 2;
-        const double work =
-            solved.units.stress * solved.units.length *
-            solved.problem.multiplier().at(densities[b], element, t).tangential;
-        return {{"slip", exactly(slip - here.first)},
-                {"work", exactly(work)},
-                {"slip_amplitude", exactly(amplitude)},
-                {"stress_t", exactly(stress)},
-                {"ruiz_1", exactly(here.shear * amplitude)},
-                {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
-                {"worn_depth", exactly(point.worn)},
-                {"slip_distance", exactly(point.distance)}};
-      });
 }
 
 }  // namespace epafi::drivers

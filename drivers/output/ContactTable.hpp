@@ -1,5 +1,7 @@
 #pragma once
 
+#include "contact/results/Solved.hpp"
+#include "drivers/output/Csv.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
 #include <string>
@@ -7,11 +9,9 @@
 
 namespace epafi::drivers {
 
-/// contact.csv: on each contact element the points t = -1 + (2k+1)/samples, k < samples.
-std::string contactCsv(const SolvedStep& solved);
-
-/// contact.csv for the steps of a path on one mesh, with columns for the history of each
-/// point:                                                 [doc/theory/paths.md, Fretting]
+/// contact.csv: on each contact element the points t = -1 + (2k+1)/samples, k < samples; of the
+/// steps of a path on one mesh with columns for the history of each point:
+///                                                        [doc/theory/paths.md, Fretting]
 ///
 ///   slip            uₜ - given sliding, since the end of the first step
 ///   work            work of friction per length of surface [stress length]
@@ -21,9 +21,9 @@ std::string contactCsv(const SolvedStep& solved);
 ///   ruiz_2          largest tensile stress_t times ruiz_1
 ///   worn_depth      worn depth
 ///   slip_distance   Σ |slip| while closed
-class PathContact {
+class ContactTable {
  public:
-  /// contact.csv of the next step.  Call it once per step, in the order of the path.
+  /// contact.csv of a load, or of the next step.  Call it once per step, in the order of the path.
   std::string next(const SolvedStep& step);
 
  private:
@@ -36,7 +36,13 @@ class PathContact {
     double tension = 0;  ///< largest tensile stress_t, or 0
   };
 
+  CsvRow pathCells(const contact::Solved& solved, const bem::Material& material,
+                   const bem::Vector& work,
+                   const contact::ContactFields::Element& element, double t,
+                   const contact::ContactPoint& p);
+
   std::vector<Trace> traces_;
+  std::size_t point_ = 0;  ///< of the next one in them
 };
 
 }  // namespace epafi::drivers

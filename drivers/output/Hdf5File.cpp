@@ -98,11 +98,14 @@ Hdf5Handle Hdf5Reader::dataset(const std::string& name) const {
                  name + " is missing");
 }
 
+Hdf5Handle Hdf5Reader::spaceOf(const std::string& name) const {
+  return checked(H5Dget_space(dataset(name).id()), H5Sclose, name + " is damaged");
+}
+
 // Checks the shape before memory is allocated: a damaged file may contain any size.
-hsize_t Hdf5Reader::rowsOf(const Hdf5Handle& dataset, const std::string& name,
-                           hsize_t columns, std::size_t bytes) const {
-  const Hdf5Handle space =
-      checked(H5Dget_space(dataset.id()), H5Sclose, name + " is damaged");
+hsize_t Hdf5Reader::rowsOf(const std::string& name, hsize_t columns,
+                           std::size_t bytes) const {
+  const Hdf5Handle space = spaceOf(name);
   const int rank = columns == 1 ? 1 : 2;
   std::array<hsize_t, 2> size = {0, 1};
   if (H5Sget_simple_extent_ndims(space.id()) != rank)
@@ -113,24 +116,21 @@ hsize_t Hdf5Reader::rowsOf(const Hdf5Handle& dataset, const std::string& name,
   return size[0];
 }
 
-void Hdf5Reader::read(const Hdf5Handle& dataset, const std::string& name, hid_t type,
-                      void* values) {
+void Hdf5Reader::read(const std::string& name, hid_t type, void* values) const {
   if (values != nullptr)
-    check(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
+    check(H5Dread(dataset(name).id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
           name + " is damaged");
 }
 
 std::string Hdf5Reader::text(const std::string& name) const {
-  const Hdf5Handle data = dataset(name);
-  const Hdf5Handle type = checked(H5Dget_type(data.id()), H5Tclose, name + " is damaged");
-  const Hdf5Handle space =
-      checked(H5Dget_space(data.id()), H5Sclose, name + " is damaged");
+  const Hdf5Handle type =
+      checked(H5Dget_type(dataset(name).id()), H5Tclose, name + " is damaged");
   const std::size_t size = H5Tget_size(type.id());
   if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
-      H5Sget_simple_extent_npoints(space.id()) != 1 || size > bytes_)
+      H5Sget_simple_extent_npoints(spaceOf(name).id()) != 1 || size > bytes_)
     throw InputError(name + " is not a text");
   std::string value(size, '\0');
-  read(data, name, type.id(), value.data());
+  read(name, type.id(), value.data());
   value.resize(std::strlen(value.c_str()));
   return value;
 }

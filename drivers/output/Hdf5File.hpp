@@ -4,9 +4,9 @@
 
 #include <array>
 #include <hdf5.h>
+#include <memory>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace epafi::drivers {
@@ -39,29 +39,21 @@ inline std::string hdf5Cause() {
   return cause;
 }
 
-/// Owns an open HDF5 object and closes it in the destructor.  May be empty.
+/// An open HDF5 object, closed with its last copy.  May be empty.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Hdf5Handle() = default;
-  Hdf5Handle(hid_t id, Close how) : id_(id), close_(how) {}
-  Hdf5Handle(Hdf5Handle&& other) noexcept
-      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  ~Hdf5Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
+  Hdf5Handle(hid_t id, Close close)
+      : id_(new hid_t(id), [close](const hid_t* open) {
+          close(*open);
+          delete open;
+        }) {}
 
-  hid_t id() const { return id_; }
+  hid_t id() const { return *id_; }
 
  private:
-  hid_t id_ = H5I_INVALID_HID;
-  Close close_ = nullptr;
+  std::shared_ptr<const hid_t> id_;
 };
 
 /// \throws bem::InputError if not `good`, with `what` and the cause from HDF5.
@@ -150,9 +142,8 @@ class Hdf5Reader {
   /// Reads an array of `columns` columns, row by row.
   template <class T>
   std::vector<T> array(const std::string& name, hsize_t columns) const {
-    const Hdf5Handle data = dataset(name);
-    std::vector<T> values(columns * rowsOf(data, name, columns, sizeof(T)));
-    read(data, name, hdf5Type<T>(), values.data());
+    std::vector<T> values(columns * rowsOf(name, columns, sizeof(T)));
+    read(name, hdf5Type<T>(), values.data());
     return values;
   }
   std::string text(const std::string& name) const;
@@ -167,10 +158,9 @@ class Hdf5Reader {
 
  private:
   Hdf5Handle dataset(const std::string& name) const;
-  hsize_t rowsOf(const Hdf5Handle& dataset, const std::string& name, hsize_t columns,
-                 std::size_t bytes) const;
-  static void read(const Hdf5Handle& dataset, const std::string& name, hid_t type,
-                   void* values);
+  Hdf5Handle spaceOf(const std::string& name) const;
+  hsize_t rowsOf(const std::string& name, hsize_t columns, std::size_t bytes) const;
+  void read(const std::string& name, hid_t type, void* values) const;
   void readAttribute(const std::string& group, const std::string& name, hid_t type,
                      void* value) const;
 

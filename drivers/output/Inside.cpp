@@ -1,9 +1,24 @@
 #include "drivers/output/Inside.hpp"
 
+#include "bem/base/Error.hpp"
+#include "bem/base/Parallel.hpp"
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/VtkGrid.hpp"
+#include "drivers/process/ChildProgram.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <unistd.h>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -16,7 +31,7 @@ constexpr double end = 0.05;
 
 }  // namespace
 
-BodyInsides::BodyInsides(const Scene& scene, const Level& level, const StepFields& step)
+BodyInsides::BodyInsides(const Scene& scene, const Level& level, const SolvedState& step)
     : scene_(scene), spaces_(scene, level) {
   for (const auto& conditions :
        spaces_.conditionsAt(level.timeOf(step, scene.endOfPath())))
@@ -124,6 +139,224 @@ std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
     addRow(row, csv);
   }
   return csv;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The inside of a body as triangles, which are small at small elements.
+struct Triangulation {
+  std::vector<bem::Vec2> points;            ///< in the user's coordinates
+  std::vector<bool> onBoundary;             ///< of each point
+  std::vector<std::array<int, 3>> corners;  ///< of each triangle, counter-clockwise
+};
+
+/// Largest size of a triangle, over the diameter of the outline.
+constexpr double largest = 1.0 / 40;
+/// Nodes closer than this are merged: no plot can separate them.
+constexpr double smallest = 1e-7;
+
+/// A temporary folder, deleted by the destructor.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "epafi-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw bem::InputError("fields: no folder can be made in '",
+                            fs::temp_directory_path().string(),
+                            "': ", std::strerror(errno));
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// The vertices of each closed line.
+std::vector<std::vector<bem::Vec2>> polygons(const bem::Mesh& mesh) {
+  std::vector<std::vector<bem::Vec2>> loops(
+      static_cast<std::size_t>(mesh.outline().loops()));
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Element& element = mesh[e];
+    auto& loop = loops[mesh.outline().edge(element.piece.edge).loop];
+    const double angle = std::abs(element.curve.angle());
+    const int parts = std::max(static_cast<int>(std::ceil(2 * element.half / largest)),
+                               static_cast<int>(std::ceil(angle / 0.1)));
+    for (int k = 0; k < std::max(parts, 1); ++k) {
+      const bem::Vec2 x = element.curve.point(-1 + 2.0 * k / std::max(parts, 1));
+      if (loop.empty() ||
+          (norm(x - loop.back()) > smallest && norm(x - loop.front()) > smallest))
+        loop.push_back(x);
+    }
+  }
+  return loops;
+}
+
+void writeOutline(const std::string& file,
+                  const std::vector<std::vector<bem::Vec2>>& loops) {
+  std::ofstream out(file);
+  out << std::setprecision(17) << largest << "\n" << loops.size() << "\n";
+  for (const auto& loop : loops) {
+    out << loop.size() << "\n";
+    for (const bem::Vec2& x : loop)
+      out << x.x << " " << x.y << "\n";
+  }
+}
+
+Triangulation readTriangles(const std::string& file, const bem::Outline& outline) {
+  std::ifstream in(file);
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  in >> points >> triangles;
+  Triangulation result;
+  for (std::size_t i = 0; i < points && in; ++i) {
+    bem::Vec2 x;
+    int boundary = 0;
+    in >> x.x >> x.y >> boundary;
+    result.points.push_back(outline.physical(x));
+    result.onBoundary.push_back(boundary != 0);
+  }
+  for (std::size_t i = 0; i < triangles && in; ++i) {
+    std::array<int, 3> corners{};
+    in >> corners[0] >> corners[1] >> corners[2];
+    result.corners.push_back(corners);
+  }
+  if (!in || triangles == 0)
+    throw bem::InputError("fields: the inside cannot be cut into triangles: none came");
+  return result;
+}
+
+/// Delaunay triangles with angles of at least 20 degrees where the outline permits, and
+/// sizes up to a fortieth of its diameter.  Their boundary consists of the nodes of the
+/// elements and of points between them as the size requires.
+///
+/// Runs ../libexec/epafi/triangulate (relative to this program), which uses CGAL.
+/// \throws bem::InputError if that program is missing or fails.
+Triangulation triangulate(const bem::Mesh& mesh) {
+  const Scratch scratch;
+  const std::string in = scratch.file("outline");
+  const std::string out = scratch.file("triangles");
+  writeOutline(in, polygons(mesh));
+  const std::string program = besideProgram("libexec/epafi/triangulate");
+  if (!runChild(program, {in, out}, "fields",
+                "it is built and installed along with epafi"))
+    throw bem::InputError("fields: the inside cannot be cut into triangles: '", program,
+                          "' failed");
+  return readTriangles(out, mesh.outline());
+}
+
+/// A point of the boundary: element and t in [-1, 1].
+struct Foot {
+  int element = 0;
+  double t = 0;
+};
+
+Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
+  const bem::Vec2 x = mesh.outline().scaled(point);
+  Foot foot;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Complex z = mesh[e].curve.seen(x).z;
+    const double over = std::max(0.0, std::abs(z.real()) - 1);
+    const double distance = mesh[e].half * std::hypot(over, z.imag());
+    if (distance < nearest) {
+      nearest = distance;
+      foot = {e, std::min(1.0, std::max(-1.0, z.real()))};
+    }
+  }
+  return foot;
+}
+
+InsideValue mean(InsideValue a, InsideValue b) {
+  for (const InsideField& field : insideFields)
+    field.of(a) = 0.5 * (field.of(a) + field.of(b));
+  return a;
+}
+
+InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
+  constexpr double node = 0.999;
+  const bem::Mesh& mesh = insides.mesh(point.body);
+  const Foot foot = nearestFoot(mesh, point.x);
+  const InsideValue own = insides.atBoundary(point.body, foot.element, foot.t);
+  if (foot.t > node)
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].next, -1));
+  if (foot.t < -node)
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].previous, 1));
+  return own;
+}
+
+}  // namespace
+
+FilledBodies fill(const BodyInsides& insides) {
+  FilledBodies all;
+  for (std::size_t b = 0; b < insides.size(); ++b) {
+    const Triangulation own = triangulate(insides.mesh(b));
+    std::vector<InsidePoint> points;
+    for (const bem::Vec2 x : own.points)
+      points.push_back({b, x});
+    std::vector<InsideValue> values(points.size());
+    std::vector<std::size_t> boundary;
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      (own.onBoundary[i] || !insides.mesh(b).outline().contains(points[i].x) ? boundary
+                                                                             : inside)
+          .push_back(i);
+    const auto n = static_cast<bem::Index>(boundary.size());
+    bem::parallelFor({n, insides.workAtPoint(b) * static_cast<double>(n), 16},
+                     [&](bem::Index k) {
+                       values[boundary[bem::at(k)]] =
+                           onBoundary(insides, points[boundary[bem::at(k)]]);
+                     });
+    std::vector<InsidePoint> places;
+    std::transform(inside.begin(), inside.end(), std::back_inserter(places),
+                   [&](std::size_t i) { return points[i]; });
+    const std::vector<InsideValue> there = insides.at(places);
+    for (std::size_t k = 0; k < inside.size(); ++k)
+      values[inside[k]] = there[k];
+    const auto first = static_cast<int>(all.values.size());
+    for (const auto& c : own.corners)
+      all.corners.push_back({first + c[0], first + c[1], first + c[2]});
+    all.points.insert(all.points.end(), points.begin(), points.end());
+    all.values.insert(all.values.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+std::string vtuFile(const FilledBodies& bodies) {
+  VtkGrid grid{3,
+               R"(Scalars="von_mises" Vectors="displacement")",
+               {{"displacement", std::vector<double>(), 3}}};
+  for (const InsideField& field : insideFields)
+    grid.pointData.push_back({field.name, std::vector<double>()});
+  grid.pointData.push_back({"body", std::vector<int>()});
+  for (std::size_t i = 0; i < bodies.points.size(); ++i) {
+    InsideValue value = bodies.values[i];
+    auto array = grid.pointData.begin();
+    grid.points.add(bodies.points[i].x);
+    (array++)->add(value.displacement);
+    for (const InsideField& field : insideFields)
+      (array++)->add(field.of(value));
+    array->add(static_cast<int>(bodies.points[i].body));
+  }
+  for (const auto& triangle : bodies.corners)
+    grid.corners.insert(grid.corners.end(), triangle.begin(), triangle.end());
+  return vtuText(grid);
+}
+
+std::vector<std::string> fieldNames() {
+  std::vector<std::string> names;
+  for (const InsideField& field : insideFields)
+    names.emplace_back(field.name);
+  return names;
 }
 
 }  // namespace epafi::drivers

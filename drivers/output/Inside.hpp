@@ -4,6 +4,7 @@
 #include "bem/fields/Interior.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ struct InsidePoint {
 class BodyInsides {
  public:
   /// In a step of the level.  Keeps references to the arguments.
-  BodyInsides(const Scene& scene, const Level& level, const StepFields& step);
+  BodyInsides(const Scene& scene, const Level& level, const SolvedState& step);
 
   const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }
@@ -84,5 +85,21 @@ class BodyInsides {
       inside_;                         ///< of each body, at the level's last time
   std::vector<bem::Interior> fields_;  ///< of each body
 };
+
+/// All bodies as triangles with the values at their corners.  At a node of the boundary
+/// the value is the mean over the two elements that meet there.
+struct FilledBodies {
+  std::vector<InsidePoint> points;
+  std::vector<InsideValue> values;          ///< of each point
+  std::vector<std::array<int, 3>> corners;  ///< of each triangle, counter-clockwise
+};
+FilledBodies fill(const BodyInsides& insides);
+
+/// A file for ParaView (.vtu, UnstructuredGrid): the triangles with displacement, the
+/// scalar fields of fieldNames() and the number of the body.
+std::string vtuFile(const FilledBodies& bodies);
+
+/// The names of the scalar fields of such a file.
+std::vector<std::string> fieldNames();
 
 }  // namespace epafi::drivers

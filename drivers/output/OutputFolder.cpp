@@ -1,7 +1,7 @@
 #include "drivers/output/OutputFolder.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/InsideVtu.hpp"
+#include "drivers/output/Inside.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -53,6 +53,12 @@ bool isMade(const std::string& name) {
       stem.find_first_not_of("0123456789", numbered.size()) == std::string::npos)
     stem = "sweep_contact";
   return isAmong(pictures, stem) || isAmong(fieldNames(), stem);
+}
+
+/// Deletes a file, or a folder that is empty, if it can.
+void deleteQuietly(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
 }
 
 /// The derived files that a folder contains.
@@ -121,14 +127,12 @@ bool holdsSolvedLevel(const fs::path& path) {
 
 [[noreturn]] void refuseEarlier(const fs::path& path, const std::string& name) {
   std::error_code error;
-  if (fs::exists(path / "study.csv", error))
-    throw bem::InputError(
-        "--output: the folder '", path.string(), "' holds an earlier study (", name,
-        "); --force replaces it and keeps its references, --output DIR goes elsewhere");
-  throw bem::InputError(
-      "--output: the folder '", path.string(), "' holds an earlier run (", name,
-      "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
-      "elsewhere");
+  const bool isStudy = fs::exists(path / "study.csv", error);
+  throw bem::InputError("--output: the folder '", path.string(), "' holds an earlier ",
+                        isStudy ? "study (" : "run (", name, "); ",
+                        isStudy ? "--force replaces it and keeps its references"
+                                : "--restart DIR goes on from it, --force replaces it",
+                        ", --output DIR goes elsewhere");
 }
 
 /// Deletes the files of a run in steps/<k>, k > last, and those folders that are empty then.
@@ -143,19 +147,17 @@ void deleteSteps(const fs::path& path, std::size_t last) {
         std::strtoul(name.c_str(), nullptr, 10) <= last)
       continue;
     for (const char* file : {"contact.csv", "boundary.vtu", "fields.vtu"}) {
-      fs::remove(folder / file, ignored);
-      fs::remove(temporaryFile(folder, file), ignored);
+      deleteQuietly(folder / file);
+      deleteQuietly(temporaryFile(folder, file));
     }
-    fs::remove(folder, ignored);  // fails unless the folder is empty
+    deleteQuietly(folder);
   }
-  fs::remove(path / "steps", ignored);
+  deleteQuietly(path / "steps");
 }
 
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
-  for (const std::string name : outputFiles) {
-    std::error_code ignored;
-    fs::remove(temporaryFile(path, name), ignored);
-  }
+  for (const char* name : outputFiles)
+    deleteQuietly(temporaryFile(path, name));
   if (earlier == EarlierRun::Continue)
     return;
   if (earlier == EarlierRun::Delete)
@@ -237,7 +239,7 @@ void OutputFolder::commit() {
       discard();
       refuse(file, error.message());
     }
-    if (std::find(written_.begin(), written_.end(), name) == written_.end())
+    if (!isAmong(written_, name))
       written_.push_back(name);
   }
   staged_.clear();
@@ -249,8 +251,7 @@ void OutputFolder::write(const std::string& name, const std::string& text) {
 }
 
 void OutputFolder::drop(const std::string& name) const {
-  std::error_code ignored;
-  fs::remove(fs::path(path_) / name, ignored);
+  deleteQuietly(fs::path(path_) / name);
 }
 
 void OutputFolder::dropStepsBehind(std::size_t last) const { deleteSteps(path_, last); }
@@ -261,10 +262,8 @@ void OutputFolder::dropMade() const {
 }
 
 void OutputFolder::discard() {
-  for (const std::string& name : staged_) {
-    std::error_code ignored;
-    fs::remove(temporaryFile(path_, name), ignored);
-  }
+  for (const std::string& name : staged_)
+    deleteQuietly(temporaryFile(path_, name));
   staged_.clear();
 }
 

@@ -14,56 +14,52 @@ namespace {
 using bem::InputError;
 using Teuchos::ParameterList;
 
-/// The path of the first key in which two lists differ; empty if they are equal.
-std::string difference(const ParameterList& a, const ParameterList& b,
-                       const std::string& path);
-
-std::string differenceIn(const ParameterList& a, const ParameterList& b,
-                         const std::string& path, const std::string& name) {
-  const auto* inA = a.getEntryPtr(name);
-  const auto* inB = b.getEntryPtr(name);
-  const std::string here = bem::join(path, name);
-  if (inA == nullptr || inB == nullptr)
-    return inA == inB ? "" : here;
-  if (inA->isList() && inB->isList())
-    return difference(a.sublist(name), b.sublist(name), here);
-  return inA->getAny() == inB->getAny() ? "" : here;
+std::vector<std::string> keysOf(const ParameterList& a, const ParameterList& b) {
+  std::vector<std::string> keys;
+  for (const ParameterList* list : {&a, &b})
+    for (const auto& item : *list)
+      keys.push_back(item.first);
+  return keys;
 }
 
+/// The path of the first of some keys in which two lists differ; empty if they are equal.
 std::string difference(const ParameterList& a, const ParameterList& b,
-                       const std::string& path) {
-  for (const ParameterList* list : {&a, &b})
-    for (const auto& item : *list) {
-      std::string found = differenceIn(a, b, path, item.first);
-      if (!found.empty())
-        return found;
+                       const std::string& path, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    const auto* inA = a.getEntryPtr(key);
+    const auto* inB = b.getEntryPtr(key);
+    const bool inBoth = inA != nullptr && inB != nullptr;
+    std::string place = bem::join(path, key);
+    if (inBoth && inA->isList() && inB->isList()) {
+      const ParameterList& ofA = a.sublist(key);
+      const ParameterList& ofB = b.sublist(key);
+      place = difference(ofA, ofB, place, keysOf(ofA, ofB));
+    } else if (inA == inB || (inBoth && inA->getAny() == inB->getAny())) {
+      place.clear();
     }
+    if (!place.empty())
+      return place;
+  }
   return "";
 }
 
-/// The scene for which a checkpoint was written.
-ParameterList sceneOf(const Checkpoint& checkpoint) {
-  return *drivers::sceneOf(checkpoint.used, "used.xml", {}).used;
-}
-
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
-  const ParameterList then = sceneOf(checkpoint);
+  const Scene earlier = sceneOf(checkpoint.used, "used.xml", {});
+  const ParameterList& then = *earlier.used;
   const ParameterList& now = *scene.used;
-  std::string different;
-  for (const char* section : {"Bodies", "Geometry", "Body Loads", "Contacts", "Constants",
-                              "Tables", "History", "Discretization"})
-    if (different.empty())
-      different = differenceIn(then, now, "", section);
-  for (const char* key : {"Weights", "Residual Factor"})
-    if (different.empty())
-      different = differenceIn(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
-                               "Adaptivity", key);
+  std::string different =
+      difference(then, now, "",
+                 {"Bodies", "Geometry", "Body Loads", "Contacts", "Constants", "Tables",
+                  "History", "Discretization"});
+  if (different.empty())
+    different = difference(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
+                           "Adaptivity", {"Weights", "Residual Factor"});
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
         " differs; Bodies, Geometry, Body Loads, Contacts, Constants, Tables, History, "
-        "Discretization, "
-        "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
+        "Discretization, Adaptivity->Weights and Adaptivity->Residual Factor must be as "
+        "they were");
 }
 
 void checkHead(const std::string& table, const std::string& head) {
@@ -81,25 +77,20 @@ void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
               headOf(cellsOf(BodySpaces(scene, checkpoint.level).stepRow())));
 }
 
-/// history.csv without a last level that has not converged: it is solved again.
-std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.history;
-  checkHead(text, headOf(cellsOf(LevelRow())));
-  const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
-  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
-    throw InputError("has not one row of history.csv per level");
-  if (checkpoint.level.status == contact::Status::Converged || !checkpoint.level.complete)
+/// A table whose rows begin with the level, without those of a level that is solved again.
+std::string rowsBehind(const std::string& text, const Level& level) {
+  if (level.isSolved())
     return text;
-  return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  const auto row = text.find("\n" + std::to_string(level.number) + ",");
+  return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
-/// The same for a table whose rows begin with the level; drops all rows of a level that
-/// is solved again.
-std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
-  if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
-    return text;
-  const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
-  return row == std::string::npos ? text : text.substr(0, row + 1);
+std::string historyBehind(const std::string& text, const Level& level) {
+  checkHead(text, headOf(cellsOf(LevelRow())));
+  const int rows = level.number + (level.complete ? 1 : 0);
+  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
+    throw InputError("has not one row of history.csv per level");
+  return rowsBehind(text, level);
 }
 
 bem::Index freeMotions(const std::vector<RigidBody>& bodies) {
@@ -122,7 +113,7 @@ void checkLevel(const Level& level, const Scene& scene) {
         throw InputError("has an element on edge ", piece.edge, "; the outline has ",
                          edges, " edges");
   }
-  const StepFields& last = level.last();
+  const SolvedState& last = level.last();
   if (last.rigid.size() != scene.rigid.size())
     throw InputError("has not the motions of the scene's rigid bodies");
   const BodySpaces spaces(scene, level);
@@ -144,11 +135,10 @@ void checkLevel(const Level& level, const Scene& scene) {
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-  for (const PathPoint& point : level.path)
+  for (const SolvedState& point : level.path)
     if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
       throw InputError("has a path that does not fit its own mesh");
-  if (scene.history && level.complete && level.path.empty() &&
-      level.status == contact::Status::Converged)
+  if (scene.history && level.isSolved() && level.path.empty())
     throw InputError("has no path");
 }
 
@@ -159,13 +149,13 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);
       checkMeaning(checkpoint, scene);
-      checkpoint.history = historyBehind(checkpoint);
-      if (checkpoint.level.status == contact::Status::Converged &&
-          checkpoint.level.complete)
-        checkpoint.level.relativeEstimate =
+      Level& level = checkpoint.level;
+      checkpoint.history = historyBehind(checkpoint.history, level);
+      if (level.isSolved())
+        level.relativeEstimate =
             valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
-      checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
-      checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
+      checkpoint.steps = rowsBehind(checkpoint.steps, level);
+      checkpoint.bodies = rowsBehind(checkpoint.bodies, level);
       if (!checkpoint.bodies.empty())
         checkHead(checkpoint.bodies, bodiesHead());
     });

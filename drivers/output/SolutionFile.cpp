@@ -6,9 +6,11 @@
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 #include <map>
 #include <string_view>
+#include <type_traits>
 
 namespace epafi::drivers {
 
@@ -35,15 +37,18 @@ class Archive {
   /// Has every number been read into the level?
   bool tookAll() const { return left_ == 0; }
 
-  void operator()(const char* name, int& value) { take(name, &value, 1); }
-  void operator()(const char* name, double& value) { take(name, &value, 1); }
+  /// Numbers of one type, one after the other.
+  template <class T, class... More>
+  void operator()(const char* name, T& value, More&... more) {
+    take(name, &value, 1);
+    (take(name, &more, 1), ...);
+  }
   void operator()(const char* name, bem::Vector& values) {
     take(name, values.data(), values.size());
   }
   void operator()(const char* name, std::vector<contact::RigidMotion>& motions) {
     for (auto& [slide, turn] : motions)
-      for (double* number : {&slide.x, &slide.y, &turn})
-        (*this)(name, *number);
+      (*this)(name, slide.x, slide.y, turn);
   }
   template <class State>
   void operator()(const char* name, std::vector<State>& states, State last) {
@@ -62,18 +67,18 @@ class Archive {
     const auto size = [&](auto& vector) {
       auto number = static_cast<int>(vector.size());
       (*this)(name, number);
-      resize(vector, static_cast<std::size_t>(number));
+      resize(static_cast<std::size_t>(number), vector);
     };
     (size(all), ...);
   }
-  /// Resizes a vector of a level that is read; does nothing when writing.
-  template <class T>
-  void resize(std::vector<T>& vector, std::size_t size) const {
+  /// Resizes vectors of a level that is read; does nothing when writing.
+  template <class... T>
+  void resize(std::size_t size, std::vector<T>&... vectors) const {
     if (to_ == To::File)
       return;
     if (size > most_)
       throw bem::InputError(apart);
-    vector.resize(size);
+    (vectors.resize(size), ...);
   }
   /// Rows of an array, divided by `parts`.
   std::size_t rows(const char* name, std::size_t parts = 1) {
@@ -111,21 +116,20 @@ class Archive {
 
 /// A body's mesh and the last state on it.
 void visit(Archive& archive, Level& level, std::size_t b) {
-  StepFields& last = level.steps.back();
+  SolvedState& last = level.steps.back();
   auto& [multiplier, rigid] = last.own[b];
   auto& [normal, tangential] = last.states[b];
   std::vector<bem::Piece>& pieces = level.meshes[b];
   adaptivity::Indicators& indicators = level.indicators[b];
   archive.sizes("bodies", pieces, normal, tangential, rigid, last.displacement[b],
                 last.density[b]);
-  archive.resize(indicators.squares, pieces.size());
-  archive.resize(multiplier, normal.size() + tangential.size());
+  archive.resize(pieces.size(), indicators.squares);
+  archive.resize(normal.size() + tangential.size(), multiplier);
   for (bem::Piece& piece : pieces) {
     archive("edge", piece.edge);
     archive("degree", piece.degree);
-    for (bem::Position* end : {&piece.start, &piece.end})
-      for (double* distance : {&end->fromStart, &end->toEnd})
-        archive("position", *distance);
+    archive("position", piece.start.fromStart, piece.start.toEnd, piece.end.fromStart,
+            piece.end.toEnd);
   }
   for (adaptivity::Contributions& squares : indicators.squares)
     for (double& square : squares)
@@ -138,32 +142,28 @@ void visit(Archive& archive, Level& level, std::size_t b) {
   archive("density", last.density[b]);
 }
 
-void visit(Archive& archive, PathPoint& point, std::size_t points) {
-  archive.resize(point.state.multiplier, archive.rows("path_multiplier", points));
-  archive.resize(point.state.rigid, archive.rows("path_rigid", points));
+void visit(Archive& archive, SolvedState& point, std::size_t points) {
+  archive.resize(archive.rows("path_multiplier", points), point.state.multiplier);
+  archive.resize(archive.rows("path_rigid", points), point.state.rigid);
   archive("path_t", point.t);
-  archive("path_iterations", point.newtonIterations);
-  archive("path_iterations", point.coulombIterations);
+  archive("path_iterations", point.newtonIterations, point.coulombIterations);
   archive("path_multiplier", point.state.multiplier);
   archive("path_rigid", point.state.rigid);
-  archive("path_errors", point.workError);
-  archive("path_errors", point.volumeError);
+  archive("path_errors", point.workError, point.volumeError);
 }
 
 /// \param like a step on the same meshes
-void visit(Archive& archive, StepFields& step, const StepFields& like) {
+void visit(Archive& archive, SolvedState& step, const SolvedState& like) {
   const std::size_t bodies = like.displacement.size();
   archive("step_t", step.t);
-  archive.resize(step.displacement, bodies);
-  archive.resize(step.density, bodies);
-  archive.resize(step.states, bodies);
-  archive.resize(step.rigid, like.rigid.size());
+  archive.resize(bodies, step.displacement, step.density, step.states);
+  archive.resize(like.rigid.size(), step.rigid);
   for (std::size_t b = 0; b < bodies; ++b) {
     auto& [normal, tangential] = step.states[b];
-    archive.resize(step.displacement[b], like.displacement[b].size());
-    archive.resize(step.density[b], like.density[b].size());
-    archive.resize(normal, like.states[b].normal.size());
-    archive.resize(tangential, like.states[b].tangential.size());
+    archive.resize(like.displacement[b].size(), step.displacement[b]);
+    archive.resize(like.density[b].size(), step.density[b]);
+    archive.resize(like.states[b].normal.size(), normal);
+    archive.resize(like.states[b].tangential.size(), tangential);
     archive("step_displacement", step.displacement[b]);
     archive("step_density", step.density[b]);
     archive("step_contact_state", normal, contact::NormalState::Closed);
@@ -175,23 +175,19 @@ void visit(Archive& archive, StepFields& step, const StepFields& like) {
 /// Of a path at its end all steps, else the last one as the state of the bodies.
 void visit(Archive& archive, Level& level) {
   const std::size_t bodies = archive.rows("bodies");
-  archive.resize(level.steps, std::max<std::size_t>(archive.rows("step_t"), 1));
-  StepFields& last = level.steps.back();
-  archive.resize(level.meshes, bodies);
-  archive.resize(level.indicators, bodies);
-  archive.resize(last.own, bodies);
-  archive.resize(last.states, bodies);
-  archive.resize(last.displacement, bodies);
-  archive.resize(last.density, bodies);
+  archive.resize(std::max<std::size_t>(archive.rows("step_t"), 1), level.steps);
+  SolvedState& last = level.steps.back();
+  archive.resize(bodies, level.meshes, level.indicators, last.own, last.states,
+                 last.displacement, last.density);
   for (std::size_t b = 0; b < level.meshes.size(); ++b)
     visit(archive, level, b);
-  archive.resize(last.rigid, archive.rows("rigid_bodies"));
+  archive.resize(archive.rows("rigid_bodies"), last.rigid);
   archive("rigid_bodies", last.rigid);
-  archive.resize(level.path, archive.rows("path_t"));
-  for (PathPoint& point : level.path)
+  archive.resize(archive.rows("path_t"), level.path);
+  for (SolvedState& point : level.path)
     visit(archive, point, level.path.size());
   if (archive.rows("step_t") > 0 || (level.complete && level.onPath()))
-    for (StepFields& step : level.steps)
+    for (SolvedState& step : level.steps)
       visit(archive, step, last);
   else if (last.t == 0 && !level.path.empty())
     last.t = level.path.back().t;
@@ -233,6 +229,28 @@ Arrays arraysOf(Level level) {
   return arrays;
 }
 
+/// Gives each step of a path the states of the bodies, from that of all together in its points:
+/// pressures of all bodies, then all other coefficients, and motions.
+void divideStates(const SolvedState& point, SolvedState& step) {
+  std::size_t taken = 0;
+  const auto take = [&](const bem::Vector& all, double& number) {
+    if (taken < all.size())  // else see checkLevel
+      number = all[taken++];
+  };
+  for (const bool pressures : {true, false})
+    for (std::size_t b = 0; b < step.own.size(); ++b) {
+      bem::Vector& own = step.own[b].multiplier;
+      const std::size_t split = step.states[b].normal.size();
+      for (std::size_t i = pressures ? 0 : split; i < (pressures ? split : own.size());
+           ++i)
+        take(point.state.multiplier, own[i]);
+    }
+  taken = 0;
+  for (contact::State& own : step.own)
+    for (double& motion : own.rigid)
+      take(point.state.rigid, motion);
+}
+
 /// The inverse of arraysOf.
 /// \throws bem::InputError if the sizes do not match, or for an unknown state.
 Level levelOf(Arrays arrays) {
@@ -241,48 +259,64 @@ Level levelOf(Arrays arrays) {
   visit(archive, level);
   if (!archive.tookAll())
     throw bem::InputError(apart);
+  const std::vector<contact::State> last = level.last().own;
+  for (const SolvedState& point : level.path)
+    for (SolvedState& step : level.steps)
+      if (point.t == step.t) {
+        step.own = last;  // with the sizes
+        divideStates(point, step);
+      }
   return level;
 }
 
-bool converged(const Level& level) { return level.status == contact::Status::Converged; }
+/// Calls number(name, value) and text(name, value) for what there is beside the arrays, in the
+/// order of the checksum.
+template <class Number, class Text>
+void visit(Checkpoint& checkpoint, const Number& number, const Text& text) {
+  Level& level = checkpoint.level;
+  int converged = level.status == contact::Status::Converged ? 1 : 0;
+  int complete = level.complete ? 1 : 0;
+  number("level", level.number);
+  number("converged", converged);
+  number("complete", complete);
+  number("seconds_total", checkpoint.secondsTotal);
+  number("seconds_wall", checkpoint.secondsWall);
+  text("reason", level.reason);
+  text("used", checkpoint.used);
+  text("history", checkpoint.history);
+  text("steps", checkpoint.steps);
+  text("resultants", checkpoint.bodies);
+  level.status =
+      converged == 1 ? contact::Status::Converged : contact::Status::NotConverged;
+  level.complete = complete == 1;
+}
 
 /// CRC-32 of everything that a restart reads.
-unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) {
-  const Level& level = checkpoint.level;
+unsigned long long checksum(Checkpoint& checkpoint, const Arrays& arrays) {
   boost::crc_32_type sum;
   const auto add = [&](const auto& values) {
     sum.process_bytes(values.data(), values.size() * sizeof values[0]);
   };
-  add(std::vector<int>{level.number, converged(level) ? 1 : 0, level.complete ? 1 : 0});
-  add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
-  for (const std::string& text : {level.reason, checkpoint.used, checkpoint.history,
-                                  checkpoint.steps, checkpoint.bodies})
-    add(text);
+  visit(
+      checkpoint, [&](const char*, auto value) { add(std::array{value}); },
+      [&](const char*, const std::string& value) { add(value); });
   for (const DataArray& array : arrays)
     std::visit(add, array.numbers);
   return sum.checksum();
 }
 
-void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
-  const Level& level = checkpoint.level;
-  const Arrays arrays = arraysOf(level);
+void writeCheckpoint(Checkpoint checkpoint, Hdf5Writer& writer) {
+  const Arrays arrays = arraysOf(checkpoint.level);
   const auto number = [&](const char* name, auto value) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
   number("format", format);
-  number("level", level.number);
-  number("converged", converged(level) ? 1 : 0);
-  number("complete", level.complete ? 1 : 0);
-  number("seconds_total", checkpoint.secondsTotal);
-  number("seconds_wall", checkpoint.secondsWall);
   number("checksum", checksum(checkpoint, arrays));
+  visit(checkpoint, number, [&](const char* name, const std::string& value) {
+    writer.text(group + "/" + name, value);
+  });
   for (const DataArray& array : arrays)
     write(group, array, writer);
-  writer.text(group + "/reason", level.reason);
-  writer.text(group + "/used", checkpoint.used);
-  writer.text(group + "/history", checkpoint.history);
-  writer.text(group + "/steps", checkpoint.steps);
-  writer.text(group + "/resultants", checkpoint.bodies);
 }
 
 Checkpoint readCheckpoint(const Hdf5Reader& reader) {
@@ -300,22 +334,16 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
                                      static_cast<hsize_t>(array.columns));
         },
         array.numbers);
-
   Checkpoint checkpoint;
-  Level& level = checkpoint.level;
-  level = levelOf(arrays);
-  level.number = reader.attribute<int>(group, "level");
-  level.status = reader.attribute<int>(group, "converged") == 1
-                     ? contact::Status::Converged
-                     : contact::Status::NotConverged;
-  level.complete = reader.attribute<int>(group, "complete") == 1;
-  level.reason = reader.text(group + "/reason");
-  checkpoint.used = reader.text(group + "/used");
-  checkpoint.history = reader.text(group + "/history");
-  checkpoint.steps = reader.text(group + "/steps");
-  checkpoint.bodies = reader.text(group + "/resultants");
-  checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
-  checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
+  checkpoint.level = levelOf(arrays);
+  visit(
+      checkpoint,
+      [&](const char* name, auto& value) {
+        value = reader.attribute<std::decay_t<decltype(value)>>(group, name);
+      },
+      [&](const char* name, std::string& value) {
+        value = reader.text(group + "/" + name);
+      });
   if (reader.attribute<unsigned long long>(group, "checksum") !=
       checksum(checkpoint, arrays))
     throw bem::InputError("is damaged: its checksum is wrong");

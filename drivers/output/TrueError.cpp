@@ -4,7 +4,6 @@
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/CauchyData.hpp"
-#include "contact/opposite/Numbering.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -31,15 +30,12 @@ struct BodySnapshot {
   std::vector<bool> contact;  ///< of each element
 };
 
-/// The solution of all bodies at one time.
+/// The solution of all bodies at one time: in a step of a path, else under the load.
 struct Snapshot {
   double t = 1;
   std::vector<BodySnapshot> bodies;
   double dissipated = 0;  ///< work of friction up to t on a path [stress length²]
 };
-
-/// On a path every requested step, else one state.
-using Snapshots = std::vector<Snapshot>;
 
 /// Σ h/p ‖λ - λ_ref‖² over the contact elements of the level, h/d for h.
 double multiplierDistance(const BodySnapshot& level, const BodySnapshot& reference) {
@@ -69,32 +65,22 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
 
 /// Displacement, density and multiplier of a body as functions.
 BodySnapshot bodySnapshot(const BodySpaces& spaces, std::size_t b,
-                          const bem::Vector& displacement, const bem::Vector& density,
-                          const bem::Vector& multiplier) {
+                          const SolvedState& step) {
   const bem::Space& space = spaces.space(b);
   const contact::MultiplierSpace& own = spaces.multiplier(b);
   const std::size_t elements = space.mesh().size();
-  BodySnapshot body{bem::makeCauchyData(space, displacement, density),
+  BodySnapshot body{bem::makeCauchyData(space, step.displacement[b], step.density[b]),
                     std::vector<Series>(elements), std::vector<bool>(elements)};
   for (const auto& element : own.elements()) {
     body.contact[element.element] = true;
     body.multiplier[element.element] = bem::project(
         [&](double t) {
-          const auto value = own.at(multiplier, element, t);
+          const auto value = own.at(step.own[b].multiplier, element, t);
           return bem::Complex(value.normal, value.tangential);
         },
         element.degree);
   }
   return body;
-}
-
-/// The state of the path at a requested time, of all bodies together.
-const contact::State& stateAt(const Level& level, double t) {
-  for (const PathPoint& point : level.path)
-    if (point.t == t)
-      return point.state;
-  throw bem::NumericalError(
-      bem::message("the path has no state at t = ", t, ", which it was asked for"));
 }
 
 /// Distance at one time, dimensionless.
@@ -120,72 +106,38 @@ Distance distanceOf(const Snapshot& level, const Snapshot& reference,
 }
 
 /// \param dissipated  of each requested step
-Snapshots takeSnapshots(const Scene& scene, const Level& level,
-                        const std::vector<double>& dissipated) {
+std::vector<Snapshot> takeSnapshots(const Scene& scene, const Level& level,
+                                    const std::vector<double>& dissipated) {
   const BodySpaces spaces(scene, level);
-  const contact::Numbering numbering(spaces.sides());
-  Snapshots result;
-  for (const StepFields& step : level.steps) {
+  std::vector<Snapshot> result;
+  for (const SolvedState& step : level.steps) {
     Snapshot& snapshot = result.emplace_back();
-    const contact::State* all = nullptr;
     if (level.onPath()) {
-      all = &stateAt(level, step.t);
       snapshot.t = step.t;
       snapshot.dissipated = dissipated.at(result.size() - 1);
     }
-    for (std::size_t b = 0; b < spaces.size(); ++b) {
-      bem::Vector own = level.last().own[b].multiplier;
-      for (std::size_t i = 0; i < own.size() && all != nullptr; ++i)
-        own[i] = all->multiplier[numbering(b, static_cast<bem::Index>(i))];
-      snapshot.bodies.push_back(
-          bodySnapshot(spaces, b, step.displacement[b], step.density[b], own));
-    }
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      snapshot.bodies.push_back(bodySnapshot(spaces, b, step));
   }
   return result;
 }
 
 /// The reference solution of a scene.
 struct Reference {
-  Snapshots steps;
+  std::vector<Snapshot> steps;
   double energy = 0;          ///< see energyOf, at the end [stress length²]
   double estimate = 0;        ///< estimated error [(stress length²)^½]
   std::vector<double> norms;  ///< energy norm of each step, dimensionless
 
   double largest() const { return *std::max_element(norms.begin(), norms.end()); }
-};
-
-/// Largest errors over the steps of a path.
-struct PathError {
-  double relative = 0;    ///< energy norm over the largest norm of all steps
-  double multiplier = 0;  ///< the same for the multiplier
-  double friction = 0;
-  int step = 0;  ///< of `relative`, from 1
-};
-
-PathError pathError(const Snapshots& steps, const Reference& reference,
-                    const Scene& scene) {
-  const double largest = reference.largest();
-  const double work = std::abs(reference.steps.back().dissipated);
-  PathError error;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const Snapshot& step = steps[k];
-    const auto other = std::find_if(
-        reference.steps.begin(), reference.steps.end(),
-        [&](const auto& s) { return std::abs(s.t - step.t) <= 1e-9 * step.t; });
-    if (other == reference.steps.end())
-      continue;
-    const Distance distance = distanceOf(step, *other, scene);
-    if (error.step == 0 || distance.norm / largest > error.relative) {
-      error.relative = distance.norm / largest;
-      error.step = static_cast<int>(k) + 1;
-    }
-    error.multiplier = std::max(error.multiplier, distance.multiplier / largest);
-    if (work > 0)
-      error.friction =
-          std::max(error.friction, std::abs(step.dissipated - other->dissipated) / work);
+  /// The step at the time of another one; null if there is none.
+  const Snapshot* at(double t) const {
+    for (const Snapshot& step : steps)
+      if (std::abs(step.t - t) <= 1e-9 * t)
+        return &step;
+    return nullptr;
   }
-  return error;
-}
+};
 
 constexpr std::array<const char*, 9> names{
     "error",          "error_multiplier", "error_energy",          "counted",
@@ -199,19 +151,38 @@ std::vector<double> errorsOf(const SolvedLevel& level, const LevelRow& row,
   std::vector<double> dissipated;
   for (const auto& step : level.steps)
     dissipated.push_back(step->row.energyDissipated);
-  const Snapshots steps = takeSnapshots(scene, level.level, dissipated);
+  const std::vector<Snapshot> steps = takeSnapshots(scene, level.level, dissipated);
+  // the largest of a path
+  const double work = std::abs(reference.steps.back().dissipated);
+  Distance farthest;
+  double friction = 0;
+  std::size_t worst = 0;  // from 1
+  for (std::size_t k = 0; scene.history && k < steps.size(); ++k) {
+    const Snapshot* other = reference.at(steps[k].t);
+    if (other == nullptr)
+      continue;
+    const Distance distance = distanceOf(steps[k], *other, scene);
+    if (worst == 0 || distance.norm > farthest.norm) {
+      farthest.norm = distance.norm;
+      worst = k + 1;
+    }
+    farthest.multiplier = std::max(farthest.multiplier, distance.multiplier);
+    if (work > 0)
+      friction =
+          std::max(friction, std::abs(steps[k].dissipated - other->dissipated) / work);
+  }
   const Distance last = distanceOf(steps.back(), reference.steps.back(), scene);
   const double norm = reference.norms.back();
-  const PathError path = scene.history ? pathError(steps, reference, scene) : PathError();
-  const double largest = path.step == 0 ? last.norm : path.relative * reference.largest();
   const double unit = std::sqrt(scene.energy());
-  std::vector<double> errors{last.norm / norm, last.multiplier / norm,
-                             std::abs(energyOf(cellsOf(row)) / reference.energy - 1),
-                             largest * unit >= 10 * reference.estimate ? 1.0 : 0.0,
-                             row.estimate / (last.norm * unit)};
-  if (path.step > 0)
-    errors.insert(errors.end(), {path.relative, path.multiplier, path.friction,
-                                 static_cast<double>(path.step)});
+  std::vector<double> errors{
+      last.norm / norm, last.multiplier / norm,
+      std::abs(energyOf(cellsOf(row)) / reference.energy - 1),
+      (worst == 0 ? last : farthest).norm * unit >= 10 * reference.estimate ? 1.0 : 0.0,
+      row.estimate / (last.norm * unit)};
+  if (worst > 0)
+    errors.insert(errors.end(), {farthest.norm / reference.largest(),
+                                 farthest.multiplier / reference.largest(), friction,
+                                 static_cast<double>(worst)});
   return errors;
 }
 
@@ -228,8 +199,8 @@ Reference readReference(const std::string& file, const Scene& scene) {
   const Checkpoint kept = readSolution(file);
   const Scene of = sceneOf(kept.used, file, {});
   const std::string what = bem::message("'", file, "' ");
-  if (!kept.level.complete)
-    throw bem::InputError(what, "is of a path that was interrupted");
+  if (of.history && !kept.level.isSolved())
+    throw bem::InputError(what, "is of a path that was interrupted or broke off");
   if (of.bodies.size() != scene.bodies.size() || corners(of) != corners(scene))
     throw bem::InputError(what, "was written by a run of other bodies than the scene's");
   if (of.endOfPath() != scene.endOfPath())

@@ -127,11 +127,11 @@ contact::Motions BodySpaces::motions(
     const std::vector<bem::Vector>& displacements,
     const std::vector<contact::RigidMotion>& rigid) const {
   contact::Motions motions;
-  for (std::size_t b = 0; b < size(); ++b)
-    motions.displacements.emplace_back(spaces_[b], displacements[b]);
   motions.rigid = rigid;
-  for (std::size_t b = 0; b < size(); ++b)
+  for (std::size_t b = 0; b < size(); ++b) {
+    motions.displacements.emplace_back(spaces_[b], displacements[b]);
     motions.shearModuli.push_back(scene_.lame(b).mu);
+  }
   return motions;
 }
 

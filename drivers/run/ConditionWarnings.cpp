@@ -1,4 +1,3 @@
-#include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -7,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace epafi::drivers {
@@ -16,36 +14,28 @@ namespace {
 
 using bem::message;
 
-/// Sentences of which each is said once, whatever the time of a path.
-class Warnings {
- public:
-  explicit Warnings(std::vector<std::string>& all) : all_(all) {}
-  template <class... Parts>
-  void operator()(const std::string& about, const Parts&... parts) {
-    if (seen_.insert(about).second)
-      all_.push_back(message(parts...));
-  }
-
- private:
-  std::vector<std::string>& all_;
-  std::set<std::string> seen_;
-};
-
 /// Displacements that differ by no more than rounding, in the user's unit of length.
 bool areAlike(double a, double b, double size, const Body& body) {
   return std::abs(a - b) <= 1e-6 * size + 1e-12 * body.outline->diameter();
 }
 
+/// Calls at(edge, next, corner) for each corner of a body, in the user's coordinates.
+template <class At>
+void forEachCorner(const Body& body, const At& at) {
+  const bem::Outline& outline = *body.outline;
+  for (const bem::Edge& edge : outline.edges())
+    at(edge, outline.edge(edge.next), outline.physical(edge.curve.to()));
+}
+
 /// Corners where two sides prescribe displacements that differ.
 void findJumps(const Body& body, const contact::Conditions& conditions, Warnings& warn) {
   const auto& held = conditions.dirichlet;
-  for (const bem::Edge& edge : body.outline->edges()) {
-    const std::string& next = body.outline->edge(edge.next).boundary;
+  forEachCorner(body, [&](const bem::Edge& edge, const bem::Edge& next,
+                          bem::Vec2 corner) {
     const auto before = held.find(edge.boundary);
-    const auto behind = held.find(next);
+    const auto behind = held.find(next.boundary);
     if (before == held.end() || behind == held.end() || before == behind)
-      continue;
-    const bem::Vec2 corner = body.outline->physical(edge.curve.to());
+      return;
     const auto differ = [&](const bem::Function& one, const bem::Function& other) {
       if (!one || !other)
         return false;
@@ -55,12 +45,12 @@ void findJumps(const Body& body, const contact::Conditions& conditions, Warnings
     };
     if (differ(before->second.x, behind->second.x) ||
         differ(before->second.y, behind->second.y))
-      warn(message("jump ", body.name, corner.x, corner.y), "Bodies->", body.name,
-           "->Boundary Conditions: '", edge.boundary, "' and '", next,
-           "' prescribe different displacements of their corner (", corner.x, ", ",
-           corner.y,
-           "); a jump has no finite energy: stresses there grow with every level");
-  }
+      warn.once(message("jump ", body.name, corner.x, corner.y), "Bodies->", body.name,
+                "->Boundary Conditions: '", edge.boundary, "' and '", next.boundary,
+                "' prescribe different displacements of their corner (", corner.x, ", ",
+                corner.y,
+                "); a jump has no finite energy: stresses there grow with every level");
+  });
 }
 
 /// A function need not exist where no run looks at it.
@@ -82,18 +72,18 @@ void findSlidingAcross(const Body& body, const contact::Conditions& conditions,
     if (conditions.isBoundary(line.boundary) || contact == conditions.contact.end() ||
         !contact->second.sliding || contact->second.friction.law == nullptr)
       return;
-    const std::optional<double> slid =
-        valueAt(contact->second.sliding, body.outline->physical(corner));
+    const std::optional<double> slid = valueAt(contact->second.sliding, corner);
     if (slid && !areAlike(*slid, 0, 0, body))
-      warn("slid " + contact->second.path, contact->second.path, ": Sliding is ", *slid,
-           " on the line of symmetry, where the mirror image slides the other way: it "
-           "jumps there; let it be zero on the line, or draw the whole");
+      warn.once(
+          "slid " + contact->second.path, contact->second.path, ": Sliding is ", *slid,
+          " on the line of symmetry, where the mirror image slides the other way: it "
+          "jumps there; let it be zero on the line, or draw the whole");
   };
-  for (const bem::Edge& edge : body.outline->edges()) {
-    const bem::Edge& next = body.outline->edge(edge.next);
-    compare(edge, next, edge.curve.to());
-    compare(next, edge, edge.curve.to());
-  }
+  forEachCorner(body,
+                [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2 corner) {
+                  compare(edge, next, corner);
+                  compare(next, edge, corner);
+                });
 }
 
 /// The half of an interval with the larger difference, and again of that.
@@ -138,11 +128,12 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
       const double jump = at(high) - before;
       const bem::Vec2 x = body.outline->physical(edge.curve.point(low));
       if (std::abs(jump) > share * excess && !areAlike(jump, 0, std::abs(before), body))
-        warn(message("jump ", body.name, boundary, axis), "Bodies->", body.name,
-             "->Boundary Conditions->", boundary, "->Displacement ", axis, ": jumps by ",
-             jump, " at (", x.x, ", ", x.y,
-             "); a jump has no finite energy, between edges neither: stresses there grow "
-             "with every level; let it rise over some length");
+        warn.once(
+            message("jump ", body.name, boundary, axis), "Bodies->", body.name,
+            "->Boundary Conditions->", boundary, "->Displacement ", axis, ": jumps by ",
+            jump, " at (", x.x, ", ", x.y,
+            "); a jump has no finite energy, between edges neither: stresses there grow "
+            "with every level; let it rise over some length");
     }
   }
 }
@@ -166,7 +157,8 @@ std::optional<double> gapAtEnd(const bem::Function& gap, const Body& body,
 void findPressedCorners(const Body& body, const contact::Conditions& conditions,
                         Warnings& warn) {
   constexpr double same = 1e-6;
-  const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end) {
+  const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end,
+                           bem::Vec2 corner) {
     const auto held = conditions.dirichlet.find(given.boundary);
     const auto contact = conditions.contact.find(side.boundary);
     if (held == conditions.dirichlet.end() || contact == conditions.contact.end() ||
@@ -177,25 +169,24 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
     const bem::Vec2 n = side.curve.normal(end);
     if ((!x && std::abs(n.x) > same) || (!y && std::abs(n.y) > same))
       return;
-    const bem::Vec2 corner =
-        body.outline->physical(end > 0 ? side.curve.to() : side.curve.from());
     const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
     const double closing = dot(moved, n);
     const auto gap = gapAtEnd(contact->second.gap, body, side, end);
     if (gap && closing > *gap &&
         !areAlike(closing, *gap, std::abs(moved.x) + std::abs(moved.y), body))
-      warn("corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",
-           body.name, "->Boundary Conditions: '", given.boundary,
-           "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
-           "), by ", closing, " along the normal where the gap is ", *gap,
-           ": through the obstacle; such a jump has no finite energy, and stresses there "
-           "grow with every level");
+      warn.once(
+          "corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",
+          body.name, "->Boundary Conditions: '", given.boundary,
+          "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
+          "), by ", closing, " along the normal where the gap is ", *gap,
+          ": through the obstacle; such a jump has no finite energy, and stresses there "
+          "grow with every level");
   };
-  for (const bem::Edge& edge : body.outline->edges()) {
-    const bem::Edge& next = body.outline->edge(edge.next);
-    compare(edge, next, -1);
-    compare(next, edge, 1);
-  }
+  forEachCorner(body,
+                [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2 corner) {
+                  compare(edge, next, -1, corner);
+                  compare(next, edge, 1, corner);
+                });
 }
 
 /// The force of a traction on some elements, and the integral of its size.
@@ -251,14 +242,15 @@ void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& 
   for (const auto& [used, fine] : forces)
     if (norm(used.sum - fine.sum) >
         far * std::max({used.size, fine.size, 1e-6 * largest}))
-      warn("load " + body.name + boundary, "Bodies->", body.name,
-           "->Boundary Conditions->", boundary,
-           ": the traction is narrower than its elements can see: on one edge they take "
-           "a force of (",
-           used.sum.x, ", ", used.sum.y, "), a finer rule finds (", fine.sum.x, ", ",
-           fine.sum.y,
-           "); use more elements there (Discretization), or a vertex where the load "
-           "begins and one where it ends");
+      warn.once(
+          "load " + body.name + boundary, "Bodies->", body.name,
+          "->Boundary Conditions->", boundary,
+          ": the traction is narrower than its elements can see: on one edge they take a "
+          "force of (",
+          used.sum.x, ", ", used.sum.y, "), a finer rule finds (", fine.sum.x, ", ",
+          fine.sum.y,
+          "); use more elements there (Discretization), or a vertex where the load "
+          "begins and one where it ends");
 }
 
 /// What a body's conditions at some time say that is probably not meant.
@@ -280,8 +272,7 @@ void findInConditions(const Body& body, const contact::Conditions& conditions,
 
 }  // namespace
 
-void findInConditions(const Scene& scene, std::vector<std::string>& warnings) {
-  Warnings warn(warnings);
+void findInConditions(const Scene& scene, Warnings& warn) {
   for (const Body& body : scene.bodies)
     findInConditions(body, body.conditions, warn);
   constexpr std::size_t most = 12;

@@ -7,7 +7,7 @@
 
 namespace epafi::drivers {
 
-double Level::timeOf(const StepFields& step, double end) const {
+double Level::timeOf(const SolvedState& step, double end) const {
   return !onPath() ? end : path.empty() ? step.t : std::min(step.t, path.back().t);
 }
 
@@ -36,36 +36,25 @@ std::size_t Level::elements() const {
   return sum;
 }
 
-namespace {
-
-/// With the moment about a point, of a force on the line through the origin.
-contact::Resultant wholeOf(const Symmetry& symmetry, const contact::Resultant& half,
-                           bem::Vec2 pole) {
-  bem::Vec2 force{2 * half.x, 2 * half.y};
-  symmetry.across(force) = 0;
-  return {force.x, force.y, -cross(pole, force)};
-}
-
 contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half,
                          bem::Vec2 pole) {
   using contact::Summary;
+  if (!symmetry)
+    return half;
   for (const auto member :
        {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
         &Summary::contactLength, &Summary::slipLength, &Summary::wornVolume})
     half.*member *= 2;
   for (const auto member : {&Summary::load, &Summary::inside, &Summary::contact,
-                            &Summary::obstacle, &Summary::reaction})
-    half.*member = wholeOf(symmetry, half.*member, pole);
+                            &Summary::obstacle, &Summary::reaction}) {
+    bem::Vec2 force = 2 * bem::Vec2{(half.*member).x, (half.*member).y};
+    symmetry.across(force) = 0;
+    half.*member = {force.x, force.y, -cross(pole, force)};
+  }
   half.forceTangential = 0;  // the image turns t round
   symmetry.across(half.motion.slide) = 0;
   half.motion.turn = 0;
   return half;
-}
-
-}  // namespace
-
-contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half) {
-  return symmetry ? wholeOf(symmetry, std::move(half), {}) : half;
 }
 
 contact::Summary wholeOf(const Symmetry& symmetry, const bem::Outline& outline,

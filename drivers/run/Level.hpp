@@ -15,23 +15,20 @@
 
 namespace epafi::drivers {
 
-/// A solved step of a path, or a part of one.
-struct PathPoint {
-  double t = 0;
-  contact::State state;
+/// The solution at one time, dimensionless: under the load, in a step of a path or in a part of
+/// one.
+struct SolvedState {
+  double t = 0;              ///< 0 without a History
+  contact::State state;      ///< of all bodies; without a History not in files
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
   /// Estimated time errors of friction's work and of the worn volume, since the last point that
-  /// has estimates; dimensionless.
+  /// has estimates.
   double workError = 0;
   double volumeError = 0;
-};
 
-/// The solution at one time, dimensionless, by body: under a load, or at a step that the History
-/// of the scene defines.
-struct StepFields {
-  double t = 0;                       ///< 0 without a History
-  std::vector<contact::State> own{};  ///< λ and rigid motions; files have the last step's
+  // by body, of a load and of a step that the History defines
+  std::vector<contact::State> own{};            ///< λ and rigid motions
   std::vector<contact::ContactState> states{};  ///< of each coefficient of λ
   std::vector<bem::Vector> displacement{};      ///< all unknowns
   std::vector<bem::Vector> density{};           ///< traction on the whole boundary
@@ -47,16 +44,18 @@ struct Level {
   std::string reason{};                              ///< empty when converged
   std::vector<std::vector<bem::Piece>> meshes{};     ///< of each body, as in the scene
   std::vector<adaptivity::Indicators> indicators{};  ///< likewise
-  std::vector<PathPoint> path{};                     ///< all solved steps and parts
+  std::vector<SolvedState> path{};                   ///< all solved steps and parts
   /// The solution.  A finished path has all steps, an unfinished one only the last, so that
   /// files written after each step do not grow.
-  std::vector<StepFields> steps{};
+  std::vector<SolvedState> steps{};
   bool complete = true;  ///< has the path reached its end?  True without a History
 
-  const StepFields& last() const { return steps.back(); }
+  /// Converged, a path to its end?
+  bool isSolved() const { return complete && status == contact::Status::Converged; }
+  const SolvedState& last() const { return steps.back(); }
   bool onPath() const { return last().t > 0; }
   /// The time of a step, at most that of the last solved point; `end` without a History.
-  double timeOf(const StepFields& step, double end) const;
+  double timeOf(const SolvedState& step, double end) const;
 
   /// Sums over all bodies.
   adaptivity::Contributions squares() const;
@@ -121,7 +120,6 @@ struct LevelRow {
   double energyFriction = 0;   ///< friction's work so far [stress length²]
   double energyInterface = 0;  ///< stored by contact surfaces [stress length²]
   contact::Report report{};
-  std::string reason{};                 ///< empty when converged
   double gamma0 = 0;                    ///< zero without stabilisation
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
   double relativeEstimate = 0;          ///< see Level
@@ -143,11 +141,11 @@ struct LevelRow {
 
 /// Results of the whole scene from those of the half (Geometry->Symmetry): energies, lengths and
 /// force components along the line are doubled, components across it are zero, and moments are
-/// those of a force on the line.  Without symmetry unchanged.
-contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half);
+/// those of a force on the line, about `pole`.  Without symmetry unchanged.
+contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half,
+                         bem::Vec2 pole = {});
 
 /// The same for one body, if the line cuts it; else unchanged.
-/// \param pole  about which moments are taken
 contact::Summary wholeOf(const Symmetry& symmetry, const bem::Outline& outline,
                          const contact::Summary& drawn, bem::Vec2 pole = {});
 

@@ -99,19 +99,19 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
   std::vector<BodySize> sizes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = spaces.space(b);
-    double smallest = space.mesh()[0].half;
-    double largest = smallest;
-    for (const bem::Element& element : space.mesh().elements()) {
-      smallest = std::min(smallest, element.half);
-      largest = std::max(largest, element.half);
-    }
     const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    const bool meetsElastic = !spaces.opposite(b)->bodies().empty();
-    sizes.push_back({static_cast<double>(space.displacements()),
-                     static_cast<double>(space.densities()),
-                     static_cast<double>(multiplier.size()),
-                     static_cast<double>(space.mesh().size()), largest / smallest,
-                     meetsElastic ? static_cast<double>(multiplier.normals()) : 0});
+    const auto& elements = space.mesh().elements();
+    const auto [smallest, largest] = std::minmax_element(
+        elements.begin(), elements.end(),
+        [](const bem::Element& e, const bem::Element& f) { return e.half < f.half; });
+    BodySize& size = sizes.emplace_back();
+    size.displacements = static_cast<double>(space.displacements());
+    size.densities = static_cast<double>(space.densities());
+    size.multipliers = static_cast<double>(multiplier.size());
+    size.elements = static_cast<double>(elements.size());
+    size.grading = largest->half / smallest->half;
+    if (!spaces.opposite(b)->bodies().empty())
+      size.opposite = static_cast<double>(multiplier.normals());
   }
   return sizes;
 }

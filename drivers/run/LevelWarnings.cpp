@@ -1,5 +1,4 @@
-#include "bem/base/Error.hpp"
-#include "contact/results/ContactFields.hpp"
+#include "contact/results/Solved.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -12,52 +11,32 @@ namespace epafi::drivers {
 
 namespace {
 
-using bem::message;
+/// What is told of a contact, the largest over the level or over the steps of its path.
+struct Contact {
+  double sliding = 0;  ///< where it is closed, over its length in contact
+  /// n k |λₜ|, at most n k f p, of a path: the slip follows what it wears, and more than one
+  /// solution may exist.
+  double wearing = 0;
+};
 
-/// How far the sides of each contact slide where it is closed, over its length in contact.
-void findSliding(const contact::Solved& solved, std::map<std::string, double>& shares) {
-  const contact::ContactFields fields(solved);
-  std::map<std::string, double> slides;
-  for (const auto& element : fields.elements()) {
-    const contact::ContactPoint point = fields.at(element, 0);
-    if (point.closed)
-      slides[nameOf(element)] =
-          std::max(slides[nameOf(element)], std::abs(point.tangential));
-  }
-  const auto lengths = contact::contactLengths(solved);
-  for (const auto& [name, slide] : slides) {
-    const double length = lengths.at(name);
-    shares[name] = std::max(shares[name], length > 0 ? slide / length : 0);
-  }
-}
-
-/// The largest of each contact over the level or over the steps of its path.
-std::map<std::string, double> slidingOf(const SolvedLevel& level) {
-  std::map<std::string, double> shares;
-  for (const auto& step : level.steps)
-    for (const contact::Solved& solved : step->bodies)
-      findSliding(solved, shares);
-  return shares;
-}
-
-/// Contacts whose slip follows what they wear so much that more than one solution may exist: the
-/// largest n k |λₜ| of each over the steps of the path, at most n k f p.
-std::map<std::string, double> unsettledWear(const SolvedLevel& level) {
-  std::map<std::string, double> rates;
-  if (!level.level.onPath())
-    return rates;
+std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
+  std::map<std::string, Contact> contacts;
   for (const auto& step : level.steps)
     for (const contact::Solved& solved : step->bodies) {
       const contact::ContactFields fields(solved);
-      for (const auto& element : fields.elements())
-        if (element.condition->wear && element.shears()) {
-          const contact::ContactPoint point = fields.at(element, 0);
-          double& rate = rates[nameOf(element)];
-          rate = std::max(rate, element.condition->cycles *
-                                    element.condition->wear(point.place) * point.bound);
-        }
+      const auto lengths = contact::contactLengths(solved);
+      for (const auto& element : fields.elements()) {
+        const contact::ContactPoint point = fields.at(element, 0);
+        const auto& condition = *element.condition;
+        auto& [sliding, wearing] = contacts[nameOf(element)];
+        if (const double length = lengths.at(nameOf(element)); point.closed && length > 0)
+          sliding = std::max(sliding, std::abs(point.tangential) / length);
+        if (condition.wear && element.shears() && level.level.onPath())
+          wearing = std::max(
+              wearing, condition.cycles * condition.wear(point.place) * point.bound);
+      }
     }
-  return rates;
+  return contacts;
 }
 
 /// The largest displacement on a body's boundary, in its diameters.
@@ -88,7 +67,7 @@ double imbalanceOf(const contact::Summary& body, double motion, double youngsMod
 
 /// Digits that rounding has taken, of bodies too slender for double precision, or of small
 /// deformations beside large motions.
-void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings) {
+void findLostDigits(const SolvedLevel& level, Warnings& warn) {
   // of forces; a beam's bending is off by three hundred times as much
   constexpr double smallImbalance = 1e-7;
   constexpr double smallDefect = 1e-6;
@@ -105,9 +84,8 @@ void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings
         imbalanceOf(wholeOf(scene.symmetry, *body.outline, last.summaries()[b]), motion,
                     body.material.youngsModulus);
     if (imbalance > smallImbalance)
-      warnings.push_back(message("Bodies->", body.name,
-                                 ": its forces are out of balance by ", imbalance,
-                                 " of the largest; ", why));
+      warn("Bodies->", body.name, ": its forces are out of balance by ", imbalance,
+           " of the largest; ", why);
   }
   double missed = 0;
   double largest = 0;  // of a step without load displacements are rounding, too
@@ -117,34 +95,24 @@ void findLostDigits(const SolvedLevel& level, std::vector<std::string>& warnings
     largest = std::max(largest, motion);
   }
   if (missed > smallDefect * largest)
-    warnings.push_back(message("contact is met up to ", missed / largest,
-                               " of the displacements; ", why));
+    warn("contact is met up to ", missed / largest, " of the displacements; ", why);
 }
 
 /// What steps as short as they may be do not tell to the tolerance.
-void findErrorInTime(const SolvedLevel& level, std::vector<std::string>& warnings) {
+void findErrorInTime(const SolvedLevel& level, Warnings& warn) {
   const StepRow& last = level.last().row;
   const double tolerance = level.last().spaces.scene().history.tolerance;
   const auto tell = [&](const char* what, double error) {
     // each section may take the tolerance of its own work or of its share of the path's
     if (tolerance > 0 && error > 2 * tolerance)
-      warnings.push_back(
-          message(what, " has an estimated error in time of ", error,
-                  " of itself, more than History->Tolerance = ", tolerance,
-                  ": a smaller History->Minimum Step, or more of History->Times"));
+      warn(what, " has an estimated error in time of ", error,
+           " of itself, more than History->Tolerance = ", tolerance,
+           ": a smaller History->Minimum Step, or more of History->Times");
   };
   tell("friction's work",
        last.energyDissipatedError /
            std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside)));
   tell("the worn volume", last.wornVolumeError);
-}
-
-bool isDeformed(const SolvedStep& step) {
-  return std::any_of(
-      step.bodies.begin(), step.bodies.end(), [](const contact::Solved& solved) {
-        return std::any_of(solved.displacement.begin(), solved.displacement.end(),
-                           [](double u) { return u != 0; });
-      });
 }
 
 /// Do sides overlap, by more than rounding, between the points that keep them apart?
@@ -153,78 +121,67 @@ bool isMissed(const Scene& scene, const Level& level) {
   return of(squares, adaptivity::Source::Penetration) > 1e-24 * scene.energy();
 }
 
-struct Extent {
-  double energy = 0;
-  double contact = 0;
-};
-
-/// The largest over the level or over the steps of its path.
-Extent extentOf(const SolvedLevel& level) {
-  const contact::Summary& summary = level.row.summary;
-  Extent extent{summary.energyStrain, summary.contactLength};
-  for (const auto& step : level.steps) {
-    extent.energy = std::max(extent.energy, step->row.energyStrain);
-    for (const auto& [name, contact] : step->row.contacts)
-      extent.contact = std::max(extent.contact, contact.contactLength);
+/// Does contact close or slide where it may not, or motions go farther than the equations hold?
+void findLarge(const SolvedLevel& level, Warnings& warn) {
+  constexpr double small = 0.1;
+  constexpr double settled = 0.3;
+  const std::map<std::string, Contact> contacts = contactsOf(level);
+  for (const auto& [name, contact] : contacts)
+    if (contact.sliding > small)
+      warn("contact '", name, "': sliding reaches ", std::round(100 * contact.sliding),
+           " % of the length in contact; what meets what is looked for once, on the "
+           "outlines as drawn (small sliding): stresses may belong elsewhere by as much");
+  for (const auto& [name, contact] : contacts)
+    if (contact.wearing > settled)
+      warn("contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",
+           "bound reaches ", contact.wearing, ", above ", settled,
+           ": slip and wear may have several solutions; shorten steps or the jump");
+  const SolvedStep& last = level.last();
+  for (std::size_t b = 0; b < last.bodies.size(); ++b) {
+    const Body& body = last.spaces.scene().bodies[b];
+    const double motion = largestMotion(last.bodies[b], *body.outline);
+    if (motion > small)
+      warn("Bodies->", body.name, ": displacements reach ", std::round(100 * motion),
+           " % of the body's size; the equations are those of small displacements and "
+           "small sliding, on the outline as drawn: look at units and loads");
   }
-  return extent;
 }
 
 }  // namespace
 
 std::vector<std::string> warningsOf(const SolvedLevel& level) {
   const Scene& scene = level.last().spaces.scene();
-  std::vector<std::string> warnings;
-  const Extent extent = extentOf(level);
-  if (extent.energy == 0) {
-    warnings.emplace_back(
-        isDeformed(level.last())
-            ? "the strain energy is too small for a number: loads are next to nothing "
-              "beside Young's modulus; look at the units of both"
-            : "nothing loads the scene: no traction, force, prescribed displacement or "
-              "overlap; all of it stays as it is");
-    return warnings;
+  Warnings warn;
+  double energy = level.row.summary.energyStrain;
+  double contact = level.row.summary.contactLength;
+  for (const auto& step : level.steps) {
+    energy = std::max(energy, step->row.energyStrain);
+    for (const auto& [name, summary] : step->row.contacts)
+      contact = std::max(contact, summary.contactLength);
   }
-  const bool isSolved = level.row.report.converged();
-  if (isSolved && scene.hasContact() && extent.contact == 0)
-    warnings.emplace_back(
-        isMissed(scene, level.level)
-            ? "contact closes between the points of the mesh alone (eta_penetration), "
-              "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
-            : "contact never closes: nothing presses a body onto what it could meet; "
-              "look at the signs of loads (tractions pull along x and y), at the gap, "
-              "and at a finer first mesh");
-  if (isSolved)
-    findLostDigits(level, warnings);
-  if (isSolved)
-    findErrorInTime(level, warnings);
-  if (const std::string missing = missingTo(scene, level.level);
-      isSolved && !missing.empty())
-    warnings.push_back("a limit ends the run" + missing);
-  constexpr double small = 0.1;
-  for (const auto& [name, share] : slidingOf(level))
-    if (share > small)
-      warnings.push_back(message(
-          "contact '", name, "': sliding reaches ", std::round(100 * share),
-          " % of the length in contact; what meets what is looked for once, on the "
-          "outlines as drawn (small sliding): stresses may belong elsewhere by as much"));
-  constexpr double settled = 0.3;
-  for (const auto& [name, rate] : unsettledWear(level))
-    if (rate > settled)
-      warnings.push_back(message(
-          "contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",
-          "bound reaches ", rate, ", above ", settled,
-          ": slip and wear may have several ", "solutions; shorten steps or the jump"));
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const double motion = largestMotion(level.last().bodies[b], *scene.bodies[b].outline);
-    if (motion > small)
-      warnings.push_back(
-          message("Bodies->", scene.bodies[b].name, ": displacements reach ",
-                  std::round(100 * motion),
-                  " % of the body's size; the equations are those of small displacements "
-                  "and small sliding, on the outline as drawn: look at units and loads"));
+  if (energy == 0) {
+    warn(level.last().largestDisplacement() > 0
+             ? "the strain energy is too small for a number: loads are next to nothing "
+               "beside Young's modulus; look at the units of both"
+             : "nothing loads the scene: no traction, force, prescribed displacement or "
+               "overlap; all of it stays as it is");
+    return warn.all();
   }
-  return warnings;
+  if (level.row.report.converged()) {
+    if (scene.hasContact() && contact == 0)
+      warn(isMissed(scene, level.level)
+               ? "contact closes between the points of the mesh alone (eta_penetration), "
+                 "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
+               : "contact never closes: nothing presses a body onto what it could meet; "
+                 "look at the signs of loads (tractions pull along x and y), at the gap, "
+                 "and at a finer first mesh");
+    findLostDigits(level, warn);
+    findErrorInTime(level, warn);
+    if (const std::string missing = missingTo(scene, level.level); !missing.empty())
+      warn("a limit ends the run", missing);
+  }
+  findLarge(level, warn);
+  return warn.all();
 }
 
 }  // namespace epafi::drivers

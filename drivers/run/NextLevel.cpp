@@ -6,16 +6,20 @@
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/opposite/Numbering.hpp"
+#include "bem/geometry/NormalRay.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/FacingMarks.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iomanip>
+#include <iterator>
+#include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -67,14 +71,170 @@ const adaptivity::Strategy& strategyOf(const Scene& scene) {
   return adaptivity::strategies().at(scene.adaptivity.strategy.name);
 }
 
+/// A body's mesh and its singular points.  Refers to the mesh.
+struct SingularMesh {
+  const bem::Mesh& mesh;
+  adaptivity::SingularPoints singular;
+};
+
+// Refinement of opposite sides of contacts between elastic bodies.
+//                                              [doc/theory/estimators.md, Several bodies]
+
+using adaptivity::Singularity;
+
+/// A place on one of several curves.
+struct Place {
+  std::size_t curve = 0;
+  double t = 0;
+};
+
+/// That opposite to a place on the side of a contact.
+std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
+                                const bem::Curve& side, double t,
+                                const std::vector<bem::Curve>& opposite) {
+  std::optional<Place> found;
+  double smallest = scene.reach(pair);
+  for (std::size_t k = 0; k < opposite.size(); ++k) {
+    const auto there =
+        bem::crossing(side.point(t) + scene.shift(pair), side.normal(t), opposite[k]);
+    if (!there || !bem::isOn(*there) || std::abs(there->distance) > smallest)
+      continue;
+    smallest = std::abs(there->distance);
+    found = Place{k, there->t};
+  }
+  return found;
+}
+
+/// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
+/// unbounded there, or jumps.
+void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
+              SingularMesh& side) {
+  const auto touches = [&](int e) {
+    const auto* contact = contact::contactOn(side.mesh, e, conditions);
+    return contact != nullptr && contact->name == pair.name;
+  };
+  for (const int e : side.mesh.elementsOf(pair.side.boundary)) {
+    const bem::Element& element = side.mesh[e];
+    for (const auto& [neighbour, node] : {std::pair(element.previous, element.startNode),
+                                          std::pair(element.next, element.endNode)})
+      if (touches(e) && !touches(neighbour))
+        side.singular.nodes[node] = Singularity::Strong;
+  }
+}
+
+/// Places of an element that lie beside strong singular points.
+bem::Vector besideSingular(const SingularMesh& side, int e) {
+  constexpr double close = 1e-6;
+  bem::Vector places;
+  if (side.singular.at(side.mesh, e, false) == Singularity::Strong)
+    places.push_back(-1 + close);
+  for (const double t : side.singular.inside[e]) {
+    places.push_back(t - close);
+    places.push_back(t + close);
+  }
+  if (side.singular.at(side.mesh, e, true) == Singularity::Strong)
+    places.push_back(1 - close);
+  return places;
+}
+
+bool has(const std::vector<int>& elements, int e) {
+  return std::binary_search(elements.begin(), elements.end(), e);
+}
+
+/// What a side's singular points are opposite to on the body that it meets.
+std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
+                                                  const ContactPair& pair,
+                                                  const SingularMesh& side) {
+  const bem::Mesh& mesh = side.mesh;
+  const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
+  std::vector<adaptivity::EdgePlace> found;
+  for (const int e : mesh.elementsOf(pair.side.boundary)) {
+    bem::Vector places = side.singular.inside[e];
+    for (const bool end : {false, true})
+      if (side.singular.at(mesh, e, end) == Singularity::Strong)
+        places.push_back(end ? 1 : -1);
+    for (const double t : places)
+      if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, opposite.curves))
+        found.push_back({opposite.edges[there->curve],
+                         opposite.curves[there->curve].half() * (1 + there->t)});
+  }
+  return found;
+}
+
+/// Elements of a side and of the one that it meets, beside a singular point of the side.
+std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPair& pair,
+                                             const SingularMesh& side,
+                                             const bem::Mesh& opposite) {
+  const std::vector<int> numbers = opposite.elementsOf(pair.opposite.boundary);
+  std::vector<bem::Curve> curves;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(curves),
+                 [&](int e) { return opposite[e].curve; });
+  std::vector<std::pair<int, int>> pairs;
+  for (const int e : side.mesh.elementsOf(pair.side.boundary))
+    for (const double t : besideSingular(side, e))
+      if (const auto there = oppositeTo(scene, pair, side.mesh[e].curve, t, curves))
+        pairs.emplace_back(e, numbers[there->curve]);
+  return pairs;
+}
+
+/// Adds to each side of a contact the singular points opposite: transitions, and the ends
+/// of the other side.
+void shareSingularPoints(const Scene& scene, std::vector<SingularMesh>& meshes) {
+  std::vector<std::vector<adaptivity::EdgePlace>> found(meshes.size());
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    for (const RequiredNode& node : scene.bodies[b].nodes)
+      found[b].push_back({node.edge, node.place});
+  for (const ContactPair& pair : scene.contacts) {
+    if (pair.opposite.rigid)
+      continue;
+    markEnds(pair, scene.bodies[pair.side.body].conditions, meshes[pair.side.body]);
+    const auto points = oppositePoints(scene, pair, meshes[pair.side.body]);
+    found[pair.opposite.body].insert(found[pair.opposite.body].end(), points.begin(),
+                                     points.end());
+  }
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    if (!found[b].empty())
+      meshes[b].singular =
+          adaptivity::withStrong(std::move(meshes[b].singular), meshes[b].mesh, found[b]);
+}
+
+/// The marked elements of all bodies, and for those beside a strong singular point the
+/// opposite elements, unless less than half as long, so that both sides are graded alike.
+/// \param worst marked elements, by body
+std::vector<std::vector<int>> withFacing(const Scene& scene,
+                                         const std::vector<SingularMesh>& meshes,
+                                         std::vector<std::vector<int>> worst) {
+  constexpr double shortest = 0.5 + 1e-6;  // half as long is common, and no more
+  const std::vector<std::vector<int>> chosen = worst;
+  for (const ContactPair& pair : scene.contacts) {
+    if (pair.opposite.rigid)
+      continue;
+    const std::size_t a = pair.side.body;
+    const std::size_t b = pair.opposite.body;
+    const bem::Mesh& side = meshes[a].mesh;
+    const bem::Mesh& opposite = meshes[b].mesh;
+    for (const auto& [e, facing] : facingPairs(scene, pair, meshes[a], opposite)) {
+      if (has(chosen[a], e) && opposite[facing].half > shortest * side[e].half)
+        worst[b].push_back(facing);
+      if (has(chosen[b], facing) && side[e].half > shortest * opposite[facing].half)
+        worst[a].push_back(e);
+    }
+  }
+  for (std::vector<int>& elements : worst) {
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  }
+  return worst;
+}
+
 std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
-                                         const std::vector<StepFields>& steps) {
+                                         const std::vector<SolvedState>& steps) {
   const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     std::vector<contact::ContactState> states;
     states.reserve(steps.size());
-    for (const StepFields& step : steps)
+    for (const SolvedState& step : steps)
       states.push_back(step.states[b]);
     const bem::Mesh& mesh = spaces.space(b).mesh();
     meshes.push_back(
@@ -87,12 +247,12 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
 }
 
 /// Of each element of a body: does it look analytic in every step?
-std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b,
+std::vector<bool> analyticIn(const std::vector<SolvedState>& steps, std::size_t b,
                              const BodySpaces& spaces) {
   const Scene& scene = spaces.scene();
   const bem::Space& space = spaces.space(b);
   std::vector<bool> always(space.mesh().size(), true);
-  for (const StepFields& step : steps) {
+  for (const SolvedState& step : steps) {
     const std::vector<bool> now = adaptivity::looksAnalytic(
         space, scene.bodies[b].conditions, step.displacement[b], step.density[b],
         scene.adaptivity.strategy.analyticityThreshold);
@@ -104,19 +264,19 @@ std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b
 
 /// The steps whose tractions are not rounding beside the largest ones.  In others, such as one in
 /// which all loads are gone, the states of contact are rounding, too.
-std::vector<StepFields> loaded(std::vector<StepFields> steps) {
+std::vector<SolvedState> loaded(std::vector<SolvedState> steps) {
   constexpr double rounding = 1e-9;
-  const auto largestOf = [](const StepFields& step) {
+  const auto largestOf = [](const SolvedState& step) {
     double largest = 0;
     for (const bem::Vector& density : step.density)
       largest = std::max(largest, bem::largestEntry(density));
     return largest;
   };
   double largest = 0;
-  for (const StepFields& step : steps)
+  for (const SolvedState& step : steps)
     largest = std::max(largest, largestOf(step));
   steps.erase(std::remove_if(steps.begin(), steps.end(),
-                             [&](const StepFields& step) {
+                             [&](const SolvedState& step) {
                                return largestOf(step) < rounding * largest;
                              }),
               steps.end());
@@ -128,7 +288,7 @@ std::vector<StepFields> loaded(std::vector<StepFields> steps) {
 std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& level,
                                        const bem::Processes& processes) {
   const Scene& scene = spaces.scene();
-  const std::vector<StepFields> steps = loaded(level.steps);
+  const std::vector<SolvedState> steps = loaded(level.steps);
   const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
@@ -169,24 +329,15 @@ bool hasFirst(const Scene& scene, const Level& level) {
 }
 
 /// The state from which the next level starts: under the load, or in the first step of a path.
-StepFields carryFirst(const BodySpaces& spaces, const Level& level, const Level& next) {
+SolvedState carryFirst(const BodySpaces& spaces, const Level& level, const Level& next) {
   const Scene& scene = spaces.scene();
-  StepFields start;
-  start.rigid = level.steps.front().rigid;
-  const contact::Numbering numbering(spaces.sides());
-  std::size_t motions = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    contact::State state = level.last().own[b];
-    if (scene.history) {
-      const contact::State& first = level.path.front().state;
-      state.multiplier = numbering.of(b, first.multiplier);
-      for (double& motion : state.rigid)
-        motion = first.rigid[motions++];
-    }
+  const SolvedState& first = level.steps.front();
+  SolvedState start;
+  start.rigid = first.rigid;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
     start.own.push_back(adaptivity::carry(
-        spaces.space(b).mesh(), spaces.multiplier(b), state,
+        spaces.space(b).mesh(), spaces.multiplier(b), first.own[b],
         {scene.bodies[b].outline, next.meshes[b]}, scene.bodies[b].conditions));
-  }
   return start;
 }
 
@@ -228,13 +379,12 @@ std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
 
 std::variant<Level, Outcome> levelAfterRestart(const Scene& scene, const Level& level,
                                                const bem::Processes& processes) {
-  if (level.status != contact::Status::Converged || !level.complete) {
-    Level again = level;
-    if (scene.history)  // whose last state is not that of the first step
-      again.steps.clear();
-    return again;
-  }
-  return nextLevel(scene, level, processes);
+  if (level.isSolved())
+    return nextLevel(scene, level, processes);
+  Level again = level;
+  if (scene.history)  // whose last state is not that of the first step
+    again.steps.clear();
+  return again;
 }
 
 }  // namespace epafi::drivers

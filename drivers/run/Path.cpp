@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/path/PathMemory.hpp"
+#include "contact/path/Prediction.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 #include "drivers/run/Solver.hpp"
 
@@ -74,12 +75,12 @@ class Follower {
 
  private:
   contact::Report& report() { return path_.row.report; }
-  std::vector<PathPoint>& points() const { return path_.level.path; }
+  std::vector<SolvedState>& points() const { return path_.level.path; }
   bool isKnown() const { return points().size() < known_; }
 
   /// How many points of an earlier run hold: under a tolerance those of sections that it
   /// finished, which are compared as a whole.
-  static std::size_t knownOf(const std::vector<PathPoint>& earlier,
+  static std::size_t knownOf(const std::vector<SolvedState>& earlier,
                              const History& history) {
     std::size_t known = earlier.size();
     while (history.tolerance > 0 && known > 0 &&
@@ -137,21 +138,20 @@ class Follower {
     }
   }
 
-  /// What friction's work since then may count as: its own, or its share of the path's.
+  /// What friction's work, or the worn volume, since then may count as: its own, or its share of
+  /// the path's.
+  double counted(double now, double then, double whole, double least) const {
+    return std::max({now - then, whole / scene_.endOfPath() * now, least});
+  }
   double workOf(const Standing& before, double whole) const {
-    const double sofar = here_.memory.friction();
-    const double share = whole / scene_.endOfPath();
-    return std::max({sofar - before.memory.friction(), share * sofar,
-                     leastFriction * std::abs(here_.memory.outside())});
+    return counted(here_.memory.friction(), before.memory.friction(), whole,
+                   leastFriction * std::abs(here_.memory.outside()));
   }
-
-  /// The worn volume likewise; displacements, and rounding of slips with them, are as large as the
-  /// root of the work.
   double volumeOf(const Standing& before, double whole) const {
-    const double sofar = here_.memory.wornVolume();
-    return std::max({sofar - before.memory.wornVolume(),
-                     whole / scene_.endOfPath() * sofar, leastVolume()});
+    return counted(here_.memory.wornVolume(), before.memory.wornVolume(), whole,
+                   leastVolume());
   }
+  /// Displacements, and rounding of slips with them, are as large as the root of the work.
   double leastVolume() const {
     constexpr double rounding = 1e-9;
     return rounding * std::sqrt(std::abs(here_.memory.outside()));
@@ -179,13 +179,16 @@ class Follower {
   SolvedProblem attempt(contact::ContactSystem& system, double time) {
     // where solutions are not unique a path of one step shall find that of the load alone
     const bool isFirst = points().empty() && time == scene_.history.times.front();
-    const StepFields start = from_.steps.empty() ? StepFields() : from_.last();
-    const contact::State first = atZero_.joined(start.own, start.rigid);
+    contact::State first;
+    if (!from_.steps.empty())
+      first = atZero_.joined(from_.last().own, from_.last().rigid);
     return settled(
         system, isFirst ? &first : nullptr,
-        [&](const contact::State* from) {
-          return solveStep(system, spaces_, here_.prediction, from, run_.processes,
-                           run_.timer);
+        [&](const contact::State* start) {
+          return drivers::solve(
+              system, spaces_,
+              [&] { return start != nullptr ? *start : here_.prediction.start(system); },
+              here_.prediction.last(), run_.processes, run_.timer);
         },
         run_.processes);
   }
@@ -205,7 +208,7 @@ class Follower {
                          here_.responses, here_.memory.wear(), here_.reactions}));
     });
     if (known) {
-      const PathPoint& point = from_.path[points().size()];
+      const SolvedState& point = from_.path[points().size()];
       solved.state = point.state;
       solved.report.newtonIterations = point.newtonIterations;
       solved.report.coulombIterations = point.coulombIterations;
@@ -245,7 +248,7 @@ class Follower {
     if (converged) {
       here_.cycles += (next - here_.t) * cyclesOf(*conditions_);
       ++row_.parts;
-      const PathPoint before = known ? from_.path[points().size()] : PathPoint();
+      const SolvedState before = known ? from_.path[points().size()] : SolvedState();
       points().push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
                           std::exchange(coulombIterations_, 0), before.workError,
                           before.volumeError});
@@ -276,7 +279,7 @@ class Follower {
     row_.energyDissipated = energy * here_.memory.friction();
     double workError = 0;
     double volumeError = 0;
-    for (const PathPoint& point : points()) {
+    for (const SolvedState& point : points()) {
       workError += point.workError;
       volumeError += point.volumeError;
     }

@@ -32,7 +32,7 @@ double turnBehind(const bem::Outline& outline, const bem::Edge& edge) {
 
 /// Joints of one boundary that turn by a little, all to one side.
 void findPolygon(const bem::Outline& outline, const std::string& boundary,
-                 const std::string& name, std::vector<std::string>& warnings) {
+                 const std::string& body, Warnings& warn) {
   constexpr double largest = 20 * degree;
   constexpr double smallest = 1e-6;
   constexpr int few = 3;  // joints: a chamfer has two
@@ -47,11 +47,11 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
     turn = std::max(turn, std::abs(angle));
   }
   if (std::max(left, right) >= few && std::min(left, right) == 0)
-    warnings.push_back(message(name, ": ", left + right, " corners of up to ",
-                               std::round(turn / degree * 10) / 10,
-                               " degrees draw a curve on a side in contact; pressure "
-                               "then stands on the corners.  Arcs (Geometry->Bulges) are "
-                               "exact; so is a straight side with the shape in its Gap"));
+    warn("Bodies->", body, "->Geometry, '", boundary, "': ", left + right,
+         " corners of up to ", std::round(turn / degree * 10) / 10,
+         " degrees draw a curve on a side in contact; pressure then stands on the "
+         "corners.  Arcs (Geometry->Bulges) are exact; so is a straight side with the "
+         "shape in its Gap");
 }
 
 void addWords(const std::string& text, std::set<std::string>& words) {
@@ -65,21 +65,21 @@ void addWords(const std::string& text, std::set<std::string>& words) {
 
 /// Adds the words of all texts of a list and its sublists, and warns of keys without effect.
 void collectWords(const Teuchos::ParameterList& list, const std::string& path,
-                  std::set<std::string>& words, std::vector<std::string>& warnings) {
+                  std::set<std::string>& words, Warnings& warn) {
   for (const auto& item : list) {
     const std::string place = bem::join(path, item.first);
     if (item.second.isList())
       collectWords(Teuchos::getValue<Teuchos::ParameterList>(item.second), place, words,
-                   warnings);
+                   warn);
     if (!item.second.isType<std::string>())
       continue;
     std::set<std::string> own;
     addWords(Teuchos::getValue<std::string>(item.second), own);
     if (item.first == "Sliding" && path != "Constants" && own.count("t") == 0)
-      warnings.push_back(place + ": does not use t; without a change nothing slides");
+      warn(place + ": does not use t; without a change nothing slides");
     if (item.first == "Cycle Jump" && own.count("1") == 0 &&
         !list.isParameter("Coefficient"))
-      warnings.push_back(place + ": nothing wears without Coefficient");
+      warn(place + ": nothing wears without Coefficient");
     words.merge(own);
   }
 }
@@ -98,9 +98,9 @@ void collectConstants(const Teuchos::ParameterList& given,
 
 /// What has no effect: constants that no expression knows (a misspelt one that --set made,
 /// say), a path on which nothing changes, rigid bodies that nothing touches.
-void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
+void findUnused(const Scene& scene, Warnings& warn) {
   std::set<std::string> words;
-  collectWords(*scene.used, "", words, warnings);
+  collectWords(*scene.used, "", words, warn);
   collectConstants(scene.given, *scene.used, words);
   std::vector<std::string> used;
   for (const auto& [name, value] : scene.constants)
@@ -108,9 +108,8 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
       used.push_back(name);
   const auto tell = [&](const std::string& what, const std::string& name) {
     const std::string near = bem::nearest(name, used);
-    warnings.push_back(
-        what + " is in no expression" +
-        (near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
+    warn(what + " is in no expression" +
+         (near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
   };
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) == 0)
@@ -119,21 +118,19 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
     if (words.count(name) == 0)
       tell("Tables->" + name, name);
   if (scene.history && words.count("t") == 0)
-    warnings.emplace_back(
-        "History: no expression uses t; all steps are under the same loads");
+    warn("History: no expression uses t; all steps are under the same loads");
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)
     if (std::none_of(scene.contacts.begin(), scene.contacts.end(),
                      [&](const ContactPair& pair) {
                        return pair.opposite.isOnBodyOf({true, b});
                      }))
-      warnings.push_back("Bodies->" + scene.rigid[b].name +
-                         ": is rigid, and no contact names it");
+      warn("Bodies->" + scene.rigid[b].name + ": is rigid, and no contact names it");
 }
 
 /// Sides that carry the multiplier and are next to rigid beside what they meet: what a pressure
 /// does to them is lost in what it does to the softer body, and with it the pressure's digits where
 /// the softer body's mesh does not see it.
-void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
+void findStiffSides(const Scene& scene, Warnings& warn) {
   constexpr double large = 1e6;
   for (const ContactPair& pair : scene.contacts) {
     if (pair.opposite.rigid)
@@ -142,20 +139,19 @@ void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
     const Body& opposite = scene.bodies[pair.opposite.body];
     const double ratio = side.material.youngsModulus / opposite.material.youngsModulus;
     if (ratio > large)
-      warnings.push_back(
-          message("Contacts->", pair.name, "->Between: '", side.name, "' is ", ratio,
-                  " times as stiff as '", opposite.name,
-                  "', and its pressures lose as many digits; name the softer one "
-                  "first, or make '",
-                  side.name, "' Rigid"));
+      warn("Contacts->", pair.name, "->Between: '", side.name, "' is ", ratio,
+           " times as stiff as '", opposite.name,
+           "', and its pressures lose as many digits; name the softer one first, or make "
+           "'",
+           side.name, "' Rigid");
   }
 }
 
 /// A multiplier that the displacement does not hold without stabilisation.
-void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
+void findUnstable(const Scene& scene, Warnings& warn) {
   if (scene.hasContact() && !scene.stabilization.isOn() &&
       !contact::multiplierBasis(scene.multiplier).sharesNodes)
-    warnings.push_back(
+    warn(
         "Discretization->Stabilization->Form = None is stable with Multiplier "
         "'Biorthogonal' only; pressures of '" +
         scene.multiplier + "' may oscillate");
@@ -163,14 +159,10 @@ void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
 
 /// Sides that are drawn into each other, or pressed by Interference, by far more than small strains
 /// can take up.  Bonded ones are as they are drawn.
-void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
+void findDeepOverlaps(const Scene& scene, Warnings& warn) {
   if (scene.contacts.empty())
     return;
-  struct Deepest {
-    double depth = 0;
-    bem::Vec2 place;
-  };
-  std::map<std::string, Deepest> deepest;  // by contact
+  std::map<std::string, std::pair<double, bem::Vec2>> deepest;  // by contact
   const BodySpaces spaces(scene, firstMeshes(scene));
   for (std::size_t b = 0; b < spaces.size(); ++b)
     for (const auto& element : spaces.multiplier(b).elements())
@@ -179,42 +171,39 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
           continue;
         const double depth =
             -spaces.opposite(b)->at(element, t).gap * scene.units().length;
-        Deepest& most = deepest[element.condition->name];
-        if (depth > most.depth)
+        auto& most = deepest[element.condition->name];
+        if (depth > most.first)
           most = {depth, spaces.space(b).mesh().physicalPoint(element.element, t)};
       }
   for (const ContactPair& pair : scene.contacts) {
     const auto& [depth, place] = deepest[pair.name];
     if (depth > largestInterference(scene, pair))
-      warnings.push_back(message(
+      warn(
           "Contacts->", pair.name, ": '", scene.labelOf(pair.side), "' lies ", depth,
           " deep in '", scene.labelOf(pair.opposite), "' at (", place.x, ", ", place.y,
           "), far more than an interference; strains are not small there, and the energy "
-          "grows with the depth's square"));
+          "grows with the depth's square");
   }
 }
 
 }  // namespace
 
 std::vector<std::string> warningsOf(const Scene& scene) {
-  std::vector<std::string> warnings;
+  Warnings warn;
   for (const Body& body : scene.bodies)
     for (const auto& [boundary, condition] : body.conditions.contact)
-      findPolygon(*body.outline, boundary,
-                  "Bodies->" + body.name + "->Geometry, '" + boundary + "'", warnings);
+      findPolygon(*body.outline, boundary, body.name, warn);
   std::set<std::string> seen;
   for (const ContactPair& pair : scene.contacts)
     if (seen.insert(scene.labelOf(pair.opposite)).second)
       findPolygon(scene.outlineOf(pair.opposite), pair.opposite.boundary,
-                  "Bodies->" + scene.nameOf(pair.opposite) + "->Geometry, '" +
-                      pair.opposite.boundary + "'",
-                  warnings);
-  findInConditions(scene, warnings);
-  findUnused(scene, warnings);
-  findStiffSides(scene, warnings);
-  findUnstable(scene, warnings);
-  findDeepOverlaps(scene, warnings);
-  return warnings;
+                  scene.nameOf(pair.opposite), warn);
+  findInConditions(scene, warn);
+  findUnused(scene, warn);
+  findStiffSides(scene, warn);
+  findUnstable(scene, warn);
+  findDeepOverlaps(scene, warn);
+  return warn.all();
 }
 
 }  // namespace epafi::drivers

@@ -30,36 +30,28 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
                                               scene.units(), run.processes,
                                               scene.solver.linear.compression);
     });
-  std::vector<bem::Operators> operators = run.timer.run(Phase::Assembly, [&] {
-    std::vector<bem::Operators> all;
-    for (std::size_t b = 0; b < spaces.size(); ++b)
-      all.push_back(bem::withExactRotation(
-          bem::assembleOperators(spaces.space(b), lames[b]), spaces.space(b)));
-    return all;
-  });
-  return run.timer.run(Phase::Factorization, [&] {
-    std::vector<bem::SteklovPoincare> all;
-    for (std::size_t b = 0; b < spaces.size(); ++b) {
-      const bem::LocalCompliance compliance =
-          contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
-                                     scene.stabilization, lames[b], scene.units());
-      all.push_back(
-          run.krylov != nullptr
-              ? bem::SteklovPoincare(std::move(operators[b]), *run.krylov, compliance)
-              : bem::SteklovPoincare(std::move(operators[b]), compliance));
-    }
-    return all;
-  });
-}
-
-/// Squared energy norms below which rounding has all digits: those of a motion without strain.
-double roundingOf(const SolvedStep& solved) {
-  const double motion = solved.largestDisplacement();
-  return 1e-24 * solved.spaces.scene().energy() * motion * motion;
+  std::vector<bem::SteklovPoincare> all;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = spaces.space(b);
+    bem::Operators operators = run.timer.run(Phase::Assembly, [&] {
+      return bem::withExactRotation(bem::assembleOperators(space, lames[b]), space);
+    });
+    run.timer.run(Phase::Factorization, [&] {
+      const bem::LocalCompliance compliance = contact::densityCompliance(
+          space, spaces.multiplier(b), scene.stabilization, lames[b], scene.units());
+      if (run.krylov != nullptr)
+        all.emplace_back(std::move(operators), *run.krylov, compliance);
+      else
+        all.emplace_back(std::move(operators), compliance);
+    });
+  }
+  return all;
 }
 
 /// See Level::relativeEstimate.
 double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
+  // of squared norms: rounding of a motion without strain has all digits of those below
+  constexpr double rounding = 1e-24;
   double largest = solved.steps.front()->row.energyStrain;
   for (const auto& step : solved.steps)
     largest = std::max(largest, step->row.energyStrain);
@@ -71,7 +63,9 @@ double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
     const double square = estimates[k] * estimates[k];
     // rounding may leave an energy below zero
     const double norm = 2 * std::max({step.row.energyStrain, largest / 100, 0.0});
-    if (std::max(square, norm) > roundingOf(step))
+    const double motion = step.largestDisplacement();
+    if (std::max(square, norm) >
+        rounding * step.spaces.scene().energy() * motion * motion)
       result = std::max(result, estimates[k] / std::sqrt(norm));
   }
   return result;
@@ -139,7 +133,6 @@ void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
   row.summary = wholeOf(last.spaces.scene().symmetry, contact::sumOf(last.summaries()));
   row.energyFriction = last.row.energyDissipated;
   row.energyInterface = last.interfaceEnergy();
-  row.reason = level.reason;
   row.estimate = level.estimate();
   row.relativeEstimate = level.relativeEstimate;
   row.squares = level.squares();
@@ -184,29 +177,20 @@ void handOutStep(const Run& run, SolvedLevel& path) {
   run.handOutStep(path);
 }
 
-/// All steps of a path on one mesh, into `path`.
-void solvePath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
-               const Level& from, const Run& run, SolvedLevel& path) {
-  const auto handOut = [&] {
-    const bool another = path.row.memoryOfDense && !path.last().row.converged;
-    if (run.handOutStep && !another)
-      run.timer.run(Phase::Results, [&] { handOutStep(run, path); });
-  };
-  followPath(spaces, atZero, from, run, handOut, path);
-}
-
 /// One load, from the start value of the level, into `level`.
 void solveOnce(const BodySpaces& spaces,
                const std::shared_ptr<const SolvedStep::Conditions>& conditions,
                const std::shared_ptr<contact::ContactSystem>& system, const Level& from,
                const Run& run, SolvedLevel& level) {
-  const StepFields start = from.steps.empty() ? StepFields() : from.last();
+  contact::State start;
+  if (!from.steps.empty())
+    start = system->joined(from.last().own, from.last().rigid);
   SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
-    const contact::State first = system->joined(start.own, start.rigid);
     return settled(
-        *system, &first,
+        *system, &start,
         [&](const contact::State* from) {
-          return solve(*system, spaces, *from, run.processes, run.timer);
+          return solve(
+              *system, spaces, [&] { return *from; }, *from, run.processes, run.timer);
         },
         run.processes);
   });
@@ -256,7 +240,14 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
   SolvedLevel solved{stiffness, {from.number}, planned};
   solved.level.meshes = from.meshes;
   if (scene.history)
-    solvePath(spaces, *system, from, run, solved);
+    followPath(
+        spaces, *system, from, run,
+        [&] {
+          const bool another = solved.row.memoryOfDense && !solved.last().row.converged;
+          if (run.handOutStep && !another)
+            run.timer.run(Phase::Results, [&] { handOutStep(run, solved); });
+        },
+        solved);
   else
     solveOnce(spaces, first, system, from, run, solved);
   if (planned.memoryOfDense && !solved.row.report.converged())

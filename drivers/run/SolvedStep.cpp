@@ -62,17 +62,11 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
   const std::size_t count = system->size();
   bodies.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
-    const bem::Vector& u = at.displacements[b];
-    densities.push_back(system->body(b).density(at.bodies[b], u));
-    contact::Solved& solved = bodies.emplace_back(contact::Solved{spaces.space(b),
-                                                                  system->body(b),
-                                                                  (*conditions)[b],
-                                                                  spaces.scene().units(),
-                                                                  at.bodies[b],
-                                                                  u,
-                                                                  at.contactForces[b],
-                                                                  {},
-                                                                  &motions});
+    densities.push_back(system->body(b).density(at.bodies[b], at.displacements[b]));
+    contact::Solved& solved = bodies.emplace_back(contact::Solved{
+        spaces.space(b), system->body(b), (*conditions)[b], spaces.scene().units(),
+        at.bodies[b], at.displacements[b], at.contactForces[b]});
+    solved.motions = &motions;
     if (!wear.empty())
       solved.wear = &wear[b];
     if (before) {
@@ -88,8 +82,14 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
     bodies[b].pressed = contact::ForeignPressure(b, bodies);
 }
 
-StepFields SolvedStep::fields() const {
-  StepFields fields{row.t, at.bodies, {}, at.displacements, densities, at.rigid};
+SolvedState SolvedStep::fields() const {
+  SolvedState fields;
+  fields.t = row.t;
+  fields.state = at.state;
+  fields.own = at.bodies;
+  fields.displacement = at.displacements;
+  fields.density = densities;
+  fields.rigid = at.rigid;
   const contact::ContactState all =
       contact::classify(system->numbers(), at.state, at.penetration);
   for (std::size_t b = 0; b < bodies.size(); ++b)

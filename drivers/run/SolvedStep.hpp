@@ -38,7 +38,7 @@ struct SolvedStep : SolvedPart {
              std::vector<contact::Wear> wear = {});
 
   /// As numbers.
-  StepFields fields() const;
+  SolvedState fields() const;
   /// Of each body, without the image of a half; computed on first use.
   const std::vector<contact::Summary>& summaries() const;
   /// Of all bodies' unknowns.

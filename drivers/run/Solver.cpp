@@ -1,19 +1,162 @@
 #include "drivers/run/Solver.hpp"
 
+#include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/ContactSolver.hpp"
-#include "drivers/run/Reasons.hpp"
+#include "contact/solve/Report.hpp"
+#include "contact/system/ContactSystem.hpp"
+#include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <set>
+#include <string>
 
 namespace epafi::drivers {
 
 namespace {
 
+using bem::message;
 using bem::Vector;
+using contact::End;
+using contact::Report;
+using contact::Stage;
+using contact::StageRun;
+
+// What an end asks for.
+struct Advice {
+  End end;
+  const char* words;
+};
+
+constexpr Advice advices[] = {
+    {End::Iterations, "raise Solver->Maximum Iterations"},
+    {End::Cycling,
+     "the active sets repeat; use another Multiplier, or a finer mesh where the contact "
+     "ends"},
+    {End::Growth, "the residual grows; check load and units, or load in steps"},
+    {End::Stalled,
+     "no step length decreases the merit function; the problem may be too "
+     "ill-conditioned for this Solver->Tolerance, or have no solution"},
+};
+
+constexpr const char* holdTheMotion =
+    "; hold the motion (Rigid Motions -> Fix or a Dirichlet condition; of a rigid body a "
+    "Displacement or a Rotation), or change the load or the friction";
+
+std::string ended(const Report& report, End end) {
+  if (end == End::NoBalance)
+    return report.failure.empty() ? message(contact::NoBalance().what(), holdTheMotion)
+                                  : report.failure + holdTheMotion;
+  const std::string residual =
+      message("scaled residual ", report.residual, ", tolerance ", report.tolerance,
+              " after ", report.newtonIterations, " steps");
+  for (const Advice& advice : advices)
+    if (advice.end == end)
+      return residual + ": " + advice.words;
+  return residual + ": " + report.failure;
+}
+
+std::string worded(const Report& report, const std::vector<StageRun>& stages) {
+  if (stages.empty())
+    return report.failure;
+  const StageRun& last = stages.back();
+  if ((last.end == End::TooLarge || last.end == End::TooLong) && stages.size() > 1) {
+    const auto before = std::find_if(
+        stages.begin(), stages.end(),
+        [](const StageRun& run) { return run.stage == Stage::FollowOffset; });
+    return worded(report, {stages.begin(), before}) +
+           ".  Complementary pivoting, which mostly solves what Newton's steps do not, "
+           "was " +
+           (last.end == End::TooLarge
+                ? message("not tried: operators that are not dense allow it for up to ",
+                          contact::ContactSolver::mostToPivot, " contact coefficients")
+                : message("given up after ", contact::ContactSolverOptions().mostWork,
+                          " operations: with so many contact coefficients it would take "
+                          "hours")) +
+           ".  Try a smaller friction coefficient, or a coarser mesh on the sides in "
+           "contact";
+  }
+  if (last.stage == Stage::FollowOffset)
+    return ended(report, last.end) +
+           ".  Newton's method and complementary pivoting were tried.  There is no "
+           "solution where the load drives a body beyond what friction holds: hold the "
+           "motion, or lessen the load; with a large friction coefficient there may be "
+           "several, or none: try a smaller one, or a finer mesh";
+  if (last.stage != Stage::FixedPoint || last.parts.empty())
+    return ended(report, last.end);
+  std::string text;
+  if (last.end == End::Unsettled)
+    text = message("the slip bound still changes by ", last.parts.back().residual,
+                   " of the load after ", report.coulombIterations,
+                   " updates: use Solver->Coulomb Iteration = 'Newton', or raise "
+                   "Solver->Coulomb Maximum Iterations; with a large friction "
+                   "coefficient there may be several solutions, or none");
+  else
+    text = message(
+        "Tresca's problem of an update of the slip bound: ", worded(report, last.parts),
+        ".  Try Solver->Coulomb Iteration = 'Newton'");
+  return text;
+}
+
+}  // namespace
+
+std::string reasonOf(const Report& report, const Scene& scene) {
+  if (report.converged())
+    return "";
+  const bool unstable = !scene.stabilization.isOn() &&
+                        !contact::multiplierBasis(scene.multiplier).sharesNodes;
+  return worded(report, report.stages) +
+         (unstable ? message("; Discretization->Stabilization->Form = 'None' is stable "
+                             "with Multiplier 'Biorthogonal' only, not with '",
+                             scene.multiplier, "'")
+                   : "");
+}
+
+namespace {
+
+/// Message for a load that nothing balances, with the motion of unresisted() if there is
+/// one, and advice.
+std::string withAdvice(const contact::NoBalance& error, const std::string& unresisted) {
+  return message(unresisted.empty() ? error.what() : unresisted, holdTheMotion);
+}
+
+/// "; contact points that still change state: (0.31, 0) on foundation, ...", at most
+/// five; empty if there are none.
+std::string changingPlaces(const contact::Report& report,
+                           const contact::ContactSystem& system,
+                           const BodySpaces& spaces) {
+  constexpr std::size_t shown = 5;
+  const std::set<contact::Index> changing(report.changing.begin(), report.changing.end());
+  std::vector<std::string> places;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    const auto changes = [&](contact::Index own) {
+      return changing.count(system.numbering()(b, own)) > 0;
+    };
+    for (const auto& element : multiplier.elements()) {
+      const Vector at = multiplier.basis().places(element.degree);
+      for (int i = 0; i <= element.degree; ++i) {
+        if (!changes(element.normalOf(i)) &&
+            (!element.shears() || !changes(element.tangentialOf(i))))
+          continue;
+        const bem::Vec2 place =
+            spaces.space(b).mesh().physicalPoint(element.element, at[i]);
+        places.push_back(
+            message("(", place.x, ", ", place.y, ") on ",
+                    spaces.scene().boundaryName({false, b, *element.boundary})));
+      }
+    }
+  }
+  std::string text;
+  for (std::size_t k = 0; k < std::min(places.size(), shown); ++k)
+    text += (k == 0 ? "; contact points that still change state: " : ", ") + places[k];
+  if (places.size() > shown)
+    text += message(" and ", places.size() - shown, " more");
+  return text;
+}
 
 /// By what the options are assembled to for the problem; the timer's watch is told of long paths
 /// of pivots.
@@ -34,30 +177,6 @@ SolvedProblem solveFrom(const contact::State& start, const Scene& scene,
   return {std::move(solution), reason};
 }
 
-constexpr std::ptrdiff_t scalars = 5;
-
-Vector packed(const SolvedProblem& solved) {
-  const contact::Report& report = solved.solution.report;
-  Vector numbers = {
-      report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
-      static_cast<double>(report.coulombIterations), report.residual, report.tolerance};
-  numbers.insert(numbers.end(), solved.reason.begin(), solved.reason.end());
-  return numbers;
-}
-
-void unpack(const Vector& numbers, SolvedProblem& solved) {
-  contact::Report& report = solved.solution.report;
-  report.status =
-      numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
-  report.newtonIterations = static_cast<int>(numbers[1]);
-  report.coulombIterations = static_cast<int>(numbers[2]);
-  report.residual = numbers[3];
-  report.tolerance = numbers[4];
-  std::transform(numbers.begin() + scalars, numbers.end(),
-                 std::back_inserter(solved.reason),
-                 [](double c) { return static_cast<char>(c); });
-}
-
 /// What rank 0 makes of it, on all ranks; where D is not formed all of them have a part in
 /// it, and take the same steps.
 template <class Solve>
@@ -73,9 +192,21 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
     return solved;
   state.multiplier = processes.broadcast(std::move(state.multiplier));
   state.rigid = processes.broadcast(std::move(state.rigid));
-  const Vector numbers = processes.broadcast(packed(solved));
-  if (processes.rank() != 0)
-    unpack(numbers, solved);
+  contact::Report& report = solved.solution.report;
+  const Vector numbers = processes.broadcast(
+      {report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
+       static_cast<double>(report.coulombIterations), report.residual, report.tolerance});
+  const Vector reason =
+      processes.broadcast(Vector(solved.reason.begin(), solved.reason.end()));
+  if (processes.rank() != 0) {
+    report.status =
+        numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
+    report.newtonIterations = static_cast<int>(numbers[1]);
+    report.coulombIterations = static_cast<int>(numbers[2]);
+    report.residual = numbers[3];
+    report.tolerance = numbers[4];
+    solved.reason.assign(reason.begin(), reason.end());
+  }
   return solved;
 }
 
@@ -129,39 +260,32 @@ SolvedProblem settled(
 }
 
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-                    const contact::State& start, const bem::Processes& processes,
+                    const std::function<contact::State()>& start,
+                    const contact::State& otherwise, const bem::Processes& processes,
                     PhaseTimer& timer) {
-  return onFirstRank(system, processes, [&]() -> SolvedProblem {
+  const Scene& scene = spaces.scene();
+  const bool onPath = static_cast<bool>(scene.history);
+  const auto from = [&](const contact::State& state) -> SolvedProblem {
+    std::string reason;
     try {
-      SolvedProblem solved = solveFrom(start, spaces.scene(), system, timer);
-      solved.reason += changingPlaces(solved.solution.report, system, spaces);
-      return solved;
+      return solveFrom(state, scene, system, timer);
     } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error, unresisted(spaces, system)));
-    }
-  });
-}
-
-SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
-                        const contact::Prediction& prediction,
-                        const contact::State* better, const bem::Processes& processes,
-                        PhaseTimer& timer) {
-  const auto from = [&](const contact::State& start) -> SolvedProblem {
-    try {
-      return solveFrom(start, spaces.scene(), system, timer);
-    } catch (const contact::NoBalance& error) {
-      return {{}, withAdvice(error, unresisted(spaces, system))};
+      reason = withAdvice(error, unresisted(spaces, system));
     } catch (const bem::NumericalError& error) {
-      return {{}, error.what()};
+      reason = error.what();
     }
+    if (!onPath)
+      throw bem::NumericalError(reason);
+    return {{}, reason};
   };
   return onFirstRank(system, processes, [&] {
-    const contact::State start = better != nullptr ? *better : prediction.start(system);
-    SolvedProblem solved = from(start);
-    if (solved.solution.report.converged() ||
-        start.multiplier == prediction.last().multiplier)
+    const contact::State first = start();
+    SolvedProblem solved = from(first);
+    if (!onPath)
+      solved.reason += changingPlaces(solved.solution.report, system, spaces);
+    if (solved.solution.report.converged() || first.multiplier == otherwise.multiplier)
       return solved;
-    SolvedProblem again = from(prediction.last());
+    SolvedProblem again = from(otherwise);
     again.solution.report =
         contact::joined(std::move(again.solution.report), solved.solution.report);
     return again;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bem/base/Processes.hpp"
-#include "contact/path/Prediction.hpp"
 #include "contact/solve/Report.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/PhaseTimer.hpp"
@@ -19,8 +18,12 @@ struct SolvedProblem {
   std::string reason;
 };
 
+/// Why a solve did not converge and what in the scene might help; empty if it did.
+std::string reasonOf(const contact::Report& report, const Scene& scene);
+
 /// Solves again and again, each time from the state before, until neither the slip changes by which
 /// sides wear nor the tractions of what Fix holds, see ContactSystem::wearBy and reactBy.
+/// \param start  of the first solve, as solveFrom understands it
 SolvedProblem settled(
     contact::ContactSystem& system, const contact::State* start,
     const std::function<SolvedProblem(const contact::State*)>& solveFrom,
@@ -32,17 +35,13 @@ SolvedProblem settled(
 /// Rank 0 broadcasts state, status, iterations, residual, tolerance and reason, so that
 /// all ranks have the same bits; it alone has the histories of steps.  The timer's watch
 /// receives the progress of long solves.
-/// \throws see contact::NonlinearSolver; exceptions of the watch
+/// \param start,otherwise where it starts, and, if that fails, starts again, unless both are
+///   the same; start() is called only where it is needed
+/// \throws see contact::NonlinearSolver; exceptions of the watch.  On a path a
+///   bem::NumericalError gives a report without a state, since the step may be tried in parts.
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-                    const contact::State& start, const bem::Processes& processes,
+                    const std::function<contact::State()>& start,
+                    const contact::State& otherwise, const bem::Processes& processes,
                     PhaseTimer& timer);
-
-/// The same for a step of a path, from `better` or, if null, from the prediction; if that
-/// fails, from the previous state.  A bem::NumericalError gives a report without a state,
-/// since the step may be tried in parts.
-SolvedProblem solveStep(const contact::ContactSystem& system, const BodySpaces& spaces,
-                        const contact::Prediction& prediction,
-                        const contact::State* better, const bem::Processes& processes,
-                        PhaseTimer& timer);
 
 }  // namespace epafi::drivers

@@ -1,11 +1,34 @@
 #pragma once
 
+#include "bem/base/Error.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+/// Sentences for the user, in their order.
+class Warnings {
+ public:
+  /// Adds a sentence, joined from parts.
+  template <class... Parts>
+  void operator()(const Parts&... parts) {
+    all_.push_back(bem::message(parts...));
+  }
+  /// The same, unless one about the same was added.
+  template <class... Parts>
+  void once(const std::string& about, const Parts&... parts) {
+    if (told_.insert(about).second)
+      (*this)(parts...);
+  }
+  std::vector<std::string> all() const { return all_; }
+
+ private:
+  std::vector<std::string> all_;
+  std::set<std::string> told_;
+};
 
 /// What is probably not meant in a scene, a sentence each: what has no effect, conditions as below,
 /// bodies drawn deep into each other, straight edges that draw a curve on a side in contact.  A polygon
@@ -15,7 +38,7 @@ std::vector<std::string> warningsOf(const Scene& scene);
 /// Adds what boundary conditions say that is probably not meant, at the end of a path and at some
 /// times before it, each sentence once: displacements that jump, at a corner or on a side, or go
 /// through an obstacle at a corner, loads narrower than their elements can see.
-void findInConditions(const Scene& scene, std::vector<std::string>& warnings);
+void findInConditions(const Scene& scene, Warnings& warn);
 
 /// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less
 /// than numbers can tell, contact never closes, sliding beyond a tenth of the length in contact,

@@ -1,7 +1,6 @@
-#include "drivers/run/Reasons.hpp"
-
 #include "contact/solve/ContactSolver.hpp"
-#include "drivers/output/PrintedTable.hpp"
+#include "drivers/output/HistoryTables.hpp"
+#include "drivers/run/Solver.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -3,7 +3,7 @@
 //
 //   press        prints, for each trial, the load and the width of contact, then x and the pressure
 
-#include "contact/results/ContactFields.hpp"
+#include "contact/results/Solved.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/run/Levels.hpp"

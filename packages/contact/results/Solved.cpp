@@ -1,6 +1,9 @@
 #include "contact/results/Solved.hpp"
 
+#include "contact/multiplier/ContinuousMultiplier.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 namespace epafi::contact {
 
@@ -35,6 +38,100 @@ Vector ForeignPressure::breaks(int element) const {
     result.insert(result.end(), more.begin(), more.end());
   }
   return result;
+}
+
+namespace {
+
+constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
+
+Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
+  const Vector zero(body.multiplier().normals(), 0.0);
+  Vector result = zero;
+  for (const Tangential& tangential : body.obstacle().tangentials)
+    result.push_back(tangential.bound(multiplier.empty() ? zero : multiplier));
+  return result;
+}
+
+}  // namespace
+
+ContactFields::ContactFields(const Solved& solved)
+    : solved_(solved),
+      units_(solved.units),
+      multiplier_(solved.state.multiplier),
+      bounds_(boundsAsCoefficients(solved.problem, solved.state.multiplier)),
+      tolerance_(stateTolerance * solved.problem.stress()) {}
+
+double ContactFields::closing(const Element& element,
+                              const MultiplierSpace::Value& stress) const {
+  return element.ties() ? tolerance_ : stress.normal - tolerance_;
+}
+
+double ContactFields::closing(const Element& element, double t) const {
+  return closing(element, multiplierSpace().at(multiplier_, element, t));
+}
+
+double ContactFields::slipping(const Element& element, double shear, double bound) const {
+  if (!element.shears() || element.ties() || bound <= tolerance_)
+    return -tolerance_;
+  return std::abs(shear) - bound + tolerance_;
+}
+
+double ContactFields::slipping(const Element& element, double t) const {
+  const double bound = multiplierSpace().at(bounds_, element, t).tangential;
+  if (bound == 0 && element.shears() && !element.ties())
+    return closing(element, t);  // a bound of zero is reached wherever sides touch
+  return slipping(element, multiplierSpace().at(multiplier_, element, t).tangential,
+                  bound);
+}
+
+MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
+                                              const Element& element, double t) const {
+  const auto stress = multiplierSpace().at(multiplier, element, t);
+  return {units_.stress * stress.normal, units_.stress * stress.tangential};
+}
+
+Vector ContactFields::continuous() const {
+  return withoutJumps(solved_.space.mesh(), multiplierSpace(), multiplier_, bounds_);
+}
+
+ContactPoint ContactFields::at(const Element& element, double t) const {
+  const MultiplierSpace& space = multiplierSpace();
+  const auto stress = space.at(multiplier_, element, t);
+  const bem::Mesh& mesh = solved_.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
+  const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
+  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
+
+  ContactPoint point;
+  point.place = mesh.physicalPoint(element.element, t);
+  point.pressure = units_.stress * stress.normal;
+  point.shear = units_.stress * stress.tangential;
+  point.normal = units_.length * dot(u, geometry.curve.normal(t));
+  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
+  const Conditions::Contact& condition = *element.condition;
+  point.gap = units_.length * opposite.gap;
+  if (condition.sliding)
+    point.sliding = condition.sliding(point.place);
+  if (condition.normal)
+    point.closing =
+        units_.length * condition.normal.at(point.place, units_).closing(stress.normal);
+  if (solved_.wear != nullptr) {
+    if (condition.wear)
+      point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
+    point.distance =
+        units_.length * space.throughPoints(solved_.wear->distance, element, t);
+  }
+  point.closed = closing(element, stress) > 0;
+  if (element.shears()) {
+    point.bound = units_.stress *
+                  condition.friction.at(point.place, units_.stress).bound(stress.normal);
+    const double bound = space.at(bounds_, element, t).tangential;
+    if (element.ties() || bound > tolerance_)
+      point.friction = slipping(element, stress.tangential, bound) > 0
+                           ? FrictionKind::Slip
+                           : FrictionKind::Stick;
+  }
+  return point;
 }
 
 }  // namespace epafi::contact

@@ -6,7 +6,6 @@
 #include "contact/body/Loads.hpp"
 #include "contact/opposite/SidePoints.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
-#include "contact/results/ContactFields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +33,10 @@ void add(const Resultant& more, Resultant& sum) {
   sum.x += more.x;
   sum.y += more.y;
   sum.moment += more.moment;
+}
+
+void addForce(Vec2 force, Vec2 place, Resultant& sum) {
+  add({force.x, force.y, cross(place, force)}, sum);
 }
 
 double closedPart(const ContactFields& fields, const Element& element) {
@@ -70,9 +73,9 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                        -length * point.weight *
                        (stress.normal * point.normal + stress.tangential * point.tangent);
                    const Vec2 place = mesh.physicalPoint(element.element, point.t);
-                   add({force.x, force.y, cross(place, force)}, summary.contact);
+                   addForce(force, place, summary.contact);
                    if (point.opposite.element < 0)
-                     add({force.x, force.y, cross(place, force)}, summary.obstacle);
+                     addForce(force, place, summary.obstacle);
                  },
                  {0, 1, &solved.problem.opposite()});
   summary.contactLength += length * side.half * closedPart(fields, element);
@@ -249,9 +252,9 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
         const Vec2 force =
             side.units.length * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
-        const Vec2 place =
-            bodies[there.body].space.mesh().physicalPoint(there.element, there.t);
-        add({force.x, force.y, cross(place, force)}, summaries[there.body].contact);
+        addForce(force,
+                 bodies[there.body].space.mesh().physicalPoint(there.element, there.t),
+                 summaries[there.body].contact);
       });
 }
 
