@@ -232,9 +232,10 @@ class Follower {
       if (!converged)
         return;
       const bool reacts =
-          known && run_.processes.agreed(system->reactionChange(latestAt_) > 0);
+          known &&
+          run_.processes.agreed(system->reactionChange(latestAt_.state.multiplier) > 0);
       if (reacts)
-        system->reactBy(latestAt_);
+        system->reactBy(latestAt_.state.multiplier);
       if (system->wearBy(latestAt_) > 0 || reacts)
         latestAt_ = system->configuration(latestAt_.state);
       here_.memory.add(*system, latestAt_);

@@ -232,9 +232,10 @@ SolvedProblem settled(
   SolvedProblem solved = solveFrom(start);
   double last = 1;
   for (int k = 0; solved.solution.report.converged(); ++k) {
-    const contact::Configuration at = system.configuration(solved.solution.state);
-    const double reaction = system.reactionChange(at);
-    const double wear = system.wearsBySlip() ? system.wearBy(at) : 0;
+    const contact::State& state = solved.solution.state;
+    const double reaction = system.reactionChange(state.multiplier);
+    const double wear =
+        system.wearsBySlip() ? system.wearBy(system.configuration(state)) : 0;
     const double change = std::max(reaction, wear);
     if (processes.agreed(change <= same || (change < almost && change > last / 2)))
       break;
@@ -250,8 +251,8 @@ SolvedProblem settled(
     }
     last = change;
     if (processes.agreed(reaction > 0))
-      system.reactBy(at);
-    SolvedProblem next = solveFrom(&solved.solution.state);
+      system.reactBy(state.multiplier);
+    SolvedProblem next = solveFrom(&state);
     next.solution.report =
         contact::joined(std::move(next.solution.report), solved.solution.report);
     solved = std::move(next);

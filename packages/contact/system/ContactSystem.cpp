@@ -319,26 +319,26 @@ double ContactSystem::wearBy(const Configuration& at) {
   return all > 0 ? bem::largestEntry(change) / (std::min(share, 1.0) * all) : 0;
 }
 
-std::vector<Vector> ContactSystem::reactionChanges(const Configuration& at) const {
+std::vector<Vector> ContactSystem::reactionChanges(const Vector& multiplier) const {
   std::vector<Vector> changes(size());
   for (std::size_t b = 0; b < size(); ++b)
     if (body(b).reacts()) {
-      changes[b] = body(b).fixedReactions(at.contactForces[b]);
+      changes[b] = body(b).fixedReactions(contactForce(b, multiplier));
       axpy(-1, body(b).reactions(), changes[b]);
     }
   return changes;
 }
 
-double ContactSystem::reactionChange(const Configuration& at) const {
+double ContactSystem::reactionChange(const Vector& multiplier) const {
   constexpr double rounding = 1e-12;
   double largest = 0;
-  for (const Vector& change : reactionChanges(at))
+  for (const Vector& change : reactionChanges(multiplier))
     largest = std::max(largest, bem::largestEntry(change));
   return largest > rounding * numbers_.stress ? largest / numbers_.stress : 0;
 }
 
-void ContactSystem::reactBy(const Configuration& at) {
-  std::vector<Vector> changes = reactionChanges(at);
+void ContactSystem::reactBy(const Vector& multiplier) {
+  std::vector<Vector> changes = reactionChanges(multiplier);
   Vector all;
   for (const Vector& change : changes)
     all.insert(all.end(), change.begin(), change.end());
@@ -384,6 +384,13 @@ State ContactSystem::joined(const std::vector<State>& states,
   return all;
 }
 
+Vector ContactSystem::contactForce(std::size_t b, const Vector& multiplier) const {
+  Vector force = body(b).contactForce(numbering().of(b, multiplier));
+  if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
+    opposite.addTranspose(1, multiplier.data(), force.data());
+  return force;
+}
+
 Configuration ContactSystem::configuration(State state) const {
   Configuration result;
   if (state.multiplier.empty())
@@ -398,9 +405,7 @@ Configuration ContactSystem::configuration(State state) const {
     result.bodies.push_back(std::move(own));
   }
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector force = body(b).contactForce(result.bodies[b].multiplier);
-    if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
-      opposite.addTranspose(1, state.multiplier.data(), force.data());
+    Vector force = contactForce(b, state.multiplier);
     result.displacements.push_back(body(b).displacement(result.bodies[b], force));
     result.contactForces.push_back(std::move(force));
   }

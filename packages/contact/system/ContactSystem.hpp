@@ -94,11 +94,11 @@ class ContactSystem {
   const StepWear& wear() const { return wear_; }
 
   /// What Fix holds needs tractions that the residual of the stabilisation has to know; they are those
-  /// of reactBy, at first zero.  Returns by how much those of a configuration differ from them, of the
+  /// of reactBy, at first zero.  Returns by how much those of a multiplier differ from them, of the
   /// load; zero where that is rounding or no residual depends on them.      [doc/theory/contact.md, In numbers]
-  double reactionChange(const Configuration& at) const;
+  double reactionChange(const Vector& multiplier) const;
   /// Takes Aitken's share of the change.
-  void reactBy(const Configuration& at);
+  void reactBy(const Vector& multiplier);
   /// Those of each body, for the next step.
   std::vector<Vector> reactions() const;
 
@@ -150,8 +150,10 @@ class ContactSystem {
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
+  /// Bᵀ λ of a body's own multiplier, which is a part of the whole one, and of those against it.
+  Vector contactForce(std::size_t b, const Vector& multiplier) const;
   /// Of ρ of each body; empty where no residual depends on it.
-  std::vector<Vector> reactionChanges(const Configuration& at) const;
+  std::vector<Vector> reactionChanges(const Vector& multiplier) const;
 
   std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
