@@ -1,8 +1,6 @@
-// Slip bounds as coefficients, alone and as products with a pressure: of full order where
-// they are smooth, within their hull where they jump.
-#include "contact/law/FrictionLaws.hpp"
+// Slip bounds as coefficients: of full order where they are smooth, within their hull where they
+// jump.
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/problem/Tangential.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

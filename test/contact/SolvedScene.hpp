@@ -26,7 +26,6 @@ class SolvedScene {
   const contact::ContactSystem& system() const { return system_; }
   const bem::Lame& lame() const { return scene_.lame; }
   const bem::Vector& density() const { return density_; }
-  const contact::Report& report() const { return solution_.report; }
 
  private:
   BodyScene scene_;
