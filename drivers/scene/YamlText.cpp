@@ -64,9 +64,7 @@ class Reader {
  public:
   void read(const YAML::Node& map, const std::string& path, ParameterList& list,
             int depth = 0) {
-    if (depth > deepest)  // an anchor may contain itself
-      throw InputError(tooDeep);
-    for (const auto& [key, value] : entries(map)) {
+    for (const auto& [key, value] : entries(map, depth)) {
       const std::string inner = bem::join(path, key);
       if (list.isParameter(key))
         throw InputError(inner + ": given twice; keep one");
@@ -82,7 +80,9 @@ class Reader {
   using Entries = std::vector<std::pair<std::string, YAML::Node>>;
 
   /// The entries of a list; own keys come first and hide those that `<<` merges.
-  Entries entries(const YAML::Node& map) {
+  Entries entries(const YAML::Node& map, int depth) {
+    if (depth > deepest)  // an anchor may contain itself
+      throw InputError(tooDeep);
     Entries own;
     Entries merged;
     for (const auto& item : map) {
@@ -103,7 +103,7 @@ class Reader {
       }
       if (!item.second.IsMap())
         throw InputError(at(item.first.Mark()), ": '<<' wants another list, *name");
-      for (auto& entry : entries(item.second))
+      for (auto& entry : entries(item.second, depth + 1))
         merged.push_back(std::move(entry));
     }
     for (auto& entry : merged)

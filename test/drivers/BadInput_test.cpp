@@ -136,6 +136,7 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
            {"a:\n  Constants:\n    g: x > 0 ? 1 : 2\n", "line 3"},
            {"a:\n  Constants:\n    g: x > 0 ? 1 : 2\n", "quotes round"},
            {"a:\n  b: &b\n    c: *b\n", "too deep"},
+           {"a:\n  b: &b {<<: *b}\n", "too deep"},
            {"a: {}\n---\nb: {}\n", "several documents"},
            {"a:\n  Vertices: [[1, 2], [3]]\n", "entry 1"},
            {"a:\n  B: {Gap: max(x, 0)}\n", "a comma"},
