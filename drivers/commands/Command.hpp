@@ -58,7 +58,7 @@ struct Command {
 /// (`description`).
 const std::vector<Command>& commands();
 
-inline const std::string title =
+inline const std::string programTitle =
     "frictional contact of linear elastic bodies in the plane";
 
 /// "128 + signal"

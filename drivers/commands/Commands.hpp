@@ -2,7 +2,7 @@
 
 #include "drivers/commands/Command.hpp"
 #include "drivers/scene/Scene.hpp"
-#include "drivers/scene/Schema.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,111 @@
 #include "bem/base/Error.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/process/ChildProgram.hpp"
 #include "drivers/process/ExitCode.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
 
 namespace epafi::drivers {
+
+namespace {
+
+bool isList(const Parameter& row) {
+  return row.kind == Kind::List || row.kind == Kind::Free;
+}
+
+}  // namespace
+
+std::string standardOf(const Parameter& row) {
+  if (row.required)
+    return "required";
+  if (isList(row))
+    return "may be left out";
+  return row.defaultValue.empty() ? "none" : row.defaultValue;
+}
+
+std::string typeOf(const Parameter& row) {
+  const std::string type = textOf(row.kind).type;
+  return row.kind == Kind::Expression ? type + ": expression" : type;
+}
+
+std::string restriction(const Parameter& row) {
+  if (row.only.empty())
+    return "";
+  const std::string parent = row.parent();
+  const bool isLaw = boost::algorithm::ends_with(parent, "Friction") ||
+                     boost::algorithm::ends_with(parent, "Normal");
+  return bem::message("only with ", isLaw ? "Law" : "Type", " ",
+                      bem::quotedList(row.only));
+}
+
+namespace {
+
+std::string remarks(const Parameter& row) {
+  std::string text = row.meaning;
+  if (!row.unit.empty())
+    text += " [" + row.unit + "]";
+  if (!restriction(row).empty())
+    text += "; " + restriction(row);
+  return text;
+}
+
+std::string plainText(const bem::SchemaRows& rows) {
+  std::ostringstream out;
+  for (const Parameter& row : rows) {
+    out << row.path << "\n    " << typeOf(row) << (isList(row) ? ", " : ", default: ")
+        << standardOf(row);
+    if (!row.range().empty())
+      out << ", range: " << row.range();
+    out << "\n    " << remarks(row) << "\n";
+  }
+  return out.str();
+}
+
+}  // namespace
+
+std::vector<Grammar> grammars(const std::string& name) {
+  const Grammar scene{"scene", &parameters()};
+  const Grammar study{"study", &studyParameters()};
+  return name.empty() ? std::vector<Grammar>{scene, study}
+                      : std::vector<Grammar>{name == scene.name ? scene : study};
+}
+
+std::string madeWithProgram(const std::string& file) {
+  const std::string path = besideProgram("share/" + file);
+  if (!std::filesystem::exists(path))
+    throw bem::InputError("'", path,
+                          "' is missing; it is built and installed along with epafi");
+  return readText(path);
+}
+
+int parametersCommand(const Given& given, std::ostream& out) {
+  std::vector<Grammar> wanted = grammars(given.value("--of"));
+  const std::string format = given.value("--format", "text");
+  if (format == "xml")
+    wanted.resize(1);
+  for (const Grammar& grammar : wanted) {
+    out << (&grammar == &wanted.front() ? "" : "\n");
+    if (format == "text")
+      out << (wanted.size() > 1 ? "A " + grammar.name + "\n\n" : "")
+          << plainText(*grammar.rows);
+    else
+      out << madeWithProgram("epafi/parameters/" + grammar.name +
+                             (format == "xml" ? ".xml" : ".md"));
+  }
+  return 0;
+}
+
+int schemaCommand(const Given& given, std::ostream& out) {
+  out << madeWithProgram("epafi/schema/" + given.value("--of", "epafi") + "." +
+                         given.value("--format", "rng"));
+  return 0;
+}
 
 namespace {
 
@@ -86,7 +187,7 @@ std::string description(const std::vector<Command>& commands) {
   Members keys;
   for (const Grammar& grammar : grammars())
     keys.emplace_back(grammar.name, array(*grammar.rows, keyAsJson));
-  return object({{"title", quoted(title)},
+  return object({{"title", quoted(programTitle)},
                  {"commands", array(commands, commandAsJson)},
                  {"exit codes", array(exitCodes, exitAsJson)},
                  {"keys", object(keys)}}) +

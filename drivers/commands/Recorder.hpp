@@ -6,7 +6,6 @@
 #include "drivers/output/TrueError.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/PhaseTimer.hpp"
-#include "drivers/process/ProgressLine.hpp"
 
 #include <functional>
 #include <iosfwd>

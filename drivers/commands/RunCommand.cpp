@@ -7,7 +7,7 @@
 #include "drivers/output/Restart.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
-#include "drivers/process/ProgressLine.hpp"
+#include "drivers/process/PhaseTimer.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/process/Versions.hpp"

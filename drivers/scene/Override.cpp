@@ -1,6 +1,5 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/SceneFile.hpp"
-#include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
 
 namespace epafi::drivers {

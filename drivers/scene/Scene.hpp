@@ -6,7 +6,6 @@
 #include "contact/opposite/RigidDrives.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/stabilization/Stabilization.hpp"
-#include "drivers/scene/History.hpp"
 #include "drivers/scene/Options.hpp"
 #include "drivers/scene/Part.hpp"
 #include "drivers/scene/Symmetry.hpp"

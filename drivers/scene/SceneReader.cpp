@@ -7,7 +7,6 @@
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/Readers.hpp"
 #include "drivers/scene/SceneFile.hpp"
-#include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_TwoDArray.hpp>

@@ -4,7 +4,7 @@
 #include "contact/nox/NoxNewton.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/Readers.hpp"
-#include "drivers/scene/Schema.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 namespace epafi::drivers {
 

@@ -1,7 +1,6 @@
 // What the scenes start from that fuzzing changes.
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
-#include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,6 +1,6 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/scene/Expression.hpp"
-#include "drivers/scene/Schema.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
