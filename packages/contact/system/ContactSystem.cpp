@@ -342,13 +342,14 @@ void ContactSystem::reactBy(const Vector& multiplier) {
   Vector all;
   for (const Vector& change : changes)
     all.insert(all.end(), change.begin(), change.end());
-  const double share = aitken_.shareOf(std::move(all));
+  all = anderson_.stepBy(std::move(all));
+  auto step = all.begin();
   for (std::size_t b = 0; b < size(); ++b) {
     if (changes[b].empty())
       continue;
-    ContactBody& own = (*bodies_)[b];
     const ContactBody::Response response =
-        own.react(bem::times(share, std::move(changes[b])));
+        (*bodies_)[b].react({step, step + changes[b].size()});
+    step += changes[b].size();
     axpy(1, apply(b, response.displacement), numbers_.offset);
     for (std::size_t i = 0; i < response.terms.size(); ++i) {
       const auto k = bem::at(numbering_(b, static_cast<Index>(i)));

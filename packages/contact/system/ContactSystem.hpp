@@ -2,6 +2,7 @@
 
 #include "contact/opposite/RigidDrives.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
+#include "contact/system/Anderson.hpp"
 #include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
 #include "contact/system/Wear.hpp"
@@ -97,7 +98,6 @@ class ContactSystem {
   /// of reactBy, at first zero.  Returns by how much those of a multiplier differ from them, of the
   /// load; zero where that is rounding or no residual depends on them.      [doc/theory/contact.md, In numbers]
   double reactionChange(const Vector& multiplier) const;
-  /// Takes Aitken's share of the change.
   void reactBy(const Vector& multiplier);
   /// Those of each body, for the next step.
   std::vector<Vector> reactions() const;
@@ -155,6 +155,9 @@ class ContactSystem {
   /// Of ρ of each body; empty where no residual depends on it.
   std::vector<Vector> reactionChanges(const Vector& multiplier) const;
 
+  /// Beyond this many reactions of Fix steps toward them take longer.
+  static constexpr std::size_t allReactions = 24;
+
   std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
   std::shared_ptr<const std::vector<TraceCoupling>> opposite_;
@@ -166,7 +169,7 @@ class ContactSystem {
   Vector slipBefore_{};
   Vector defectBefore_{};
   std::vector<LoadResponses> responses_{};
-  Aitken aitken_{};  ///< of the reactions
+  Anderson anderson_{allReactions};
 };
 
 }  // namespace epafi::contact
