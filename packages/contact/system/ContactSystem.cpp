@@ -347,9 +347,9 @@ void ContactSystem::reactBy(const Vector& multiplier) {
   for (std::size_t b = 0; b < size(); ++b) {
     if (changes[b].empty())
       continue;
-    const ContactBody::Response response =
-        (*bodies_)[b].react({step, step + changes[b].size()});
-    step += changes[b].size();
+    const auto next = step + static_cast<std::ptrdiff_t>(changes[b].size());
+    const ContactBody::Response response = (*bodies_)[b].react({step, next});
+    step = next;
     axpy(1, apply(b, response.displacement), numbers_.offset);
     for (std::size_t i = 0; i < response.terms.size(); ++i) {
       const auto k = bem::at(numbering_(b, static_cast<Index>(i)));
