@@ -102,6 +102,7 @@ Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-*): one function of t after the other
 ContactProfiles contactProfiles(const contact::Solved& solved,
                                 const ContactElement& element, const AtEnds& correction) {
   const bem::Mesh& mesh = solved.space.mesh();

@@ -30,7 +30,7 @@ struct Joint {
 std::vector<Joint> findJoints(const bem::Mesh& mesh,
                               const contact::Conditions& conditions,
                               const std::vector<ContactElement>& elements) {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  constexpr auto none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> contactOf(static_cast<std::size_t>(mesh.size()), none);
   for (std::size_t k = 0; k < elements.size(); ++k)
     contactOf[static_cast<std::size_t>(elements[k].element)] = k;

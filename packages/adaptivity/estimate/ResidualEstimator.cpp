@@ -243,6 +243,7 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   const contact::Solved& any = states.front().solved;
   const int size = any.space.mesh().size();
   std::vector<bem::BoundaryState> sources;
+  sources.reserve(states.size());
   for (const Estimated& state : states)
     sources.push_back({state.solved.displacement, state.density});
   const bem::BoundaryFields fields(any.space, lame, sources);

@@ -98,6 +98,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
       !transitions().at(options.transitions).areSingular)
     return findSingularPoints(mesh, conditions);
   std::vector<SingularPoints> all;
+  all.reserve(states.size());
   for (const contact::ContactState& state : states)
     all.push_back(findSingularPoints(mesh, conditions, multiplier, state));
   return united(all);

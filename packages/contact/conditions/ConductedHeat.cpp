@@ -70,6 +70,7 @@ Complex around(const std::vector<int>& elements, const bem::Mesh& mesh,
 
 /// Places in a hole, along its middle: as far from the boundary as from each other; of a circle its
 /// centre.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): loops over curves and samples
 std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
   std::vector<const bem::Curve*> curves;
   for (const bem::Edge& edge : outline.edges())
@@ -98,7 +99,9 @@ std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
     for (int i = 0; i < samples; ++i) {
       const double t = -1 + (2.0 * i + 1) / samples;
       std::pair<double, Complex> best;
-      for (double way = size; way > 1e-4 * size; way *= 0.8) {
+      constexpr int ways = 42;  // down to 1e-4 of the size
+      double way = size;
+      for (int k = 0; k < ways; ++k, way *= 0.8) {
         const Complex z = asComplex(curve->point(t) + way * curve->normal(t));
         if (const double depth = depthOf(z); depth > best.first)
           best = {depth, z};
@@ -117,6 +120,7 @@ std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
                     }))
       chosen.emplace_back(depth, z);
   std::vector<Complex> places;
+  places.reserve(chosen.size());
   for (const auto& [depth, z] : chosen)
     places.push_back(z);
   return places;

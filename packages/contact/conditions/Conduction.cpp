@@ -36,6 +36,7 @@ bem::Mesh meshOfHeat(const bem::Mesh& mesh, const ThermalConditions& kinds) {
 
 std::vector<bool> isHeld(const bem::Mesh& mesh, const ThermalConditions& kinds) {
   std::vector<bool> held;
+  held.reserve(at(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e)
     held.push_back(kinds.temperatures.count(mesh.boundary(e)) > 0);
   return held;

@@ -78,6 +78,7 @@ ParticularSolution::Part ParticularSolution::ofHeat(const BodyLoads& loads,
   return part;
 }
 
+// NOLINTNEXTLINE(modernize-pass-by-value): a part of it is replaced
 ParticularSolution::ParticularSolution(const ParticularSolution& loads,
                                        std::shared_ptr<const ConductedHeat> heat)
     : ParticularSolution(loads) {
@@ -102,6 +103,7 @@ Vec2 ParticularSolution::displacementOfConducted(Vec2 at, Complex integral) cons
 std::vector<ParticularSolution::Value> ParticularSolution::at(
     const std::vector<Vec2>& points) const {
   std::vector<Value> values;
+  values.reserve(points.size());
   for (const Vec2 y : points)
     values.push_back(
         {displacementOfPolynomials(y), sum(loads_.temperature, asComplex(y)).real()});

@@ -110,6 +110,7 @@ class Dense final : public Flexibility::Operator::Factor {
   }
 
   /// Of A the lower triangle, without Ĝ Ĝᵀ.
+  // NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that copy
   void fill(Matrix& b, Matrix& e) {
     for (Index q = 0; q < first_; ++q) {
       addColumn(system_.rows[at(q)], scale_[at(q)], q, first_, factor_.column(q) + q);

@@ -18,11 +18,11 @@ constexpr bem::Named<Stabilization::Form> forms[] = {
 };
 /// All that the forms differ by.
 struct FormRow {
-  Stabilization::Form form;
-  bool isOn;
-  bool byDensity;
-  std::optional<bem::TractionForm> tractions;
-  double gamma0;
+  Stabilization::Form form = Stabilization::Form::None;
+  bool isOn = false;
+  bool byDensity = false;
+  std::optional<bem::TractionForm> tractions{};
+  double gamma0 = 0;
 };
 constexpr FormRow rows[] = {
     {Stabilization::Form::Density, true, true, {}, 0.5},
