@@ -30,6 +30,12 @@ double Tangential::boundWithoutPressure() const {
   return isTied() ? std::numeric_limits<double>::infinity() : factor_ * law_.bound(0);
 }
 
+double Tangential::largest() const {
+  constexpr double anyPressure = 1e30;
+  return isTied() ? std::numeric_limits<double>::infinity()
+                  : factor_ * law_.bound(anyPressure);
+}
+
 Tangential Tangential::shifted(Index normals) const {
   Tangential result = *this;
   if (!isTied())

@@ -46,6 +46,8 @@ class Tangential {
   double steepest() const { return factor_ * law_.steepest(); }
   /// m s(0).
   double boundWithoutPressure() const;
+  /// m times the least upper bound of s, which is large where s grows without bound.
+  double largest() const;
 
   /// With the number of its normal coefficient increased by `normals`.
   Tangential shifted(Index normals) const;
