@@ -90,9 +90,21 @@ void setList(ParameterList& list, const std::string& path, const std::string& va
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
       throw InputError(path, ": '", trimmed(piece), "' is no Key=value");
-    setAt(list, path + "->" + trimmed(piece.substr(0, equal)),
-          trimmed(piece.substr(equal + 1)));
+    const std::string inner = bem::join(path, trimmed(piece.substr(0, equal)));
+    if (holderOf(list, inner) != nullptr)
+      throw InputError(inner + ": given twice; keep one");
+    setAt(list, inner, trimmed(piece.substr(equal + 1)));
   }
+}
+
+/// The type of a value: that of its key, or texts where expressions stand for numbers.
+std::string typeOf(std::string type, const std::string& value) {
+  if (value.find_first_not_of("0123456789.+-eE:x{}, \t") != std::string::npos)
+    for (const std::string number : {"double", "int"})
+      if (const auto at = type.find(number);
+          at != std::string::npos && type.find("string") == std::string::npos)
+        type.replace(at, number.size(), "string");
+  return type;
 }
 
 void setAt(ParameterList& list, const std::string& path, const std::string& value) {
@@ -105,11 +117,16 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
     throw InputError(path + ": is a sublist that --set can only remove");
   const bool alone = value.find('{') == std::string::npos;
   if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
-    throw InputError(path, ": '", value, "' is no array; write {", value, "}");
+    throw InputError(
+        path, ": '", value, "' is no array; write {",
+        value.substr(value.find_first_not_of("[ "),
+                     value.find_last_not_of("] ") + 1 - value.find_first_not_of("[ ")),
+        "}");
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : textOf(row.kind).type;
-  const auto entry = within(path + ": ", [&] { return readValue(type, value); });
+  const auto entry =
+      within(path + ": ", [&] { return readValue(typeOf(type, value), value); });
   madeParentOf(list, path).setEntry(lastOf(path), entry);
 }
 
