@@ -85,13 +85,19 @@ int reportCommand(const Given& given, std::ostream&) {
     throw bem::InputError(
         "report: '", folder,
         "' holds no history.csv; the folder of a finished run is needed");
+  const std::string page = given.value("--output", folder + "/report.html");
+  const fs::path place = fs::path(page).parent_path();
+  if (page == "-")
+    throw bem::InputError("--output: a report is a file; '-' is none");
+  if (!place.empty() && !fs::is_directory(place))
+    throw bem::InputError("--output: there is no folder '", place.string(), "'");
   const Scene scene = readScene(folder + "/used.xml", {});
   if (drawScene(sceneCsv(scene), scene.title, folder + "/scene.png", Words::Errors) != 0)
     return 1;
   writeInside(folder, "");
   std::vector<std::string> more = looksOf(given);
   more.push_back("--field=" + given.value("--field", "von_mises"));
-  more.push_back("--report=" + given.value("--output", folder + "/report.html"));
+  more.push_back("--report=" + page);
   for (const std::string& warning : warningsOf(scene))
     more.push_back("--warning=" + warning);
   return drawPictures(folder, std::move(more));
