@@ -5,6 +5,8 @@
 #include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
 
+#include <regex>
+
 namespace epafi::drivers {
 
 namespace {
@@ -99,11 +101,12 @@ void setList(ParameterList& list, const std::string& path, const std::string& va
 
 /// The type of a value: that of its key, or texts where expressions stand for numbers.
 std::string typeOf(std::string type, const std::string& value) {
-  if (value.find_first_not_of("0123456789.+-eE:x{}, \t") != std::string::npos)
-    for (const std::string number : {"double", "int"})
-      if (const auto at = type.find(number);
+  static const std::regex number("[-+0-9.eE:x{}, \\t]|\\b(nan|inf)\\b");
+  if (!std::regex_replace(value, number, "").empty())
+    for (const std::string kind : {"double", "int"})
+      if (const auto at = type.find(kind);
           at != std::string::npos && type.find("string") == std::string::npos)
-        type.replace(at, number.size(), "string");
+        type.replace(at, kind.size(), "string");
   return type;
 }
 
