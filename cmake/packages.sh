@@ -17,7 +17,7 @@ packagesOf() {
       echo python3 python3-h5py python3-matplotlib  # epafi plot; the build's descriptions
       ;;
     check)
-      echo clang-format-14 libxml2-utils python3-jsonschema python3-yaml
+      echo clang-format-14 libxml2-utils python3-jsonschema
       echo python3-pip python3-setuptools python3-wheel python3-pandas  # of the Python front
       ;;
     site) echo mkdocs doxygen libjs-jquery ;;  # the documentation as a site: ninja -C build site

@@ -8,6 +8,7 @@
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/run/Warnings.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -245,6 +246,12 @@ std::string checkScene(const Scene& scene) {
 }
 
 int checkCommand(const Given& given, std::ostream& out) {
+  if (given.has("--read")) {
+    const std::string& file = given.argument;
+    const RawScene raw = naming(file, [&] { return rawScene(readText(file), file); });
+    out << toXml(raw.list, raw.title);
+    return 0;
+  }
   const Scene scene = readScene(given.argument, given.values("--set"));
   if (given.has("--used")) {
     out << usedXml(scene);

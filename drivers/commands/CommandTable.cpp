@@ -145,6 +145,8 @@ std::vector<Command> makeCommands() {
        "read and validate only, evaluate every expression",
        scene,
        {set,
+        {"--read", "",
+         "print the scene as it is read, as XML, without defaults; check no more"},
         {"--used", "",
          "print the complete scene, as used.xml of a run; evaluate nothing"},
         {"--plot", "FILE.png",

@@ -124,6 +124,8 @@ void Recorder::takeStep(const SolvedLevel& level) {
   const double begin = cpuSeconds();
   const SolvedStep& step = level.last();
   tables_.addStep(step);
+  if (times_.empty())
+    overlaps_.clear();  // those of the level before
   times_.push_back(step.row.t);
   if (scene_.hasContact()) {
     contactOfStep_ = contact_.next(step);
@@ -134,6 +136,8 @@ void Recorder::takeStep(const SolvedLevel& level) {
     grid = std::make_shared<const VtkGrid>(boundaryLines(step));
     stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
                             made(vtuText(*grid)));
+    if (overlaps_.empty())
+      findOverlap(scene_, *grid, overlaps_);
   }
   if (!isKnown(level.level)) {
     grid_ = grid;
@@ -178,8 +182,9 @@ void Recorder::write() {
 void Recorder::finish(PhaseTimer& timer) {
   if (folder_) {
     write();  // before a phase begins, which an interrupted run does not do any more
-    if (grid_)
-      findOverlap(scene_, *grid_, warnings_);
+    if (grid_ && !scene_.history)
+      findOverlap(scene_, *grid_, overlaps_);
+    warnings_.insert(warnings_.end(), overlaps_.begin(), overlaps_.end());
     if (!tables_.level.steps.empty() && !scene_.output.interiorPoints.empty())
       timer.run(Phase::Results, [&] { writeInterior(scene_, tables_.level, *folder_); });
   }

@@ -81,7 +81,8 @@ class Recorder {
   double writtenAt_ = apart_;
   double writingTook_ = 0;
   std::vector<std::string> warnings_;
-  std::vector<std::string> told_;  ///< likewise, of all levels
+  std::vector<std::string> overlaps_;  ///< the first of the level or of its path's steps
+  std::vector<std::string> told_;      ///< likewise, of all levels
 };
 
 }  // namespace epafi::drivers

@@ -189,7 +189,7 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   const std::size_t elastic = scene.bodies.size();
   const std::vector<SideOfBody> all = scene.everyBody();
   std::vector<DeformedBody> bodies(all.size());
-  double depth = 0;
+  double depth = 1e-12 * scene.units().length;  // of bodies drawn flush, less is rounding
   double drawn = 0;  // on one side of a line of symmetry: farthest from it
   const auto across = [&](Vec2 x) { return scene.symmetry.across(x); };
   const auto moved = [&](long long k) {
@@ -203,8 +203,6 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
   for (std::size_t k = 0; 2 * k < grid.corners.size(); ++k)
     bodies[grid.cellData[OfBody].at<int>(k)].add(moved(grid.corners[2 * k]),
                                                  moved(grid.corners[2 * k + 1]));
-  if (!(depth > 0))
-    return;
   const auto touch = [&](const SideOfBody& a, const SideOfBody& b) {
     return std::any_of(
         scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {

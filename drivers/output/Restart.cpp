@@ -9,10 +9,10 @@
 
 namespace epafi::drivers {
 
-namespace {
-
 using bem::InputError;
 using Teuchos::ParameterList;
+
+namespace {
 
 std::vector<std::string> keysOf(const ParameterList& a, const ParameterList& b) {
   std::vector<std::string> keys;
@@ -22,10 +22,14 @@ std::vector<std::string> keysOf(const ParameterList& a, const ParameterList& b) 
   return keys;
 }
 
-/// The path of the first of some keys in which two lists differ; empty if they are equal.
+}  // namespace
+
 std::string difference(const ParameterList& a, const ParameterList& b,
-                       const std::string& path, const std::vector<std::string>& keys) {
+                       const std::string& path, const std::vector<std::string>& keys,
+                       const std::set<std::string>& without) {
   for (const std::string& key : keys) {
+    if (without.count(key) != 0)
+      continue;
     const auto* inA = a.getEntryPtr(key);
     const auto* inB = b.getEntryPtr(key);
     const bool inBoth = inA != nullptr && inB != nullptr;
@@ -33,7 +37,7 @@ std::string difference(const ParameterList& a, const ParameterList& b,
     if (inBoth && inA->isList() && inB->isList()) {
       const ParameterList& ofA = a.sublist(key);
       const ParameterList& ofB = b.sublist(key);
-      place = difference(ofA, ofB, place, keysOf(ofA, ofB));
+      place = difference(ofA, ofB, place, keysOf(ofA, ofB), without);
     } else if (inA == inB || (inBoth && inA->getAny() == inB->getAny())) {
       place.clear();
     }
@@ -42,6 +46,8 @@ std::string difference(const ParameterList& a, const ParameterList& b,
   }
   return "";
 }
+
+namespace {
 
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const Scene earlier = sceneOf(checkpoint.used, "used.xml", {});

@@ -4,6 +4,7 @@
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/CauchyData.hpp"
+#include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <regex>
 #include <utility>
 
 namespace epafi::drivers {
@@ -195,6 +197,35 @@ std::vector<bem::Vec2> corners(const Scene& scene) {
   return result;
 }
 
+/// Is there a text in a list that names a constant?
+bool mentions(const Teuchos::ParameterList& list, const std::string& constant) {
+  return std::any_of(list.begin(), list.end(), [&](const auto& item) {
+    const Teuchos::ParameterEntry& entry = item.second;
+    if (entry.isList())
+      return mentions(list.sublist(item.first), constant);
+    if (!entry.template isType<std::string>())
+      return false;
+    return std::regex_search(list.get<std::string>(item.first),
+                             std::regex("\\b" + constant + "\\b"));
+  });
+}
+
+/// The first difference between two scenes that is one of their problems; meshes, methods and
+/// steps may differ.
+std::string differentProblem(const Scene& a, const Scene& b) {
+  std::string different;
+  for (const char* section : {"Bodies", "Geometry", "Body Loads", "Contacts", "Tables"}) {
+    if (different.empty())
+      different = difference(*a.used, *b.used, "", {section}, {"Mesh", "Cycle Jump"});
+    for (const auto& [constant, value] : a.constants)
+      if (const auto other = b.constants.find(constant);
+          different.empty() && other != b.constants.end() && other->second != value &&
+          a.used->isSublist(section) && mentions(a.used->sublist(section), constant))
+        different = "Constants->" + constant;
+  }
+  return different;
+}
+
 Reference readReference(const std::string& file, const Scene& scene) {
   const Checkpoint kept = readSolution(file);
   const Scene of = sceneOf(kept.used, file, {});
@@ -207,6 +238,9 @@ Reference readReference(const std::string& file, const Scene& scene) {
     throw bem::InputError(what, "ends at t = ", of.endOfPath(), ", the scene at ",
                           scene.endOfPath(),
                           "; errors compare solutions under the same loads");
+  if (const std::string different = differentProblem(of, scene); !different.empty())
+    throw bem::InputError(what, "was written by a run of another problem: ", different,
+                          " differs; errors compare solutions of one problem");
   Reference reference;
   reference.steps =
       takeSnapshots(of, kept.level, dissipatedOf(kept.steps, kept.level.number));

@@ -1,3 +1,4 @@
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/results/Solved.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Path.hpp"
@@ -48,22 +49,38 @@ double largestMotion(const contact::Solved& solved, const bem::Outline& outline)
   return largest * solved.units.length / outline.diameter();
 }
 
+/// The same over the level or over the steps of its path.
+double largestMotion(const SolvedLevel& level, std::size_t b) {
+  double largest = 0;
+  for (const auto& step : level.steps)
+    largest = std::max(
+        largest, largestMotion(step->bodies[b], *step->spaces.scene().bodies[b].outline));
+  return largest;
+}
+
 /// The forces on a body that do not balance, over the largest of them; where all cancel, over
 /// that which moves it by `motion` at its strain energy.  Zero but for rounding, see Summary; of
-/// a body that moves without strain all is rounding, and balance says nothing.
-double imbalanceOf(const contact::Summary& body, double motion, double youngsModulus) {
-  // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
-  constexpr double strained = 1e-24;
-  if (body.energyStrain <= strained * youngsModulus * motion * motion)
-    return 0;
-  double largest = 2 * body.energyStrain / motion;
-  bem::Vec2 sum;
-  for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
-    sum = sum + bem::Vec2{force->x, force->y};
-    largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
+/// a body without strain beside what moves `around` all is rounding, and balance says nothing.
+struct Imbalance {
+  double missed = 0;
+  double largest = 0;
+
+  /// The larger of this and that of one more step.
+  void add(const contact::Summary& body, double motion, double around,
+           double youngsModulus) {
+    // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
+    constexpr double strained = 1e-24;
+    if (body.energyStrain <= strained * youngsModulus * around * around)
+      return;
+    largest = std::max(largest, 2 * body.energyStrain / motion);
+    bem::Vec2 sum;
+    for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
+      sum = sum + bem::Vec2{force->x, force->y};
+      largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
+    }
+    missed = std::max(missed, norm(sum));
   }
-  return norm(sum) / largest;
-}
+};
 
 /// Digits that rounding has taken, of bodies too slender for double precision, or of small
 /// deformations beside large motions.
@@ -74,18 +91,19 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
   const char* const why =
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
       "1000, and where a motion is 1e10 times what deforms: look at units and loads";
-  const SolvedStep& last = level.last();
-  const Scene& scene = last.spaces.scene();
-  for (std::size_t b = 0; b < last.bodies.size(); ++b) {
+  const Scene& scene = level.last().spaces.scene();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    const double motion =
-        largestMotion(last.bodies[b], *body.outline) * body.outline->diameter();
-    const double imbalance =
-        imbalanceOf(wholeOf(scene.symmetry, *body.outline, last.summaries()[b]), motion,
-                    body.material.youngsModulus);
-    if (imbalance > smallImbalance)
-      warn("Bodies->", body.name, ": its forces are out of balance by ", imbalance,
-           " of the largest; ", why);
+    Imbalance imbalance;
+    for (const auto& step : level.steps)
+      imbalance.add(
+          wholeOf(scene.symmetry, *body.outline, step->summaries()[b]),
+          largestMotion(step->bodies[b], *body.outline) * body.outline->diameter(),
+          scene.units().length * step->largestDisplacement(),
+          body.material.youngsModulus);
+    if (imbalance.missed > smallImbalance * imbalance.largest)
+      warn("Bodies->", body.name, ": its forces are out of balance by ",
+           imbalance.missed / imbalance.largest, " of the largest; ", why);
   }
   double missed = 0;
   double largest = 0;  // of a step without load displacements are rounding, too
@@ -136,12 +154,11 @@ void findLarge(const SolvedLevel& level, Warnings& warn) {
       warn("contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",
            "bound reaches ", contact.wearing, ", above ", settled,
            ": slip and wear may have several solutions; shorten steps or the jump");
-  const SolvedStep& last = level.last();
-  for (std::size_t b = 0; b < last.bodies.size(); ++b) {
-    const Body& body = last.spaces.scene().bodies[b];
-    const double motion = largestMotion(last.bodies[b], *body.outline);
+  const std::vector<Body>& bodies = level.last().spaces.scene().bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double motion = largestMotion(level, b);
     if (motion > small)
-      warn("Bodies->", body.name, ": displacements reach ", std::round(100 * motion),
+      warn("Bodies->", bodies[b].name, ": displacements reach ", std::round(100 * motion),
            " % of the body's size; the equations are those of small displacements and "
            "small sliding, on the outline as drawn: look at units and loads");
   }
@@ -160,7 +177,9 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
       contact = std::max(contact, summary.contactLength);
   }
   if (energy == 0) {
-    warn(level.last().largestDisplacement() > 0
+    const std::vector<bem::Vector>& displacements = level.last().at.displacements;
+    warn(std::any_of(displacements.begin(), displacements.end(),
+                     [](const bem::Vector& u) { return bem::largestEntry(u) > 0; })
              ? "the strain energy is too small for a number: loads are next to nothing "
                "beside Young's modulus; look at the units of both"
              : "nothing loads the scene: no traction, force, prescribed displacement or "

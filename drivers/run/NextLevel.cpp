@@ -44,9 +44,12 @@ Level firstLevel(const Scene& scene) {
   Level first = firstMeshes(scene);
   constexpr int most = 12;
   Level finer = first;
-  std::vector<double> left =
-      unbalanced(BodySpaces(scene, first),
-                 scene.history ? scene.history.times : std::vector<double>{1});
+  const std::vector<double> times =
+      scene.history ? scene.history.times : std::vector<double>{1};
+  const BodySpaces spaces(scene, first);
+  for (const double t : times)
+    checkRoom(spaces, t);
+  std::vector<double> left = unbalanced(spaces, times);
   for (int k = 0; k < most && !left.empty(); ++k) {
     for (std::size_t b = 0; b < finer.meshes.size(); ++b)
       finer.meshes[b] = halvedAtEnds({scene.bodies[b].outline, finer.meshes[b]},

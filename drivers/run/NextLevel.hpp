@@ -18,6 +18,7 @@ struct Outcome {
 /// The level to begin with: first meshes of the scene, start value zero.  Where coarse multipliers cannot
 /// balance the load of a body that contact alone holds, and finer ones can (a load above
 /// the edge of its foot), elements are halved towards ends and corners of contacts.
+/// \throws bem::InputError see checkRoom
 Level firstLevel(const Scene& scene);
 
 /// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance;

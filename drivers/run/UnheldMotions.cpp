@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
@@ -93,6 +94,8 @@ void requireResistance(const Scene& scene, const bem::Matrix& motions,
 struct Moved {
   double size = 0;    ///< of the largest displacement, scaled
   std::string words;  ///< "drives Bodies->pad in the direction (0, 1)"
+  double unit = 1;    ///< of force or moment: the displacement or the angle, scaled
+  bool turns = false;
 };
 
 /// To three digits of a unit, zero without a sign.
@@ -135,29 +138,32 @@ Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
     how = bem::message(" about (", tidy(pole.x, length), ", ", tidy(pole.y, length), ")");
   }
   return {norm(mean) + arc,
-          (turns ? "turns Bodies->" : "drives Bodies->") + body.name + how};
+          (turns ? "turns Bodies->" : "drives Bodies->") + body.name + how,
+          turns ? std::abs(turn) : norm(mean), turns};
 }
 
 Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
   const bem::Vec2 slide{components[0], components[1]};
   const double turn = std::abs(components[2]);
-  return {norm(slide) + turn, turn > 1e-3 * norm(slide)
-                                  ? "turns Bodies->" + body.name
-                                  : "drives Bodies->" + body.name + direction(slide)};
+  const bool turns = turn > 1e-3 * norm(slide);
+  return {norm(slide) + turn,
+          turns ? "turns Bodies->" + body.name
+                : "drives Bodies->" + body.name + direction(slide),
+          turns ? turn : norm(slide), turns};
 }
 
 std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers,
                        const FreeMotions& free) {
   const Scene& scene = spaces.scene();
-  const Vector motion = contact::unresistedMotion(numbers);
-  if (motion.empty())
+  const contact::UnresistedMotion motion = contact::unresistedMotion(numbers);
+  if (motion.amplitudes.empty())
     return "";
   Moved most;
   const auto keepLarger = [&](Moved moved) {
     if (moved.size > most.size)
       most = std::move(moved);
   };
-  const double* next = motion.data();
+  const double* next = motion.amplitudes.data();
   for (std::size_t b = 0; b < free.size(); ++b) {
     Vector moved(spaces.space(b).displacements());
     for (const Vector& one : free[b])
@@ -171,8 +177,15 @@ std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers
         components[c] = *next++;
     keepLarger(movedBy(components, body));
   }
+  std::string limit;
+  if (motion.held > 0) {
+    const double unit =
+        scene.energy() / (most.turns ? 1 : scene.units().length) / most.unit;
+    limit = bem::message(most.turns ? ": of a moment of " : ": of a force of ",
+                         motion.load * unit, " they hold at most ", motion.held * unit);
+  }
   return "the load " + most.words +
-         ", a rigid motion in which neither contact nor friction can balance it";
+         ", a rigid motion in which neither contact nor friction can balance it" + limit;
 }
 
 /// What contact feels of free rigid motions and what loads do along them, the part of a contact
@@ -223,6 +236,50 @@ Balance balanceOf(const BodySpaces& spaces,
   return balance;
 }
 
+/// By how much the area of a body may grow.
+struct Room {
+  double area = 0;  ///< ∫ gap ds over contacts + ∫ u·n ds over clamps, ds scaled
+  double size = 0;  ///< of the same, absolute values
+  bool isLimited = true;   ///< by conditions all around
+  bool isContact = false;  ///< at least on a part
+
+  bool isKnown() const { return isLimited && isContact; }
+  bool isMissing() const { return area < -1e-6 * size; }  // the rest is quadrature's
+};
+
+Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
+  Room room;
+  room.isLimited = conditions.inside == nullptr && !conditions.heat;
+  const bem::Rule& rule = bem::gaussLegendre(8);
+  for (int e = 0; e < mesh.size() && room.isLimited; ++e) {
+    const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
+    const auto contact = conditions.contact.find(mesh.boundary(e));
+    const bool meets = contact != conditions.contact.end();
+    if (meets ? !contact->second.name.empty() || contact->second.normal ||
+                    contact->second.wear
+              : clamp == conditions.dirichlet.end())
+      room.isLimited = false;
+    else
+      for (std::size_t q = 0; q < rule.points.size() && room.isLimited; ++q) {
+        const bem::Vec2 x = mesh.physicalPoint(e, rule.points[q]);
+        const bem::Vec2 n = mesh[e].curve.normal(rule.points[q]);
+        double outwards = meets && contact->second.gap ? contact->second.gap(x) : 0;
+        if (!meets)
+          for (const auto& [given, along] :
+               {std::pair(&clamp->second.x, n.x), std::pair(&clamp->second.y, n.y)})
+            if (*given)
+              outwards += (*given)(x)*along;
+            else if (std::abs(along) > 1e-12)
+              room.isLimited = false;
+        const double share = rule.weights[q] * mesh[e].half;
+        room.area += share * outwards;
+        room.size += share * std::abs(outwards);
+        room.isContact = room.isContact || meets;
+      }
+  }
+  return room;
+}
+
 }  // namespace
 
 void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
@@ -241,11 +298,33 @@ std::vector<double> unbalanced(const BodySpaces& spaces,
       return true;
     const contact::Problem numbers = balanceOf(spaces, spaces.conditionsAt(t), t).numbers;
     mayMove = numbers.rigidMotions() > 0;
-    return contact::unresistedMotion(numbers).empty();
+    return contact::unresistedMotion(numbers).amplitudes.empty();
   };
   std::vector<double> result;
   std::remove_copy_if(times.begin(), times.end(), std::back_inserter(result), isBalanced);
   return result;
+}
+
+void checkRoom(const BodySpaces& spaces, double t) {
+  const Scene& scene = spaces.scene();
+  const auto isIncompressible = [](const Body& body) {
+    return body.material.poissonsRatio >= 0.5 && !body.material.planeStress;
+  };
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), isIncompressible))
+    return;
+  const std::vector<contact::Conditions> conditions = scene.conditionsAt(t);
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    if (const Room room = roomOf(spaces.space(b).mesh(), conditions[b]);
+        isIncompressible(scene.bodies[b]) && room.isKnown() && room.isMissing())
+      throw bem::InputError(
+          "Bodies->", scene.bodies[b].name,
+          ": is incompressible (Poisson's Ratio 1/2) and enclosed: contact and "
+          "prescribed "
+          "displacements take ",
+          -room.area * scene.symmetry.copies() * scene.units().length,
+          scene.history ? bem::message(" at t = ", t) : "",
+          " of its area, and it has none to give; leave it a free side or room, or take "
+          "a smaller Poisson's Ratio");
 }
 
 void checkBalance(const BodySpaces& spaces,

@@ -145,6 +145,10 @@ class Parser {
   std::string meant(const mu::Parser::exception_type& error) const {
     if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
       return "";
+    const std::string rest = error.GetToken();  // includes the text behind it
+    const std::string called = rest.substr(0, rest.find_first_not_of(letters));
+    if (parser_.GetFunDef().count(called) != 0)
+      return "; '(' follows the name of a function without a blank: " + called + "(x)";
     std::vector<std::string> names;
     const auto add = [&](const auto& map) {
       for (const auto& item : map)
@@ -153,9 +157,7 @@ class Parser {
     add(parser_.GetConst());
     add(parser_.GetVar());
     add(parser_.GetFunDef());
-    std::string name = error.GetToken();  // the token includes the text behind it
-    name.resize(std::min(name.size(), name.find_first_not_of(letters)));
-    return bem::meant(name, names);
+    return bem::meant(called, names);
   }
 
   const Source& source_;
@@ -234,8 +236,8 @@ void checkName(const std::string& name, const Names& earlier) {
       throw InputError("means something in expressions already");
   if (parser.GetFunDef().count(name) != 0)
     throw InputError("is a function of expressions already");
-  if (earlier.constants.count(name) != 0 || earlier.tables.count(name) != 0)
-    throw InputError("is given twice");
+  if (earlier.tables.count(name) != 0)
+    throw InputError("is the name of a table, too: Tables->" + name);
 }
 
 }  // namespace

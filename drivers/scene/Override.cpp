@@ -2,6 +2,8 @@
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Text.hpp"
 
+#include <regex>
+
 namespace epafi::drivers {
 
 namespace {
@@ -87,9 +89,22 @@ void setList(ParameterList& list, const std::string& path, const std::string& va
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
       throw InputError(path, ": '", trimmed(piece), "' is no Key=value");
-    setAt(list, path + "->" + trimmed(piece.substr(0, equal)),
-          trimmed(piece.substr(equal + 1)));
+    const std::string inner = bem::join(path, trimmed(piece.substr(0, equal)));
+    if (holderOf(list, inner) != nullptr)
+      throw InputError(inner + ": given twice; keep one");
+    setAt(list, inner, trimmed(piece.substr(equal + 1)));
   }
+}
+
+/// The type of a value: that of its key, or texts where expressions stand for numbers.
+std::string typeOf(std::string type, const std::string& value) {
+  static const std::regex number("[-+0-9.eE:x{}, \\t]|\\b(nan|inf)\\b");
+  if (!std::regex_replace(value, number, "").empty())
+    for (const std::string kind : {"double", "int"})
+      if (const auto at = type.find(kind);
+          at != std::string::npos && type.find("string") == std::string::npos)
+        type.replace(at, kind.size(), "string");
+  return type;
 }
 
 void setAt(ParameterList& list, const std::string& path, const std::string& value) {
@@ -102,10 +117,14 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
     throw InputError(path + ": is a sublist that --set can only remove");
   const bool alone = value.find('{') == std::string::npos;
   if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
-    throw InputError(path, ": '", value, "' is no array; write {", value, "}");
+    throw InputError(
+        path, ": '", value, "' is no array; write {",
+        value.substr(value.find_first_not_of("[ "),
+                     value.find_last_not_of("] ") + 1 - value.find_first_not_of("[ ")),
+        "}");
   const auto& kind = textOf(row.kind);
   const bool one = alone && (row.kind == Kind::Counts || row.kind == Kind::Reals);
-  const std::string type = one ? kind.element : kind.type;
+  const std::string type = typeOf(one ? kind.element : kind.type, value);
   const auto entry = within(path + ": ", [&] { return readValue(type, value); });
   madeParentOf(list, path).setEntry(lastOf(path), entry);
 }

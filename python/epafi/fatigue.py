@@ -146,6 +146,8 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *, al
     """As Run.fatigue."""
     if depth is not None and not (isinstance(where, str) and ":" in where):
         raise InputError("depth: belongs to a boundary, 'body:boundary'")
+    if not isinstance(alpha, (int, float, np.number)) or not math.isfinite(alpha):
+        raise InputError("alpha: %r is no finite number" % (alpha,))
     steps, t = cycle_of(run, first, last)
     scene = run.scene
     if isinstance(where, str) and ":" not in where:

@@ -73,7 +73,7 @@ class Run:
     def step(self, k: int) -> Table:
         """contact.csv of step k = 1, 2, ... of the last level."""
         count = self._steps_of_last_level()
-        if not 1 <= k <= count:
+        if not isinstance(k, (int, np.integer)) or not 1 <= k <= count:
             raise InputError("there is no step %s; the path has steps 1 to %d" % (k, count))
         return self._table(os.path.join("steps", str(k), "contact.csv"))
 
@@ -169,7 +169,7 @@ class Run:
                 units="mm,MPa" of length and stress
         """
         from epafi.plot import contact
-        from epafi.plot.figures import Looks, Pictures, plt
+        from epafi.plot.figures import Looks, Pictures, plain, plt
         from epafi.plot.folder import NAMES, draw_field, draw_run, when
         from epafi.plot.inside import NAMES as FIELDS
 
@@ -185,8 +185,8 @@ class Run:
                 draw_field(what, field_file(self.folder, place, window, step), pictures,
                            when(self.folder, step))
             elif step is not None:
-                contact.draw(self.step(step), title_of(self.folder) + when(self.folder, step),
-                             pictures)
+                contact.draw(self.step(step), plain(title_of(self.folder)) +
+                             when(self.folder, step), pictures)
             else:
                 draw_run(pictures)
         if not pictures.names:

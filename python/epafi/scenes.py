@@ -32,40 +32,10 @@ class Scene(dict[str, Any]):
 
     @classmethod
     def read(cls, file: str | os.PathLike[str]) -> Scene:
-        """From an XML file, or a YAML file (by python3-yaml)."""
+        """From an XML or a YAML file, as the program reads it."""
         name = os.fspath(file)
-        stem, ending = os.path.splitext(os.path.basename(name))
-        folder = os.path.dirname(name) or "."
-        if ending.lower() in (".yaml", ".yml"):
-            return cls._read_yaml(name, folder)
-        try:
-            root = xml.parse(name).getroot()
-        except (OSError, xml.ParseError) as error:
-            raise InputError("%s: %s" % (name, error)) from None
-        return cls(tree_of(root), root.get("name") or stem, folder)
-
-    @classmethod
-    def _read_yaml(cls, name: str, folder: str) -> Scene:
-        try:
-            import yaml
-        except ImportError:
-            raise InputError("%s: YAML wants python3-yaml" % name) from None
-
-        class Loader(yaml.SafeLoader):
-            """Takes 1e3 for a number, as YAML 1.2 and the program do, and PyYAML does not."""
-
-        Loader.add_implicit_resolver(
-            "tag:yaml.org,2002:float",
-            re.compile(r"[-+]?(\.\d+|\d+(\.\d*)?)([eE][-+]?\d+)?$"), list("-+.0123456789"))
-        try:
-            with open(name, encoding="utf-8") as stream:
-                content = yaml.load(stream, Loader)
-        except (OSError, yaml.YAMLError) as error:
-            raise InputError("%s: %s" % (name, error)) from None
-        if not isinstance(content, dict) or len(content) != 1:
-            raise InputError("%s: everything must stand under one title, 'My scene:'" % name)
-        (title, tree), = content.items()
-        return cls(tree, str(title), folder)
+        root = xml.fromstring(call(["check", "--read", name]))
+        return cls(tree_of(root), root.get("name", ""), os.path.dirname(name) or ".")
 
     def changed(self, settings: Mapping[str, Any]) -> Scene:
         """A copy with other values: {"A->B->Key": value}; None removes a key or a list."""
@@ -75,6 +45,8 @@ class Scene(dict[str, Any]):
             target = tree
             for parent in parents:
                 target = target.setdefault(parent, {})
+                if not isinstance(target, dict):
+                    raise InputError("%s: %r is a value, no list" % (path, parent))
             if value is None:
                 if key not in target:
                     raise InputError("%s: is not in the scene, so it cannot be removed" % path)
@@ -195,7 +167,7 @@ def _list(name: str, tree: Mapping[str, Any], rules: Mapping[str, Any],
 
 
 def tree_of(element: xml.Element) -> dict[str, Any]:
-    """What a list in XML holds."""
+    """What a list in XML holds, as the program writes it."""
     tree: dict[str, Any] = {}
     for child in element:
         name = child.get("name", "")

@@ -12,6 +12,8 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace epafi {
 
@@ -69,6 +71,20 @@ TEUCHOS_UNIT_TEST(Fallbacks, globalSlidingIsProvedFromTheFrictionCone) {
   Problem lifted = pushed(0);
   lifted.rigidLoad[0] = -2;
   TEST_THROW(requireEquilibrium(lifted), bem::NumericalError);
+  // at most 0.3 on each of two sides, whatever the pressure
+  for (const auto& [law, fields] : std::vector<std::pair<std::string, bem::Vector>>{
+           {"Tresca", {0.3}}, {"Capped Coulomb", {0.5, 0.3}}}) {
+    Problem bounded = pushed(0.6);
+    for (const Index i : {0, 1})
+      bounded.tangentials[bem::at(i)] =
+          contact::Tangential(i, test::pointLaw(law, fields));
+    TEST_NOTHROW(requireEquilibrium(bounded));
+    bounded.rigidLoad[1] = 0.6 * (1 + 1e-7);
+    TEST_THROW(requireEquilibrium(bounded), bem::NumericalError);
+    bounded.rigidLoad[1] = -0.9;
+    const contact::UnresistedMotion motion = unresistedMotion(bounded);
+    TEST_FLOATING_EQUALITY(motion.held / motion.load, 0.6 / 0.9, 1e-12);
+  }
   Problem unloaded = pushed(0);
   unloaded.rigidLoad = {0, 0};
   TEST_NOTHROW(requireEquilibrium(unloaded));

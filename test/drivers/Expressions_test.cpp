@@ -63,6 +63,8 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'load'?"));
   text.conditions = neumann("right", parameter("Traction X", "2*sqtr(x)"));
   TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'sqrt'?"));
+  text.conditions = neumann("right", parameter("Traction X", "2*sqrt (x)"));
+  TEST_ASSERT(contains(complaintOf(text.xml()), "without a blank: sqrt(x)"));
   text.conditions = neumann("right", parameter("Traction X", "weight"));
   TEST_ASSERT(!contains(complaintOf(text.xml()), "did you mean"));
 }
@@ -139,7 +141,7 @@ TEUCHOS_UNIT_TEST(Tables, thatCannotBeAreRefused) {
   const std::string good = points("2x2:{0,0, 1,1}");
   TEST_ASSERT(contains(complaint(table("sin", good)), "Tables->sin: is a function"));
   TEST_ASSERT(contains(complaint(table("a", good) + constants(parameter("a", "1"))),
-                       "Constants->a: is given twice"));
+                       "Constants->a: is the name of a table, too"));
   TEST_ASSERT(contains(complaint(table("a", points("1x2:{0,0}"))), "at least 2"));
   TEST_ASSERT(contains(complaint(table("a", points("2x2:{0,0, 0,1}"))), "must rise"));
   TEST_ASSERT(contains(complaint(table("a", points("2x3:{0,0,0, 1,1,1}"))), "Tables->a"));

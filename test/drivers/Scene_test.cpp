@@ -187,6 +187,11 @@ TEUCHOS_UNIT_TEST(Scene, numbersAreExpressionsInConstants) {
   const test::TemporaryFile used("used.xml", drivers::usedXml(scene));
   TEST_EQUALITY(drivers::usedXml(drivers::readScene(used.path())),
                 drivers::usedXml(scene));
+  const drivers::Scene set = drivers::readScene(
+      used.path(), {"Bodies->block->Material->Young's Modulus=25*L",
+                    "Discretization->Elements per Edge={L, 1, L*L, 1}"});
+  TEST_EQUALITY(set.bodies[0].material.youngsModulus, 50);
+  TEST_EQUALITY(set.bodies[0].elementsPerEdge[2], 4);
   const drivers::Scene longer = drivers::readScene(used.path(), {"Constants->L=4"});
   TEST_EQUALITY(longer.bodies[0].material.youngsModulus, 400);
   TEST_ASSERT(longer.bodies[0].outline->diameter() > scene.bodies[0].outline->diameter());

@@ -3,6 +3,8 @@
     front.py EPAFI WORK
 """
 import inspect
+import json
+import math
 import os
 import shutil
 import signal
@@ -45,23 +47,30 @@ for name in sorted(os.listdir(SHIPPED)):
     claim(told(copy) == told(os.path.join(SHIPPED, name)) and "The scene is valid." in told(copy),
           name + ": the program reads the same, a valid scene")
 
-try:
-    import yaml
-
-    with open(os.path.join(WORK, "patch.yaml"), "w") as stream:
-        yaml.safe_dump({"Contact patch test": dict(epafi.Scene.read(
-            os.path.join(SHIPPED, "patch.xml")))}, stream)
-    claim(epafi.Scene.read(os.path.join(WORK, "patch.yaml")) ==
-          epafi.Scene.read(os.path.join(SHIPPED, "patch.xml")), "YAML is read as well")
-    text = read(os.path.join(WORK, "patch.yaml"))
-    key = "Young's Modulus: "
+patch = epafi.Scene.read(os.path.join(SHIPPED, "patch.xml"))
+for name, after, value in (("patch.yaml", "", None), ("patch.YAML", "0500", 500)):
+    text = json.dumps({"Contact patch test": patch})
+    key = "Young's Modulus\": "
     begin = text.index(key) + len(key)
-    write(os.path.join(WORK, "patch.YAML"), text[:begin] + "1e3" + text[text.index("\n", begin):])
-    body, = epafi.Scene.read(os.path.join(WORK, "patch.YAML"))["Bodies"].values()
-    claim(body["Material"]["Young's Modulus"] == 1000,
-          "with numbers as the program takes them, and .YAML")
-except ImportError:
-    print("python3-yaml is not here: YAML not tried")
+    if value:
+        text = text[:begin] + after + text[text.index(",", begin):]
+    file = write(os.path.join(WORK, name), text)
+    body, = epafi.Scene.read(file)["Bodies"].values()
+    claim(body["Material"]["Young's Modulus"] == value if value else
+          epafi.Scene.read(file) == patch, name + ": YAML is read as the program reads it")
+FLAG = '<ParameterList name="a"><Parameter name="b" type="bool" value="%s"/></ParameterList>'
+for name, text, words in (
+        ("twice.yaml", "a:\n  Bodies: {}\n  Bodies: {}\n", "Bodies: given twice"),
+        ("flag.xml", FLAG % "True", "b: 'True'"),
+        ("number.xml", FLAG.replace("bool", "double") % "1,5", "b: '1,5'"),
+        ("twice.xml", FLAG.replace("><P", "><Parameter name='b' type='int' value='1'/><P") % "true",
+         "b: given twice"),
+        ("none.xml", None, "none.xml")):
+    file = os.path.join(WORK, name)
+    if text:
+        write(file, text)
+    with raises(epafi.InputError, name + " is refused", words):
+        epafi.Scene.read(file)
 coulomb = epafi.Scene.read(os.path.join(SHIPPED, "coulomb.xml")).changed(
     {"Adaptivity->Maximum Levels": 2})
 for settings, words in [
@@ -74,6 +83,7 @@ for settings, words in [
         ({"Bodies->block->Geometry->Vertices": [[0, 0, 1]] * 4}, ["2 coordinates"]),
         ({"Bodies->block->Geometry->Vertices": [[0, 0], [1]]}, ["one length"]),
         ({"Output->Nothing": None}, ["cannot be removed"]),
+        ({"Constants": {"f": 1}, "Constants->f->g": 1}, ["Constants->f->g", "'f' is a value"]),
         ({"Discretization->Degree": 99}, ["Discretization->Degree = 99", "from 1 to 25"])]:
     with raises(epafi.InputError, "%s is refused" % settings, *words, absent=["/tmp"]):
         epafi.run(coulomb, set=settings)
@@ -239,6 +249,11 @@ for words, slip in (
         ("LENGTH,STRESS", lambda: worn.plot("contact", units="mm")),
         ("'bottom'", lambda: worn.profiles("worn_depth", "botom")),
         ("steps 1 to 3", lambda: worn.step(4)),
+        ("steps 1 to 3", lambda: worn.step(1.0)),
+        ("size: (0, 1)", lambda: worn.plot("contact", size=(0, 1))),
+        ("dpi: 'x'", lambda: worn.plot("contact", dpi="x")),
+        ("alpha: nan", lambda: worn.fatigue("bottom", alpha=math.nan)),
+        ("alpha: 'x'", lambda: worn.fatigue("bottom", alpha="x")),
         ("'von_mises'", lambda: worn.pictures("von_mise")),
         ("a list of values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": "2"})),
         ("has no values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": []})),

@@ -3,8 +3,8 @@
 Uniform stress sigma_yy = -p, sigma_xy = s, sigma_xx = 0 in plane strain, u linear and larger
 than zero along the base: lambda_n = p and lambda_t = s = min(F p, C), for every basis.
 """
-from runs import claim, finish, run
-from written import block, body, condition, listed, written
+from runs import claim, fails, finish, fresh, run
+from written import Keys, block, body, condition, listed, written
 
 YOUNG, NU, P = 100.0, 0.3, 1.0
 
@@ -37,4 +37,16 @@ for name, (coefficient, cap, shear) in CASES.items():
             claim(max(abs(c["lambda_t"] - shear) for c in contact) < 1e-9, case + ": shear")
             claim(max(abs(c["bound"] - shear) for c in contact) < 1e-9, case + ": bound")
             claim(all(c["friction"] == 2 for c in contact), case + ": slides")
+# 0.1 on a length of 2 holds 0.2, whatever presses
+for law in ({"Law": "Capped Coulomb", "Coefficient": 0.5, "Cap": 0.1},
+            {"Law": "Tresca", "Threshold": 0.1}):
+    for force, words in ((0.1, ""), (0.3, "in the direction (1, 0), ")):
+        pushed = written("pushed", [body("block", block(-1, 0, 1, 1), YOUNG, condition(
+            "bottom", "Contact", listed("Friction", Keys(law))) + condition(
+                "top", "Neumann", Force_X=force, Force_Y=-1))], form="Density")
+        for command, code in (("check", 1), ("run", 2)):
+            fails("a force of %g on %s" % (force, law["Law"]), [words] + [
+                "Bodies->block", "of a force of 0.3 they hold at most 0.2"] * bool(words), command,
+                  pushed, *(["--output", fresh("pushed")] if command == "run" else []),
+                  code=code if words else 0)
 finish()

@@ -4,9 +4,10 @@ import math
 import os
 import subprocess
 
-from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, finish, fresh, levels, options, read,
-                  refused, run, scene, table, write)
-from written import CLAMPED, NONE, block, body, condition, geometry, listed, mesh, written
+from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, fails, finish, fresh, levels, options,
+                  read, refused, run, scene, table, write)
+from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, geometry, history,
+                     listed, mesh, written)
 
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
 SHORT = {"fretting.xml": ["History->Times={1, 2}", "History->Steps={1, 1}"],
@@ -85,6 +86,25 @@ for depth, count in ((0.05, 1), (0.008, 0)):
     claim(code == 0 and len(warnings) == count and all(
         "'plate' and 'pad', deformed, overlap" in line for line in warnings),
           "a pad without a contact, %g down: %s" % (depth, warnings))
+# what happens on the way of a path counts as its end does
+code, warnings = told(written("back", [body("block", block(-1, 0, 1, 1), 100, condition(
+    "bottom", "Dirichlet", CLAMPED) + condition("top", "Dirichlet", Displacement_X="0.8*sin(pi*t)",
+                                                Displacement_Y=0))], form="Density",
+                              more=history([0.5, 1], [1, 1])), "back")
+claim(code == 0 and any("displacements reach 36 %" in line for line in warnings),
+      "there and back: %s" % warnings)
+code, warnings = told(written("apart", [PLATE, body("pad", block(1, 1.01, 2, 2), 1, condition(
+    "top", "Dirichlet", Displacement_X=0, Displacement_Y="-0.05*sin(pi*t)"))], form="Density",
+                              more=history([0.5, 1], [1, 1])), "apart")
+claim(code == 0 and any("'plate' and 'pad', deformed, overlap" in line for line in warnings),
+      "a pad without a contact, down and up: %s" % warnings)
+# nu = 1/2 without room, and with some
+ROUND = geometry(circle(1), ["side"] * 4, QUARTERS)
+for gap, code in ((-0.02, 1), (0.001, 0)):
+    full = written("full", [body("disc", ROUND, 100, condition("side", "Contact", Gap=gap),
+                                 "X, Y, Rotation", ratio=0.5)], form="Density", size=0.5)
+    fails("an incompressible disc in a hole, gap %s" % gap, ["enclosed", "take 0.12566"] * code,
+          "run", full, "--output", fresh("full"), code=code)
 code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
                       "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
 claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),

@@ -102,7 +102,7 @@ for name, bodies, wanted in (
     drawn(os.path.join(WORK, name + " solved"), wanted, name)
 
 # many contacts, of names that are long or that no font has: pictures stay small, and say the rest
-row = [resting("%s %d" % ("\u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
+row = [resting("%s %d" % ("_$a_{$ \u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
 run(written("row", row, NONE, "Density", more=history([1, 2], [1, 2])), "row solved")
 code, text = epafi("plot", os.path.join(WORK, "row solved"))
 claim(code == 0 and "Warning" not in text, "no warnings of matplotlib: " + text)
@@ -115,7 +115,8 @@ figure.canvas.draw()
 legend, = figure.legends
 claim(all(line.get_marker() in ("", "None") for panel in axes for line in panel.get_lines()
           if line.get_linestyle() == "--"), "no markers on dashes")
-claim("not drawn: 2 others" in [text.get_text() for text in legend.get_texts()] and
+words = [text.get_text() for text in legend.get_texts()]
+claim("not drawn: 2 others" in words and sum("a_{" in word for word in words) == 6 and
       not any(legend.get_window_extent().overlaps(panel.get_window_extent()) for panel in axes),
       "six contacts and a word about the others, below the curves")
 run(scene("two-blocks.xml"), "pair", levels(1))
@@ -212,6 +213,8 @@ balances = [float(row.rsplit("<td>", 1)[1].split("<")[0]) for row in page.split(
 claim("Stress intensities" in page and "exponent" in page, "it has the stress intensities")
 claim(len(balances) == 3 and max(map(abs, balances)) < 1e-9, "what acts is balanced: %s" % balances)
 fails("a folder without a run has none", ["history.csv"], "report", WORK)
+for page, words in (("nodir/r.html", "no folder 'nodir'"), ("-", "is a file")):
+    fails("a report into " + page, [words], "report", folder, "--output", page)
 
 file = os.path.join(WORK, "sides.svg")
 code, text = epafi("check", scene("two-blocks.xml"), "--plot", file)

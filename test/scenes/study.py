@@ -223,6 +223,9 @@ fails("a reference at another time", ["ends at t = 2, the scene at 1"], "run",
       os.path.join(SCENES, "fretting.xml"), *options(["History->Times={1}", "History->Steps={1}"]),
       "--output", fresh("no reference"),
       "--reference", os.path.join(paths, "coarse", "solution.hdf"))
+COEFFICIENT = "Bodies->block->Boundary Conditions->foundation->Friction->Coefficient"
+fails("a reference of another problem", [COEFFICIENT + " differs"], "run", coulomb,
+      *options([COEFFICIENT + "=0.31"]), "--output", fresh("no reference"), "--reference", solution)
 # but not one of another scene, nor a damaged one
 changed = study("changed", uniform_to(2), up_to(300))
 code, text = epafi("study", changed, "--output", folder, "--force", "--no-plot")

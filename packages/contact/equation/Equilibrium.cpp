@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -36,35 +37,45 @@ struct ScaledLoad {
   }
 };
 
-/// Generators of the cone, scaled like q, normalised.
-std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
-  std::vector<Vector> columns;
-  const auto work = [&](Index i, Index j) { return i < 0 ? 0 : problem.rigid(i, j); };
-  const auto add = [&](Index normal, Index tangential, double share) {
-    Vector column;
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      column.push_back((work(normal, j) + share * work(tangential, j)) * scales[at(j)]);
-    const double length = std::sqrt(dot(column, column));
-    for (double& value : column)
-      value /= length;
-    if (length > 0)
-      columns.push_back(std::move(column));
-  };
-  for (Index i = 0; i < problem.normals; ++i)
-    add(i, -1, 0);
-  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
-    const Tangential& tangential = problem.tangentials[t];
-    const Index i = problem.normals + static_cast<Index>(t);
-    const double slope = tangential.steepest();
-    for (const double sign : {-1.0, 1.0}) {
-      if (tangential.followsPressure())
-        add(tangential.normal(), i, sign * slope);
-      if (tangential.bound(0.0) > 0)
-        add(-1, i, sign);
+/// The contact forces, scaled like q: a cone and segments from zero.
+struct Forces {
+  std::vector<Vector> cone;  ///< generators, normalised
+  std::vector<Vector> segments;
+
+  Forces(const Problem& problem, const Vector& scales) {
+    const auto work = [&](Index i, Index j) { return i < 0 ? 0 : problem.rigid(i, j); };
+    const auto add = [&](Index normal, Index tangential, double share, double most) {
+      Vector column;
+      for (Index j = 0; j < problem.rigidMotions(); ++j)
+        column.push_back((work(normal, j) + share * work(tangential, j)) * scales[at(j)]);
+      const double length = std::sqrt(dot(column, column));
+      const bool bounded = most < unlimited;
+      for (double& value : column)
+        value *= bounded ? most : 1 / length;
+      if (length > 0 && most > 0)
+        (bounded ? segments : cone).push_back(std::move(column));
+    };
+    for (Index i = 0; i < problem.normals; ++i)
+      add(i, none, 0, unlimited);
+    for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
+      const Tangential& tangential = problem.tangentials[t];
+      const Index i = problem.normals + static_cast<Index>(t);
+      const double first = tangential.bound(0.0);
+      const double slope = tangential.steepest();
+      for (const double sign : {-1.0, 1.0}) {
+        if (tangential.followsPressure() && slope > 0)
+          add(tangential.normal(), i, sign * slope,
+              (tangential.largest() - first) / slope);
+        add(none, i, sign, first);
+      }
     }
   }
-  return columns;
-}
+
+ private:
+  static constexpr Index none = -1;
+  /// Of Young's modulus: contact does not reach such stresses.
+  static constexpr double unlimited = 1e3;
+};
 
 /// Least squares coefficients of q in the chosen columns, by Gram-Schmidt; empty if these
 /// are linearly dependent.
@@ -100,18 +111,26 @@ Vector leastSquares(const std::vector<Vector>& columns,
   return right;
 }
 
-/// Projection of q onto the cone, by the algorithm of Lawson and Hanson.
+/// Projection of (q, |q|) onto the cone of all (c, 0) and (z, |q|), by the algorithm of Lawson
+/// and Hanson.
 class NearestPoint {
  public:
-  NearestPoint(std::vector<Vector> columns, Vector q)
-      : columns_(std::move(columns)), q_(std::move(q)), rest_(q_) {}
+  NearestPoint(const Forces& forces, Vector q)
+      : columns_(forces.cone),
+        segments_(forces.segments),
+        q_(std::move(q)),
+        size_(std::sqrt(dot(q_, q_))) {
+    for (Vector& column : columns_)
+      column.push_back(0);
+    q_.push_back(size_);
+    rest_ = q_;
+  }
 
-  /// q minus its projection, which separates q from the cone if not zero.
+  /// (q, |q|) minus its projection, which separates q from the forces if not zero.
   Vector separation() {
-    const double size = std::sqrt(dot(q_, q_));
     for (std::size_t k = 0; k < 10 * q_.size() + 100; ++k) {
       const std::size_t best = steepest();
-      if (best == columns_.size() || dot(columns_[best], rest_) <= 1e-13 * size)
+      if (dot(columns_[best], rest_) <= 1e-13 * size_)
         break;
       chosen_.push_back(best);
       weights_.push_back(0);
@@ -121,15 +140,38 @@ class NearestPoint {
     return rest_;
   }
 
+  /// Does v separate by more than rounding?
+  bool separates(const Vector& v) {
+    rest_ = v;
+    return dot(columns_[steepest()], v) <= 1e-12 * size_;
+  }
+
  private:
-  std::size_t steepest() const {
-    std::size_t best = columns_.size();
-    for (std::size_t k = 0; k < columns_.size(); ++k)
+  /// The column that makes the smallest angle with the rest, a new vertex if need be.
+  std::size_t steepest() {
+    columns_.push_back(vertex());
+    std::size_t best = columns_.size() - 1;
+    for (std::size_t k = 0; k + 1 < columns_.size(); ++k)
       if (std::find(chosen_.begin(), chosen_.end(), k) == chosen_.end() &&
-          (best == columns_.size() ||
-           dot(columns_[k], rest_) > dot(columns_[best], rest_)))
+          dot(columns_[k], rest_) >= dot(columns_[best], rest_))
         best = k;
+    if (best + 1 < columns_.size())
+      columns_.pop_back();
     return best;
+  }
+
+  /// (z, |q|), normalised: the sum of the segments that lie on the side of the rest.
+  Vector vertex() const {
+    Vector z(q_.size(), 0.0);
+    for (const Vector& segment : segments_)
+      if (std::inner_product(segment.begin(), segment.end(), rest_.begin(), 0.0) > 0)
+        std::transform(segment.begin(), segment.end(), z.begin(), z.begin(),
+                       std::plus<>());
+    z.back() = size_;
+    const double length = std::sqrt(dot(z, z));
+    for (double& value : z)
+      value /= length;
+    return z;
   }
 
   /// Least squares over the chosen columns; drops columns with negative weights.
@@ -160,7 +202,9 @@ class NearestPoint {
   }
 
   std::vector<Vector> columns_;
+  const std::vector<Vector>& segments_;
   Vector q_;
+  double size_;
   Vector rest_;
   std::vector<std::size_t> chosen_;
   Vector weights_;
@@ -173,29 +217,32 @@ NoBalance::NoBalance()
           "the load moves the body along a rigid motion that nothing holds: neither "
           "contact nor friction can balance its resultant") {}
 
-Vector unresistedMotion(const Problem& problem) {
+UnresistedMotion unresistedMotion(const Problem& problem) {
   constexpr double clear = 1e-10;
   const ScaledLoad load(problem);
   const double size = std::sqrt(dot(load.values, load.values));
   // A resultant that is only rounding error is balanced.
   if (!(size > clear * problem.stress))
     return {};
-  const std::vector<Vector> columns = cone(problem, load.scales);
-  Vector v = NearestPoint(columns, load.values).separation();
+  const Forces forces(problem, load.scales);
+  NearestPoint nearest(forces, load.values);
+  Vector v = nearest.separation();
   const double length = std::sqrt(dot(v, v));
-  const bool separates =
-      length > clear * size && dot(v, load.values) > 0 &&
-      std::all_of(columns.begin(), columns.end(),
-                  [&](const Vector& column) { return dot(v, column) <= 1e-12 * size; });
-  if (!separates)
+  if (!(length > clear * size) || !nearest.separates(v))
+    return {};
+  v.pop_back();
+  UnresistedMotion result{v, dot(v, load.values), 0};
+  for (const Vector& segment : forces.segments)
+    result.held += std::max(dot(v, segment), 0.0);
+  if (!(result.load > result.held))
     return {};
   for (std::size_t j = 0; j < v.size(); ++j)
-    v[j] *= load.scales[j];
-  return v;
+    result.amplitudes[j] *= load.scales[j];
+  return result;
 }
 
 void requireEquilibrium(const Problem& problem) {
-  if (!unresistedMotion(problem).empty())
+  if (!unresistedMotion(problem).amplitudes.empty())
     throw NoBalance();
 }
 

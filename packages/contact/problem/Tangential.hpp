@@ -43,6 +43,8 @@ class Tangential : public PointLaw {
 
   /// Is there a pressure at which s > 0?
   bool carries() const { return bound(1.0) > 0; }
+  /// The least upper bound of s, which is large where s grows without bound.
+  double largest() const { return bound(1e30); }
 
   /// With the number of its normal coefficient increased by `normals`.
   Tangential shifted(Index normals) const;

@@ -73,11 +73,16 @@ def fields_of(given, window):
     return step and int(step)
 
 
-def warnings_of(folder):
-    """Draws the scene; the program's warnings about it."""
+def warnings_of(folder, report):
+    """Draws the scene for a report; the program's warnings about it."""
     if not os.path.isfile(os.path.join(folder, "history.csv")):
         raise InputError("report: '%s' holds no history.csv; the folder of a finished run is needed" %
                          folder)
+    place = os.path.dirname(report)
+    if report == "-":
+        raise InputError("--output: a report is a file; '-' is none")
+    if place and not os.path.isdir(place):
+        raise InputError("--output: there is no folder '%s'" % place)
     printed = call(["check", os.path.join(folder, "used.xml"), "--plot",
                     os.path.join(folder, "scene.png")])
     return [line.removeprefix("warning: ") for line in printed.splitlines()
@@ -110,17 +115,17 @@ def main():
     if given.step and not given.field:
         sys.exit("epafi: --step belongs to a --field")
     window = window_of(given.window) if given.window else None
+    report = given.output or os.path.join(given.folder, "report.html")
     told, step = [], None
     try:
         if given.report:
-            told = warnings_of(given.folder)
+            told = warnings_of(given.folder, report)
             given.field = given.field or "von_mises"
         if given.field:
             step = fields_of(given, window)
     except EpafiError as error:
         sys.exit("epafi: " + error.words)
     pictures = Pictures(given.folder, looks, window, given.field if given.step == "all" else None)
-    report = given.output or os.path.join(given.folder, "report.html")
     try:
         names = draw_folder(pictures, given.field, step)
         if given.report:

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import COLOURS, settle, short
+from epafi.plot.figures import COLOURS, plain, settle, short
 from epafi.plot.layout import lengths, middles, places
 
 
@@ -127,7 +127,7 @@ def draw(contact, title, pictures):
         pictures.legend(row[-1], named, loc="center left", bbox_to_anchor=(1, 0.5))
     names = dict.fromkeys(contact["contact_name"].astype(str))
     pictures.title(figure, "%s: contact on %s" % (
-        title, ", ".join(names) if len(names) <= NAMED else "%d sides" % len(names)))
+        title, ", ".join(map(plain, names)) if len(names) <= NAMED else "%d sides" % len(names)))
     pictures.save(figure, "contact")
 
 

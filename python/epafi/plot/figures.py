@@ -44,6 +44,11 @@ class Looks:
                 ",".join(self.units),))
         if self.size is not None and np.shape(self.size) != (2,):
             raise InputError("size: %r is not (width, height) in inches" % (self.size,))
+        for name in ("size", "dpi", "font"):
+            value = getattr(self, name)
+            if value is not None and not all(isinstance(number, (int, float, np.number)) and
+                                             0 < number < math.inf for number in np.ravel(value)):
+                raise InputError("%s: %r is not above 0" % (name, value))
 
     def style(self) -> dict[str, Any]:
         return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}
@@ -183,9 +188,15 @@ class Pictures:
         plt.close(figure)
 
 
+def plain(text: str) -> str:
+    """A text of the scene, in which $ is no mathematics and which a legend shows even if it begins
+    with _."""
+    return (" " if text.startswith("_") else "") + text.replace("$", r"\$")
+
+
 def short(name: str, size: int = 40) -> str:
-    """A name, or its beginning and its end."""
-    return name if len(name) <= size else name[:size // 2] + " ... " + name[-size // 2:]
+    """A plain name, or its beginning and its end."""
+    return plain(name if len(name) <= size else name[:size // 2] + " ... " + name[-size // 2:])
 
 
 def wrap(text: Any, room: float) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 from epafi.plot import contact, convergence, deformed, inside, mesh, path, study_curves, sweep
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
-from epafi.plot.figures import Pictures, plt
+from epafi.plot.figures import Pictures, plain, plt
 from epafi.tables import Table, read, title_of
 
 # Of a run; fields have the names in inside.NAMES.
@@ -28,7 +28,7 @@ def bodies_of(outline: Table) -> int:
 
 def draw_run(pictures: Pictures) -> None:
     folder = pictures.folder
-    title = title_of(folder)
+    title = plain(title_of(folder))
     history = read(folder, "history.csv")
     if history:
         convergence.draw(history, title, pictures)
@@ -52,7 +52,7 @@ def draw_study(pictures: Pictures) -> None:
     study = read(pictures.folder, "study.csv")
     if study is None:
         return
-    title = title_of(pictures.folder)
+    title = plain(title_of(pictures.folder))
     scenes = study_curves.curves_of(study)
     if scenes and not np.isfinite(study.numbers("sweep_value")).all():
         study_curves.draw(study, scenes, title, pictures)
@@ -64,7 +64,7 @@ def draw_field(field: str, file: str, pictures: Pictures, when: str = "") -> Non
     title."""
     outline = read(pictures.folder, "boundary.csv")
     rigid = rigid_outlines(pictures.folder, bodies_of(outline)) if outline else []
-    title = title_of(pictures.folder) + when
+    title = plain(title_of(pictures.folder)) + when
     if file.endswith(".csv") and outline:
         inside.draw_window(Table(file), field, Boundary(outline).path(), rigid, title, pictures)
     else:

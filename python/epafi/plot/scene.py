@@ -3,7 +3,7 @@ obstacles where their gap puts them."""
 import numpy as np
 from matplotlib.lines import Line2D
 
-from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.plot.figures import equal_axes, plain, plt, shape_of
 
 COLOURS = {"Dirichlet": "C1", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey",
            "symmetry": "C3"}
@@ -43,7 +43,7 @@ def write_names(axes, table, names):
         for away in (-9, 9, -20, 20, -31, 31):  # points, along the outward normal
             side = -n[0] if away < 0 else n[0]
             text = axes.annotate(
-                words, at, xytext=(away * n[0], away * n[1]),
+                plain(words), at, xytext=(away * n[0], away * n[1]),
                 textcoords="offset points", fontsize="small", color=colour, va="center", zorder=6,
                 ha="left" if side > 0.5 else "right" if side < -0.5 else "center",
                 bbox={"facecolor": "white", "alpha": 0.7, "lw": 0, "pad": 0.5})
@@ -104,5 +104,5 @@ def figure_of(table, title, looks):
     axes.legend([Line2D([], [], color=colour, lw=2) for colour in met.values()], list(met),
                 loc="upper left", bbox_to_anchor=(1, 1))
     if looks.title:
-        axes.set_title(title)
+        axes.set_title(plain(title))
     return figure
