@@ -216,7 +216,8 @@ std::string differentProblem(const Scene& a, const Scene& b) {
   std::string different;
   for (const char* section : {"Bodies", "Geometry", "Body Loads", "Contacts", "Tables"}) {
     if (different.empty())
-      different = difference(*a.used, *b.used, "", {section}, {"Mesh", "Cycle Jump"});
+      different =
+          difference(*a.used, *b.used, "", {section}, {"Mesh", "Cycle Jump", "Between"});
     for (const auto& [constant, value] : a.constants)
       if (const auto other = b.constants.find(constant);
           different.empty() && other != b.constants.end() && other->second != value &&

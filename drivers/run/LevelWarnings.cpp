@@ -58,6 +58,14 @@ double largestMotion(const SolvedLevel& level, std::size_t b) {
   return largest;
 }
 
+/// Of all bodies, rigid ones as well, scaled.
+double largestMotion(const SolvedStep& step) {
+  double largest = step.largestDisplacement();
+  for (const contact::RigidMotion& motion : step.at.rigid)
+    largest = std::max({largest, norm(motion.slide), std::abs(motion.turn)});
+  return largest;
+}
+
 /// The forces on a body that do not balance, over the largest of them; where all cancel, over
 /// that which moves it by `motion` at its strain energy.  Zero but for rounding, see Summary; of
 /// a body without strain beside what moves `around` all is rounding, and balance says nothing.
@@ -99,8 +107,7 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
       imbalance.add(
           wholeOf(scene.symmetry, *body.outline, step->summaries()[b]),
           largestMotion(step->bodies[b], *body.outline) * body.outline->diameter(),
-          scene.units().length * step->largestDisplacement(),
-          body.material.youngsModulus);
+          scene.units().length * largestMotion(*step), body.material.youngsModulus);
     if (imbalance.missed > smallImbalance * imbalance.largest)
       warn("Bodies->", body.name, ": its forces are out of balance by ",
            imbalance.missed / imbalance.largest, " of the largest; ", why);

@@ -107,8 +107,6 @@ double SolvedStep::largestDisplacement() const {
   double largest = 0;
   for (const bem::Vector& displacement : at.displacements)
     largest = std::max(largest, bem::largestEntry(displacement));
-  for (const contact::RigidMotion& motion : at.rigid)
-    largest = std::max({largest, norm(motion.slide), std::abs(motion.turn)});
   return largest;
 }
 

@@ -41,7 +41,7 @@ struct SolvedStep : SolvedPart {
   SolvedState fields() const;
   /// Of each body, without the image of a half; computed on first use.
   const std::vector<contact::Summary>& summaries() const;
-  /// Of all bodies' unknowns, rigid motions included.
+  /// Of all elastic bodies' unknowns.
   double largestDisplacement() const;
   /// Friction's work in this step, in the user's units.
   double frictionWorkOfStep() const;
