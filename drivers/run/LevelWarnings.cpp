@@ -69,26 +69,20 @@ double largestMotion(const SolvedStep& step) {
 /// The forces on a body that do not balance, over the largest of them; where all cancel, over
 /// that which moves it by `motion` at its strain energy.  Zero but for rounding, see Summary; of
 /// a body without strain beside what moves `around` all is rounding, and balance says nothing.
-struct Imbalance {
-  double missed = 0;
-  double largest = 0;
-
-  /// The larger of this and that of one more step.
-  void add(const contact::Summary& body, double motion, double around,
-           double youngsModulus) {
-    // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
-    constexpr double strained = 1e-24;
-    if (body.energyStrain <= strained * youngsModulus * around * around)
-      return;
-    largest = std::max(largest, 2 * body.energyStrain / motion);
-    bem::Vec2 sum;
-    for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
-      sum = sum + bem::Vec2{force->x, force->y};
-      largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
-    }
-    missed = std::max(missed, norm(sum));
+double imbalanceOf(const contact::Summary& body, double motion, double around,
+                   double youngsModulus) {
+  // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
+  constexpr double strained = 1e-24;
+  if (body.energyStrain <= strained * youngsModulus * around * around)
+    return 0;
+  double largest = 2 * body.energyStrain / motion;
+  bem::Vec2 sum;
+  for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
+    sum = sum + bem::Vec2{force->x, force->y};
+    largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
   }
-};
+  return norm(sum) / largest;
+}
 
 /// Digits that rounding has taken, of bodies too slender for double precision, or of small
 /// deformations beside large motions.
@@ -99,18 +93,18 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
   const char* const why =
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
       "1000, and where a motion is 1e10 times what deforms: look at units and loads";
-  const Scene& scene = level.last().spaces.scene();
+  // summaries of other steps are not known on one rank alone
+  const SolvedStep& last = level.last();
+  const Scene& scene = last.spaces.scene();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    Imbalance imbalance;
-    for (const auto& step : level.steps)
-      imbalance.add(
-          wholeOf(scene.symmetry, *body.outline, step->summaries()[b]),
-          largestMotion(step->bodies[b], *body.outline) * body.outline->diameter(),
-          scene.units().length * largestMotion(*step), body.material.youngsModulus);
-    if (imbalance.missed > smallImbalance * imbalance.largest)
-      warn("Bodies->", body.name, ": its forces are out of balance by ",
-           imbalance.missed / imbalance.largest, " of the largest; ", why);
+    const double imbalance = imbalanceOf(
+        wholeOf(scene.symmetry, *body.outline, last.summaries()[b]),
+        largestMotion(last.bodies[b], *body.outline) * body.outline->diameter(),
+        scene.units().length * largestMotion(last), body.material.youngsModulus);
+    if (imbalance > smallImbalance)
+      warn("Bodies->", body.name, ": its forces are out of balance by ", imbalance,
+           " of the largest; ", why);
   }
   double missed = 0;
   double largest = 0;  // of a step without load displacements are rounding, too
