@@ -241,12 +241,21 @@ SolvedProblem settled(
       break;
     if (k == most) {
       solved.solution.report.status = contact::Status::NotConverged;
-      solved.reason = bem::message(
-          "what wears and the slip that it wears by do not settle, the last change is ",
-          change, "; shorten Wear->Cycle Jump",
-          shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
-                                      "Friction->Compliance"
-                                    : "");
+      solved.reason =
+          reaction > wear
+              ? message(
+                    "the reactions of Rigid Motions->Fix do not settle, the last "
+                    "change is ",
+                    reaction,
+                    " of the load; try a finer mesh, or Form 'None' with "
+                    "Multiplier 'Biorthogonal'")
+              : message(
+                    "what wears and the slip that it wears by do not settle, the last "
+                    "change is ",
+                    wear, "; shorten Wear->Cycle Jump",
+                    shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
+                                                "Friction->Compliance"
+                                              : "");
       break;
     }
     last = change;

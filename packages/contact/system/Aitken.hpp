@@ -7,9 +7,9 @@
 
 namespace epafi::contact {
 
-/// The share ω of its change that a fixed-point iteration takes, by Aitken's rule for vectors: changes
-/// that are each a multiple of the one before, of either sign, vanish with the third.  For slips that wear, of
-/// which some stick and some do not: Anderson's steps settle fewer of such scenes.
+/// The share ω of its change that a fixed-point iteration takes, by Aitken's rule for vectors:
+/// changes that are each a multiple of the one before, of either sign, vanish with the third.  For
+/// slips that wear, of which some stick and some do not: Anderson's steps settle fewer such scenes.
 class Aitken {
  public:
   /// Of the change that the map gives after the last share was taken; 1 for the first one.
