@@ -257,6 +257,10 @@ int checkCommand(const Given& given, std::ostream& out) {
     out << usedXml(scene);
     return 0;
   }
+  if (given.has("--numbers")) {
+    out << numbersXml(scene);
+    return 0;
+  }
   out << checkScene(scene);
   return given.has("--plot")
              ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"))

@@ -149,6 +149,9 @@ std::vector<Command> makeCommands() {
          "print the scene as it is read, as XML, without defaults; check no more"},
         {"--used", "",
          "print the complete scene, as used.xml of a run; evaluate nothing"},
+        {"--numbers", "",
+         "the same with the number of each expression that is the same everywhere, at "
+         "the end of the path"},
         {"--plot", "FILE.png",
          "draw what was read: boundaries, conditions, loads, obstacles"}},
        onFirst<checkCommand>},

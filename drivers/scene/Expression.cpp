@@ -11,7 +11,6 @@
 #include <memory>
 #include <muParser.h>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 namespace epafi::drivers {
@@ -181,6 +180,9 @@ class Expression {
       constant_ = value;
   }
 
+  /// Its value, if this is the same at all points.
+  std::optional<double> constant() const { return constant_; }
+
   double operator()(bem::Vec2 point) const {
     const double t = source_.names.t;
     double value = evaluate(point);
@@ -247,6 +249,11 @@ bem::Function makeExpression(const std::string& text, const Place& place,
   const auto expression =
       std::make_shared<const Expression>(Source{text, place, names, form});
   return [expression](bem::Vec2 point) { return (*expression)(point); };
+}
+
+std::optional<double> constantIn(const std::string& text, const Place& place,
+                                 const Names& names) {
+  return Expression({text, place, names, Form::OfPoint}).constant();
 }
 
 namespace {

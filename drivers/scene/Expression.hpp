@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace epafi::drivers {
@@ -46,6 +47,11 @@ enum class Form {
 ///   value is not one finite number, with file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place,
                              const Names& names = {}, Form form = Form::OfPoint);
+
+/// The value of an expression that is the same at all points; nothing of another one.
+/// \throws bem::InputError for an invalid expression.
+std::optional<double> constantIn(const std::string& text, const Place& place,
+                                 const Names& names);
 
 /// Reads a list of constants; each may use the tables and the constants before it.
 /// \throws bem::InputError for a name that is invalid or already in use, and for a value

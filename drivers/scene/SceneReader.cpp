@@ -240,6 +240,21 @@ void putBackTexts(const ParameterList& given, ParameterList& used) {
   }
 }
 
+/// Replaces expressions in `list`, a copy of the part's own, by their values.
+void putNumbers(const Part& part, ParameterList& list) {
+  for (const auto& item : *part.list) {
+    const Kind kind = bem::declared(parameters(), part.path(item.first)).kind;
+    if (kind == Kind::List)
+      putNumbers(part.sub(item.first), list.sublist(item.first));
+    if (kind != Kind::Expression)
+      continue;
+    const auto value = constantIn(part.list->get<std::string>(item.first),
+                                  part.at(item.first), part.names);
+    if (value)
+      list.set(item.first, *value);
+  }
+}
+
 }  // namespace
 
 Scene readScene(const std::string& file, const std::vector<std::string>& overrides) {
@@ -269,6 +284,16 @@ std::string usedXml(const Scene& scene) {
       .set("Trilinos", current.trilinos)
       .set("MPI", current.mpi)
       .set("BLAS Core", current.blasCore);
+  return toXml(list, scene.title);
+}
+
+std::string numbersXml(const Scene& scene) {
+  Part root = scene.root().then(scene.endOfPath());
+  root.names.normal = [](bem::Vec2) {
+    return bem::Vec2();
+  };  // nx and ny: those of no point
+  ParameterList list(*scene.used);
+  putNumbers(root, list);
   return toXml(list, scene.title);
 }
 

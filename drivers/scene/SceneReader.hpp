@@ -38,4 +38,8 @@ Scene sceneOf(const std::string& text, const std::string& file,
 /// compute it.  Reading it gives the same scene, bit by bit.
 std::string usedXml(const Scene& scene);
 
+/// The complete scene in numbers: an expression that is the same everywhere is its value at
+/// the end of the path, another one its text.
+std::string numbersXml(const Scene& scene);
+
 }  // namespace epafi::drivers

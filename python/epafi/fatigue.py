@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Optional, Sequence
 
 import numpy as np
 
-from epafi.places import number
 from epafi.program import InputError
 from epafi.tables import Table
 
@@ -125,9 +124,8 @@ def on_contact(run: Run, name: str, steps: Sequence[int]) -> tuple[dict[str, np.
 
 def _constants(run: Run, body: str) -> tuple[float, float, bool]:
     """Young's modulus, Poisson's ratio, whether in plane strain."""
-    material = run.scene["Bodies"][body]["Material"]
-    return (number(run.scene, material["Young's Modulus"]),
-            number(run.scene, material["Poisson's Ratio"]),
+    material = run.numbers["Bodies"][body]["Material"]
+    return (material["Young's Modulus"], material["Poisson's Ratio"],
             material["Plane State"] == "Plane Strain")
 
 

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 import numpy as np
 from numpy.polynomial.legendre import leggauss, legfit, legval
 
-from epafi.program import InputError
-from epafi.scenes import Scene
 from epafi.tables import Table
 from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, sliding
 
@@ -22,23 +20,6 @@ NEAR = 1e-12  # of all outlines' size: the same node; bodies may be drawn APART
 APART = 1e-6
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
-
-
-def number(scene: Scene, value: Any) -> float:
-    """A number, or an expression in constants."""
-    names = {name: getattr(math, name) for name in ("pi", "sin", "cos", "tan", "sqrt", "exp")}
-    names |= {"min": min, "max": max, "abs": abs, "__builtins__": {}}
-
-    def evaluate(text: Any) -> float:
-        return float(eval(text.replace("^", "**"), names) if isinstance(text, str) else text)
-
-    try:
-        for name, constant in scene.get("Constants", {}).items():
-            names[name] = evaluate(constant)
-        return evaluate(value)
-    except (ArithmeticError, NameError, SyntaxError, TypeError, ValueError):
-        raise InputError("%r: Python cannot evaluate this number of the scene; allowed: + - * / ^, "
-                         "sqrt, sin, cos, tan, exp, min, max, abs" % value) from None
 
 
 class Element:
@@ -118,7 +99,7 @@ class Outlines:
     """Of a run's elastic bodies, with their conditions."""
 
     def __init__(self, run: Run) -> None:
-        self.scene, table = run.scene, run.boundary
+        self.scene, table = run.numbers, run.boundary
         self.line = self.scene.get("Geometry", {}).get("Symmetry")
         bodies = self.scene["Bodies"]
         touch = self.scene.get("Contacts") or any(
@@ -136,7 +117,7 @@ class Outlines:
             element.after = first if closes else following
             element.after.before = element
             first = following if closes else first
-        self.vertices = [complex(*(number(self.scene, value) for value in vertex))
+        self.vertices = [complex(*vertex)
                          for body in bodies.values() if body["Material"].get("Rigid")
                          for name, vertices in body["Geometry"].items()
                          if name.endswith("Vertices") for vertex in vertices]
@@ -191,7 +172,7 @@ class Outlines:
             if (len(rows) == 0 or rules.get("Normal", {}).get("Law", "Rigid") != "Rigid"
                     or law != "Tied" and self.samples["contact"][rows].mean() < 0.5):
                 continue
-            shears = self.is_zero(friction.get("Compliance", 0))
+            shears = friction.get("Compliance", 0) == 0
             if shears and (law == "Tied" or np.mean(self.samples["friction"][rows] == 1) > 0.5):
                 return Face("bond" if law == "Tied" else "contact", CLAMPED, None, opposite)
             ratio = 0.0
@@ -202,13 +183,6 @@ class Outlines:
                     np.sign(normal @ shear))
             return Face("contact", sliding(ratio), ratio, opposite)
         return Face("free")
-
-    def is_zero(self, value: Any) -> bool:
-        """Not so of a function of the place."""
-        try:
-            return number(self.scene, value) == 0
-        except InputError:
-            return False
 
     def angle(self, before: Element) -> float:
         """Inside the body at an element's end; 2 pi between the faces of a crack."""
@@ -287,8 +261,7 @@ class Outlines:
 
     def wedge(self, body: str, angle: float, start: float) -> Wedge:
         material = self.scene["Bodies"][body]["Material"]
-        e, nu = (number(self.scene, material[key]) for key in ("Young's Modulus",
-                                                               "Poisson's Ratio"))
+        e, nu = material["Young's Modulus"], material["Poisson's Ratio"]
         angle = round(angle, 11)  # alike at corners that are
         return Wedge(start, start + angle, e / (2 * (1 + nu)), (3 - nu) / (1 + nu)
                      if material["Plane State"] == "Plane Stress" else 3 - 4 * nu)

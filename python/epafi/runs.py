@@ -7,12 +7,13 @@ import html
 import os
 import tempfile
 import weakref
+import xml.etree.ElementTree as xml
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 
 from epafi.program import InputError, NotConverged, call
-from epafi.scenes import Scene
+from epafi.scenes import Scene, tree_of
 from epafi.tables import HISTORY, Table, html_table, nearest, read, title_of
 
 if TYPE_CHECKING:
@@ -94,6 +95,13 @@ class Run:
     def scene(self) -> Scene:
         """used.xml: the complete scene, defaults and versions included."""
         return Scene.read(os.path.join(self.folder, "used.xml"))
+
+    @functools.cached_property
+    def numbers(self) -> dict[str, Any]:
+        """The complete scene with the number of each expression that is the same everywhere, at the
+        end of the path; other expressions are texts."""
+        return tree_of(xml.fromstring(call(
+            ["check", os.path.join(self.folder, "used.xml"), "--numbers"])))
 
     @property
     def converged(self) -> bool:

@@ -10,12 +10,11 @@ import warnings
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish, raises, read  # noqa: E402
+from claims import absent, claim, finish, raises, read, write  # noqa: E402
 
 WORK = absent(sys.argv[2])
 import epafi  # noqa: E402
 from epafi.fatigue import dang_van, smallest_ball, swt  # noqa: E402
-from epafi.places import number  # noqa: E402
 from epafi.wedges import CLAMPED, FREE, Corner, Wedge, held, modes, sliding  # noqa: E402
 
 warnings.simplefilter("ignore", epafi.EpafiWarning)  # loads are of size 1: large displacements
@@ -34,6 +33,10 @@ def exponents(*wedges, joints=(), faces=(FREE, FREE), most=1):
 
 def near(found, expected, bound=1e-10):
     return len(found) == len(expected) and np.allclose(found, expected, rtol=0, atol=bound)
+
+
+def close(a, b):
+    return abs(a - b) < 1e-9 * abs(b)
 
 
 # exponents: Williams' equations
@@ -218,9 +221,32 @@ claim(list(solved(pressed(Compliance="0.001*(1 + x^2)"), 200)["kind"]) == ["end 
       "a compliance that varies is none of a rigid surface")
 run = epafi.run(angled(1, 0), os.path.join(WORK, "L"))
 claim("<h2>Stress intensities</h2>" in read(run.report()), "a report has them")
-claim(number({"Constants": {"a": 2, "b": "a^2"}}, "sqrt(b)/2") == 1, "numbers may be expressions")
-with raises(epafi.InputError, "what Python cannot evaluate is refused", "allowed"):
-    number({"Constants": {"a": 2}}, "a > 1 ? 1 : 2")
+
+# numbers of a scene are the program's, whatever a folder's scene says
+wordy = epafi.run(angled(1, 0).changed({
+    "Constants": {"lambda": 2, "b": "lambda^2"}, "Bodies->L->Material->Young's Modulus": "25*b",
+    "Bodies->L->Material->Poisson's Ratio": "lambda > 1 ? 0.3*ln(exp(1)) : 0",
+    "Bodies->L->Boundary Conditions->end->Traction X": "sin(pi)*lambda + nx/2 + y - x",
+    "Bodies->L->Boundary Conditions->end->Traction Y": "t*b/4",
+    "History": {"Times": [0.5, 1]}}), os.path.join(WORK, "wordy"))
+material = wordy.numbers["Bodies"]["L"]["Material"]
+end = wordy.numbers["Bodies"]["L"]["Boundary Conditions"]["end"]
+claim((material["Young's Modulus"], material["Poisson's Ratio"]) == (100, NU) and
+      (end["Traction X"], end["Traction Y"]) == ("sin(pi)*lambda + nx/2 + y - x", 1) and
+      wordy.numbers["Constants"] == {"lambda": 2, "b": 4},
+      "numbers are those of expressions that are the same everywhere: %s, %s" % (material, end))
+claim(wordy.intensities().size > 0 and close(wordy.fatigue([[0.5, 0.5]], alpha=0.3)["swt"][0],
+      swt(np.array([[wordy.fields([[0.5, 0.5]], step=k)[s][0] for s in ("sxx", "syy", "sxy", "szz")]
+                    for k in (1, 2)]), 100.0, NU)[0]),
+      "intensities and fatigue parameters take them, a constant named lambda or not")
+touched, own = os.path.join(WORK, "touched"), os.path.join(WORK, "wordy", "used.xml")
+scene = read(own).replace("lambda", "k")
+for text in ("[c for c in ().__class__.__base__.__subclasses__() if c.__name__ == '_wrap_close'][0]"
+             ".__init__.__globals__['system']('touch %s')", "__import__('os').system('touch %s')"):
+    write(own, scene.replace('"25*b"', '"%s"' % (text % touched)))
+    with raises(epafi.InputError, "a scene's text is not run", "Young's Modulus"):
+        epafi.Run(os.path.join(WORK, "wordy")).intensities()
+claim(not os.path.exists(touched), "a run's folder runs nothing")
 
 # fatigue of a point: stresses (sxx, syy, sxy, szz) over a cycle
 YOUNG, ALPHA, STEPS = 200.0, 0.25, 24
@@ -237,10 +263,6 @@ def turned(stress, angle):
     return np.column_stack([c * c * sxx + s * s * syy - 2 * s * c * sxy,
                             s * s * sxx + c * c * syy + 2 * s * c * sxy,
                             s * c * (sxx - syy) + (c * c - s * s) * sxy, szz])
-
-
-def close(a, b):
-    return abs(a - b) < 1e-9 * abs(b)
 
 
 pull, plane, shear = path(3 * cosine, 0, 0, 0), path(3 * cosine, 0, 0, 3 * NU * cosine), path(
