@@ -163,15 +163,16 @@ std::vector<Command> makeCommands() {
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
        {"DIR", "folder"},
-       withLooks(
-           {{"--field", "NAME",
-             "this field inside the body, too: " + join(fieldNames(), ", "),
-             fieldNames()},
-            {"--window", "X0,Y0,X1,Y1",
-             "this part alone of the field, the deformed bodies and the movie"},
-            {"--step", "K|all",
-             "the field at this step of a load path: 1, 2, ...; default: the last; all: "
-             "the movie shows it, too"}}),
+       withLooks({{"--field", "NAME",
+                   "this field inside the body, too: " + join(fieldNames(), ", "),
+                   fieldNames()},
+                  {"--window", "X0,Y0,X1,Y1",
+                   "this part alone of the field, the deformed bodies and the movie"},
+                  {"--step", "K|all",
+                   "the field at this step of a load path: 1, 2, ...; default: the last, "
+                   "or that of "
+                   "the largest energy where the last bears no load; all: the movie "
+                   "shows it, too"}}),
        onFirst<plotCommand>},
       {"report",
        "a run as one page of HTML: scene, numbers, balance, pictures, warnings, versions",

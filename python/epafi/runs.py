@@ -14,7 +14,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene, tree_of
-from epafi.tables import HISTORY, Table, html_table, nearest, read, title_of
+from epafi.tables import HISTORY, Table, html_table, loaded_step, nearest, read, title_of
 
 if TYPE_CHECKING:
     import h5py
@@ -171,7 +171,8 @@ class Run:
         there are several.
 
         window  what of the plane a field, or "deformed", shows (x0, y0, x1, y1) [length]
-        step    of a path, for a field or "contact"; else the last one
+        step    of a path, for a field or "contact"; else the last one, or that of the largest energy
+                where the last one bears no load
         axes    as many as the picture has, to be drawn into
         looks   size=(width, height) in inches, dpi, font (points), title=False,
                 units="mm,MPa" of length and stress
@@ -190,6 +191,7 @@ class Run:
         pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes)
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
             if what in FIELDS:
+                step = loaded_step(self.folder) if step is None else step
                 draw_field(what, field_file(self.folder, place, window, step), pictures,
                            when(self.folder, step))
             elif step is not None:
@@ -216,6 +218,7 @@ class Run:
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
         pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
         if field is not None:
+            step = loaded_step(self.folder) if step is None else step
             field_file(self.folder, self.folder, window, step)
         return [os.path.join(self.folder, name + ".png")
                 for name in draw_folder(pictures, field, step)]

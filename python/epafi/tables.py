@@ -19,6 +19,9 @@ TEXTS = {"boundary", "body", "contact_name", "folder", "operators", "reason", "s
          "variant"}
 
 
+# Of a path's largest strain energy: what stresses of rounding have.
+UNLOADED = 1e-12
+
 # What a reader of a level looks at first.
 HISTORY = ("level", "dof", "estimate", "force_normal", "force_tangential", "contact_length",
            "slip_length", "energy_strain", "status")
@@ -139,6 +142,20 @@ def read(folder: str, name: str) -> Optional[Table]:
     except (ValueError, csv.Error) as error:
         raise ValueError("'%s' cannot be read: %s" % (name, error)) from error
     return table if table.size else None
+
+
+def loaded_step(folder: str) -> Optional[int]:
+    """The step that pictures show where the last one of a path bears no load, of which only rounding
+    is left: that of the largest strain energy.  None: the last one."""
+    steps = read(folder, "steps.csv")
+    if not steps:
+        return None
+    here = steps["level"] == steps["level"].max()
+    energy = steps["energy_strain"][here]
+    step = int(steps["step"][here][np.argmax(energy)])
+    loaded = energy[-1] > UNLOADED * energy.max() or not energy.max() > 0
+    written = os.path.isfile(os.path.join(folder, "steps", str(step), "boundary.vtu"))
+    return None if loaded or not written else step
 
 
 def title_of(folder: str) -> str:

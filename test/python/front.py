@@ -234,6 +234,31 @@ plt.close("all")
 claim(np.allclose(axes[0].lines[0].get_ydata(), worn.step(1)["lambda_n"], atol=0) and
       worn.step(1)["lambda_n"][0] > 1.05 * worn.contact["lambda_n"][0] and
       "t = 1" in figure.texts[0].get_text() and "t = 1" in title, "a step of a path is drawn, with its t")
+# pressed, then let go: what is left of the last step is rounding
+idle = epafi.run(worn.scene.changed({
+    "Bodies->block->Boundary Conditions->top->Displacement Y": "-0.01*min(t, 2 - t)",
+    "Bodies->block->Boundary Conditions->bottom": {"Type": "Contact"},
+    "History": {"Times": [1.0, 2.0]}}), os.path.join(WORK, "idle"))
+_, axes = idle.plot("contact")
+titles = [axes[0].figure.texts[0].get_text(), *(idle.plot(what)[1].get_title() for what in (
+    "deformed", "syy"))]
+outline = idle.plot("deformed")[1].lines[1].get_xydata()
+plt.close("all")
+claim(np.allclose(axes[0].lines[0].get_ydata(), idle.step(1)["lambda_n"], atol=0) and
+      np.ptp(outline[:, 1]) < 0.99 and all("t = 1" in title for title in titles),
+      "where the last step bears no load the most loaded one is drawn: %s" % titles)
+# the same points of a closed line, touching around its ends and everywhere
+from epafi.plot.overlay import figure_of  # noqa: E402
+
+angle = np.linspace(0, 2 * math.pi, 65)[:-1]
+around = [epafi.Table.of({
+    "x": np.cos(angle), "y": np.sin(angle), "boundary": np.repeat("rim", 64),
+    "element": np.arange(64.0), "contact": closed.astype(float), "lambda_n": 1 + angle,
+    "lambda_t": 0 * angle}) for closed in (np.cos(angle) > 0.5, angle > -1, np.cos(angle) > 2)]
+lines = [line.get_xydata() for line in figure_of(around, "abc")[1].lines]
+plt.close("all")
+claim(all((line[np.argsort(line[:, 1]), 0] == lines[0][np.argsort(lines[0][:, 1]), 0]).all()
+          for line in lines) and len(lines) == 3, "a point has one place in all steps")
 for words, slip in (
         ("takes no step", lambda: worn.plot("deformed", step=1)),
         ("takes no window", lambda: worn.plot("contact", window=(0, 0, 1, 1))),

@@ -20,7 +20,7 @@ from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
 from epafi.program import EpafiError, InputError, call  # noqa: E402
 from epafi.runs import field_file  # noqa: E402
-from epafi.tables import Table  # noqa: E402
+from epafi.tables import Table, loaded_step  # noqa: E402
 
 
 def numbers_in(option, text, count, lowest=0.0, highest=float("inf")):
@@ -64,11 +64,11 @@ def window_of(text):
 
 
 def fields_of(given, window):
-    """Writes what the field is drawn of; the step, or None for the last one."""
+    """Writes what the field is drawn of; the step, or None for the last one, which is loaded."""
     every = given.step == "all"
     if every:
         call(["fields", given.folder, "--vtk", "--step", "all"])
-    step = None if every else given.step or None
+    step = loaded_step(given.folder) if every or not given.step else given.step
     field_file(given.folder, given.folder, window, step)
     return step and int(step)
 

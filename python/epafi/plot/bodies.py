@@ -7,9 +7,10 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 
-def rigid_outlines(folder, elastic):
+def rigid_outlines(folder, elastic, moved=None):
     """(points, displacements) of each: arrays (2n, 2), the ends of n lines along its outline and
-    its holes; `elastic`: how many bodies of the file deform, they stand before the others."""
+    its holes; `elastic`: how many bodies of the file deform, they stand before the others;
+    `moved`: other displacements than the file's."""
     file = os.path.join(folder, "solution.hdf")
     if not os.path.isfile(file):
         return []
@@ -17,7 +18,8 @@ def rigid_outlines(folder, elastic):
         grid = content["VTKHDF"]
         body = grid["CellData/body"][()]
         ends = grid["Connectivity"][()].reshape(-1, 2)
-        x, u = grid["Points"][()][:, :2], grid["PointData/displacement"][()][:, :2]
+        x = grid["Points"][()][:, :2]
+        u = (grid["PointData/displacement"][()] if moved is None else moved)[:, :2]
     return [(x[lines.ravel()], u[lines.ravel()])
             for lines in (ends[body == b] for b in range(elastic, body.max() + 1))]
 

@@ -14,7 +14,7 @@ from epafi.plot import contact, convergence, deformed, inside, mesh, path, study
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import Pictures, plain, plt
-from epafi.tables import Table, read, title_of
+from epafi.tables import Table, loaded_step, read, title_of
 
 # Of a run; fields have the names in inside.NAMES.
 NAMES = ("convergence", "time", "contributions", "mesh", "deformed", "contact", "path", "rigid",
@@ -26,23 +26,35 @@ def bodies_of(outline: Table) -> int:
     return len(set(outline["body"])) if "body" in outline else 1
 
 
+def at_step(outline: Table, lines: dict[str, np.ndarray]) -> tuple[Table, np.ndarray]:
+    """boundary.csv with what boundary.vtu of a step has at its points, and all displacements of
+    that."""
+    columns = dict(outline.columns)
+    for name, (x, y) in (("displacement", ("ux", "uy")), ("traction", ("tx", "ty"))):
+        columns[x], columns[y] = lines[name][:outline.size, :2].T
+    return Table.of(columns), lines["displacement"]
+
+
 def draw_run(pictures: Pictures) -> None:
-    folder = pictures.folder
-    title = plain(title_of(folder))
+    folder, step = pictures.folder, loaded_step(pictures.folder)
+    title, at = plain(title_of(folder)), when(folder, step)
     history = read(folder, "history.csv")
     if history:
         convergence.draw(history, title, pictures)
-    outline = read(folder, "boundary.csv")
-    points = read(folder, "contact.csv")
+    outline, points, moved = read(folder, "boundary.csv"), read(folder, "contact.csv"), None
+    if step and outline:
+        points = path.step_file(folder, step)
+        outline, moved = at_step(outline, inside.arrays(os.path.join(
+            folder, "steps", str(step), "boundary.vtu")))
     if outline and "degree" in outline:
         elements = Boundary(outline)
         if pictures.wants("mesh"):
             mesh.draw(elements, title, pictures)
         if pictures.wants("deformed"):
-            deformed.draw(elements, rigid_outlines(folder, bodies_of(outline)), points, title,
-                          pictures)
+            deformed.draw(elements, rigid_outlines(folder, bodies_of(outline), moved), points,
+                          title + at, pictures)
     if points and pictures.wants("contact"):
-        contact.draw(points, title, pictures)
+        contact.draw(points, title + at, pictures)
     steps = read(folder, "steps.csv")
     if steps:
         path.draw(folder, steps, title, pictures)

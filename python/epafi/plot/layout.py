@@ -35,6 +35,12 @@ def abscissa(contact, parts):
     return s, "length along the contact boundaries"
 
 
+def turned(contacts):
+    """Is the one closed chain of these solutions cut where they do not touch?  As all of them are
+    drawn, so that a place is at one length in all."""
+    return any(map(closes, contacts)) and not any((each["contact"] > 0).all() for each in contacts)
+
+
 def closes(contact):
     """Does a single chain end where it begins, in contact there and not all around?"""
     x = np.column_stack([contact["x"], contact["y"]])
@@ -44,14 +50,14 @@ def closes(contact):
             and (closed[0] or closed[-1]) and not closed.all())
 
 
-def laid_out(contact, first=0, last=None):
+def laid_out(contact, first=0, last=None, turns=None):
     """The columns of the samples first <= k < last, where each is drawn, what that is, and the
-    chains.  Contact that runs over the end of a closed chain is in one piece: its second half comes
-    first, at lengths below 0."""
+    chains.  Contact that runs over the end of a closed chain, or that `turns`, is in one piece: its
+    second half comes first, at lengths below 0."""
     columns = {name: contact[name][first:last] for name in contact.columns}
     parts = chains(columns)
     s, label = abscissa(columns, parts)
-    if len(parts) == 1 and closes(columns):
+    if len(parts) == 1 and (closes(columns) if turns is None else turns):
         x, y = columns["x"], columns["y"]
         turn = np.hypot(x[0] - x[-1], y[0] - y[-1]) + s[-1] - s[0]
         late = s > s[0] + turn / 2

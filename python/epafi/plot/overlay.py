@@ -3,7 +3,7 @@ import numpy as np
 
 from epafi.plot.contact import cap_of, line, say_cut
 from epafi.plot.figures import Pictures, plt
-from epafi.plot.layout import laid_out, lengths, window, within
+from epafi.plot.layout import laid_out, lengths, turned, window, within
 
 
 def cut(axes, shown, column):
@@ -39,7 +39,8 @@ def draw(contacts, labels, title, name, pictures):
     figure, panels = pictures.subplots(len(drawn), 1, sharex=True,
                                        figsize=(9.4, 0.4 + 3.5 * len(drawn)))
     panels = np.atleast_1d(panels).ravel()
-    shown = [laid_out(contact) for contact in contacts]
+    turns = turned(contacts)
+    shown = [laid_out(contact, turns=turns) for contact in contacts]
     shown = [within(laid, *window(shown)) for laid in shown]
     for number, (laid, text) in enumerate(zip(shown, labels)):
         contact, _, label, _ = laid
