@@ -173,8 +173,12 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
-  // With a lagged bound the residual may grow for a step while the bound converges.
-  const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
+  // With a lagged bound the residual may grow for a step while the bound converges.  A load comes
+  // from body to body, a step for each, before the residual falls.
+  constexpr Index fewest = 12;
+  const StepTest::Patience patience{
+      equation.bound() == Equation::Bound::Lagged ? 5 : 1,
+      static_cast<std::size_t>(std::max(fewest, equation.problem().rigidMotions()))};
   const auto test = rcp(new StepTest(model, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       list->name(), *log, [&] { return build(group, test, maximumIterations, list); });
