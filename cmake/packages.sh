@@ -21,7 +21,7 @@ packagesOf() {
       echo python3-pip python3-setuptools python3-wheel python3-pandas  # of the Python front
       ;;
     site) echo mkdocs doxygen libjs-jquery ;;  # the documentation as a site: ninja -C build site
-    all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind ;;
+    all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu ;;
   esac
 }
 

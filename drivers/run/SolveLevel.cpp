@@ -1,7 +1,6 @@
 #include "drivers/run/SolveLevel.hpp"
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
-#include "bem/operators/ExactRotation.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 #include "drivers/process/Ranks.hpp"
@@ -33,9 +32,8 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
   std::vector<bem::SteklovPoincare> all;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = spaces.space(b);
-    bem::Operators operators = run.timer.run(Phase::Assembly, [&] {
-      return bem::withExactRotation(bem::assembleOperators(space, lames[b]), space);
-    });
+    bem::Operators operators = run.timer.run(
+        Phase::Assembly, [&] { return bem::assembleOperators(space, lames[b]); });
     run.timer.run(Phase::Factorization, [&] {
       const bem::LocalCompliance compliance = contact::densityCompliance(
           space, spaces.multiplier(b), scene.stabilization, lames[b], scene.units());

@@ -227,17 +227,22 @@ SolvedProblem settled(
     const std::function<SolvedProblem(const contact::State*)>& solveFrom,
     const bem::Processes& processes) {
   constexpr double same = 1e-12;
-  constexpr double almost = 1e-8;  // where rounding changes it on and on
+  constexpr double almost = 1e-8;  // where rounding changes it on and on,
+  constexpr int idlest = 4;        // at least in as many solves
   constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
   SolvedProblem solved = solveFrom(start);
-  double last = 1;
+  double halved = 1;
+  int idle = 0;
   for (int k = 0; solved.solution.report.converged(); ++k) {
     const contact::State& state = solved.solution.state;
     const double reaction = system.reactionChange(state.multiplier);
     const double wear =
         system.wearsBySlip() ? system.wearBy(system.configuration(state)) : 0;
     const double change = std::max(reaction, wear);
-    if (processes.agreed(change <= same || (change < almost && change > last / 2)))
+    idle = change <= halved / 2 ? 0 : idle + 1;
+    if (idle == 0)
+      halved = change;
+    if (processes.agreed(change <= same || (change < almost && idle >= idlest)))
       break;
     if (k == most) {
       solved.solution.report.status = contact::Status::NotConverged;
@@ -258,7 +263,6 @@ SolvedProblem settled(
                                               : "");
       break;
     }
-    last = change;
     if (processes.agreed(reaction > 0))
       system.reactBy(state.multiplier);
     SolvedProblem next = solveFrom(&state);

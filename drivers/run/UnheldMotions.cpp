@@ -8,8 +8,7 @@
 #include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/opposite/Obstacle.hpp"
-#include "contact/opposite/RigidDrives.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
+#include "contact/system/LoadSize.hpp"
 
 #include <algorithm>
 #include <array>
@@ -207,7 +206,10 @@ Balance balanceOf(const BodySpaces& spaces,
   contact::Problem& numbers = balance.numbers;
   numbers.normals = numbering.normals();
   std::vector<Vector> columns;
-  double size = drives.loadSize();
+  contact::Vector given(bem::at(numbering.size()));
+  drives.addGiven(given);
+  double ofBodies = 0;
+  double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const contact::MultiplierSpace multiplier = spaces.multiplier(b).under(conditions[b]);
     const contact::Obstacle obstacle = contact::makeObstacle(
@@ -217,21 +219,31 @@ Balance balanceOf(const BodySpaces& spaces,
     const contact::Loads loads =
         contact::makeLoads(spaces.space(b), conditions[b], scene.units());
     const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
-    size += obstacle.largestPenetration + loads.size();
+    ofBodies += loads.size();
+    moved = std::max(moved, bem::largestEntry(loads.rigidPart));
+    for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
+      const bool isNormal = i < numbering.normalsOf(b);
+      given[bem::at(numbering(b, i))] -=
+          obstacle.jump[bem::at(i)] + (isNormal ? obstacle.gap[bem::at(i)] : 0);
+    }
     for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
-    if (balance.free[b].empty())
+    if (balance.free[b].empty() && loads.rigidPart.empty())
       continue;
     const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
                                                         scene.lame(b), scene.units());
+    contact::addRigidPart(loads, numbering, b, own.trace, opposite[b], given);
     for (Vector& column : motionsOnContacts(holding, holding.fixed(), numbering, b,
                                             own.trace, opposite[b]))
       columns.push_back(std::move(column));
   }
   drives.setMotions(std::move(columns), numbers);
   drives.addForces(numbers);
+  const double size =
+      contact::loadSize(numbers, given, contact::lengthsOf(spaces.sides(), numbering),
+                        moved, ofBodies, drives);
   numbers.stress = size > 0 ? size : 1;
   return balance;
 }

@@ -74,6 +74,14 @@ void removeAt(ParameterList& list, const std::string& path) {
 
 void setAt(ParameterList& list, const std::string& path, const std::string& value);
 
+/// A value of a list that is passed on unchecked, where nothing declares its type: as in a YAML
+/// file.
+void setFree(ParameterList& list, const std::string& path, const std::string& value) {
+  if (holderOf(list, path) != nullptr && holderOf(list, path)->isSublist(lastOf(path)))
+    throw InputError(path + ": is a sublist; name a key in it");
+  madeParentOf(list, path).setEntry(lastOf(path), readValue(narrowestType(value), value));
+}
+
 /// Replaces a list by "{Key=value, Key=value}".
 void setList(ParameterList& list, const std::string& path, const std::string& value) {
   if (value.front() != '{' || value.back() != '}')
@@ -111,10 +119,12 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
   const Parameter& row = bem::declared(parameters(), path);
   if (value.empty())
     return removeAt(list, path);
-  if (row.kind == Kind::List)
+  const bool isFree = row.kind == Kind::Free;
+  if (row.kind == Kind::List ||
+      (isFree && (value.front() == '{' || bem::namesOf(path) == bem::namesOf(row.path))))
     return setList(list, path, value);
-  if (row.kind == Kind::Free)
-    throw InputError(path + ": is a sublist that --set can only remove");
+  if (isFree)
+    return setFree(list, path, value);
   const bool alone = value.find('{') == std::string::npos;
   if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
     throw InputError(

@@ -66,7 +66,8 @@ Teuchos::ParameterList readList(const Teuchos::XMLObject& root);
 Teuchos::ParameterEntry readValue(const std::string& type, const std::string& value);
 
 /// Applies one "A->B->Key=value" of --set: the first '=' separates, with or without
-/// blanks, and the schema declares the type of the value.
+/// blanks, and the schema declares the type of the value; in a list that is passed on unchecked
+/// it is the narrowest one, as in YAML.
 ///
 /// "{Key=value, Key=value}" replaces a whole list, lists in it likewise; an empty value
 /// removes a key or a list.

@@ -28,6 +28,17 @@ std::optional<double> finiteIn(const std::string& text) {
   return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+std::string narrowestType(const std::string& text) {
+  const std::string unsignedText = text.substr(text.find_first_of("+-") == 0 ? 1 : 0);
+  if (numberIn<int>(unsignedText))
+    return "int";
+  // includes numbers out of range, for which realIn has a better message
+  if (unsignedText.find_first_of(".0123456789") == 0 &&
+      text.find_first_not_of("0123456789+-.eE") == std::string::npos)
+    return "double";
+  return text == "true" || text == "false" ? "bool" : "string";
+}
+
 std::vector<bem::Vec2> pairsIn(const std::string& text, bool alone) {
   std::vector<bem::Vec2> pairs;
   std::istringstream lines(text);

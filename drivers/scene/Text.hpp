@@ -25,6 +25,9 @@ std::optional<Number> numberIn(const std::string& text) {
 /// Likewise of a finite number, also with a plus sign.
 std::optional<double> finiteIn(const std::string& text);
 
+/// The narrowest of the types int, double, bool and string that a text has a value of.
+std::string narrowestType(const std::string& text);
+
 /// The two numbers that begin each line of a text, with commas, semicolons or blanks between
 /// them, in quotes or not, under headings or none; # begins a comment.
 /// \param alone  nothing may follow them

@@ -28,20 +28,9 @@ std::string at(const YAML::Mark& mark) {
   return message("line ", mark.line + 1, ", column ", mark.column + 1);
 }
 
-/// The narrowest type of a value.
 std::string typeOf(const YAML::Node& scalar) {
-  const std::string& text = scalar.Scalar();
   const bool plain = scalar.Tag() == "?";
-  if (!plain)
-    return "string";
-  const std::string unsignedText = text.substr(text.find_first_of("+-") == 0 ? 1 : 0);
-  if (numberIn<int>(unsignedText))
-    return "int";
-  // includes numbers out of range, for which realIn has a better message
-  if (unsignedText.find_first_of(".0123456789") == 0 &&
-      text.find_first_not_of("0123456789+-.eE") == std::string::npos)
-    return "double";
-  return text == "true" || text == "false" ? "bool" : "string";
+  return plain ? narrowestType(scalar.Scalar()) : "string";
 }
 
 /// The narrowest type of two values together.

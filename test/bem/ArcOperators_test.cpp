@@ -51,6 +51,20 @@ TEUCHOS_UNIT_TEST(ArcOperators, haveTheEigenvaluesOfTheDisc) {
   }
 }
 
+// [doc/theory/operators.md]  On arcs rotations are no polynomials of arc length.
+TEUCHOS_UNIT_TEST(ArcOperators, storeNoEnergyInARigidMotion) {
+  for (const int degree : {1, 2, 3}) {
+    const bem::Space space(meshOf(disc(4, 0.5), 2, degree));
+    const bem::SteklovPoincare s(bem::assembleOperators(space, lame));
+    const bem::Matrix motions = space.rigidMotions();
+    for (int k = 0; k < 3; ++k) {
+      const Vector r(motions.column(k), motions.column(k) + motions.rows());
+      out << "p = " << degree << ", motion " << k << ": ";
+      TEST_COMPARE(std::abs(product(r, s.apply(r))), <, 1e-13);
+    }
+  }
+}
+
 // V 1 = c1 2 pi R (-log R + 1/(2 kappa)) 1
 TEUCHOS_UNIT_TEST(ArcOperators, haveTheSingleLayerOfTheDisc) {
   const bem::Space space(meshOf(disc(4, 0.5), 2, 3));

@@ -28,7 +28,7 @@ TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
     const bem::Lame lame({1, sample.nu, false});
     const Matrix z = wholeSystem(space, lame);
     // V and W by their lower triangles
-    const bem::Operators all = bem::assembleOperators(space, lame);
+    const bem::Operators all = bem::assemblePolynomialOperators(space, lame);
     const Index n = space.displacements();
     double v = 0;
     double k = 0;

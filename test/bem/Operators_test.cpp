@@ -57,6 +57,14 @@ TEUCHOS_UNIT_TEST(Operators, areExactTo12DigitsOfTheirBlocks) {
     }
 }
 
+TEUCHOS_UNIT_TEST(Matrix, isEmptyWhenItsEntriesAreMovedElsewhere) {
+  bem::Matrix from(3, 2);
+  const bem::Matrix to = std::move(from);
+  TEST_EQUALITY(to.columns(), 2);
+  TEST_EQUALITY(from.rows(), 0);  // NOLINT(bugprone-use-after-move)
+  TEST_ASSERT(from.empty());
+}
+
 // The comparison above would be worthless if it could not tell materials apart.
 TEUCHOS_UNIT_TEST(Operators, ofAnotherMaterialAreToldApart) {
   const bem::Space space(quickSamples().front().mesh);

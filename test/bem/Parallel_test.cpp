@@ -1,11 +1,14 @@
 #include "bem/base/Parallel.hpp"
 
+#include "bem/base/BlasThreads.hpp"
+
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <dlfcn.h>
 #include <mutex>
 #include <new>
 #include <omp.h>
@@ -174,6 +177,54 @@ TEUCHOS_UNIT_TEST(ParallelFor, givesLoopsInItsRoundsOneThread) {
   TEST_EQUALITY(meeting.come(), 2);
   TEST_EQUALITY(several, 0);
   TEST_EQUALITY(threadsFor(large), 2);  // behind them
+}
+
+/// OpenBLAS' own functions, null where another BLAS is loaded.
+struct OpenBlas {
+  int (*threads)() = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT,
+                                                       "openblas_get_num_threads"));
+  void (*setThreads)(int) =
+      reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+};
+
+// However the lives of limits overlap, the least one holds, and none is left behind.
+TEUCHOS_UNIT_TEST(BlasThreads, ofTwoThreadsLimitEachOther) {
+  const OpenBlas blas;
+  if (blas.threads == nullptr || blas.setThreads == nullptr)
+    return;
+  const int before = blas.threads();
+  constexpr int unlimited = 4;
+  blas.setThreads(unlimited);
+  for (const int other : {1, 2, 3}) {
+    constexpr int own = 2;
+    Meeting first;
+    Meeting second;
+    int beside = 0;  // what the first one saw when both held
+    int after = 0;   // and the second one when the first was gone
+    std::thread one([&] {
+      {
+        const BlasThreads limit(own);
+        first.wait(2);
+        second.wait(2);
+        beside = blas.threads();
+      }
+      first.wait(3);
+    });
+    std::thread two([&] {
+      first.wait(2);
+      const BlasThreads limit(other);
+      second.wait(2);
+      first.wait(4);
+      after = blas.threads();
+    });
+    one.join();
+    two.join();
+    out << "limits of " << own << " and " << other << ": ";
+    TEST_EQUALITY(beside, std::min(own, other));
+    TEST_EQUALITY(after, other);
+    TEST_EQUALITY(blas.threads(), unlimited);
+  }
+  blas.setThreads(before);
 }
 
 }  // namespace

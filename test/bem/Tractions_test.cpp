@@ -34,8 +34,7 @@ std::vector<int> allElements(const bem::Mesh& mesh) {
 /// elements give.  Legendre coefficients of φ_k are exact to its degree.
 double differenceFromStiffness(const bem::Space& space, const bem::Lame& lame) {
   const bem::Mesh& mesh = space.mesh();
-  const bem::SteklovPoincare stiffness(
-      bem::withExactRotation(bem::assembleOperators(space, lame), space));
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
   const auto tractions = bem::tractionRows(space, lame, stiffness, allElements(mesh),
                                            bem::TractionForm::Projected);
   const Index n = space.displacements();

@@ -73,10 +73,20 @@ for sentence, settings, ok, words in [
         ("what a law needs is still wanted", [BOUNDARY + "->Friction={Law=Tresca}"], False,
          "Threshold"),
         ("what is not there cannot be removed", ["Output->Fields="], False, "not in the scene"),
+        ("a key for NOX", ["Solver->NOX->Line Search->Method=Backtrack"], True, ""),
+        ("a list for NOX is no value", ["Solver->NOX=Backtrack"], False, "{Key=value"),
         ("a list is no value", ["Adaptivity=None"], False, "{Key=value")]:
     code, text = epafi("check", scene("coulomb.xml"), settings=settings)
     claim((code == 0) == ok and words in text, "--set: %s (%s)" %
           (sentence, "accepted" if code == 0 else text.strip()[:120]))
+
+# where the schema declares no types, they are those of a YAML file
+code, text = epafi("check", scene("coulomb.xml"), "--used", settings=[
+    "Solver->NOX={Line Search={Method=Full Step, Full Step={Full Step=0.5}}}",
+    "Solver->NOX->Printing->Output Information=0"])
+claim(code == 0 and all(re.search('name="%s" *type="%s"' % key, text) for key in (
+    ("Method", "string"), ("Full Step", "double"), ("Output Information", "int"))),
+      "--set: a list for NOX has its types (%s)" % text[-200:].strip())
 
 # Set in studies takes arrays and lists, and used.xml repeats them
 study = os.path.join(WORK, "arrays.xml")

@@ -124,6 +124,8 @@ for basis in BASES:
         "partial", law=friction("0.5"), sliding="", motion=SHAKEN, coefficient=2, size=1 / 16,
         path=([1, 3], [1, 16])), "Discretization->Multiplier=" + basis)
     got[basis] = rows(folder_of, "steps.csv")[-1]["rub.worn_volume"]
+    least = min(min(p["worn_depth"], p["slip_distance"]) for p in rows(folder_of))
+    claim(least >= 0, "nothing grows where it wears, %s: %.1e" % (basis, least))
 claim(all(differ(got[basis], got[BASES[0]]) < 0.05 for basis in BASES),
       "partial slip wears alike in all bases: %s" % [got[basis] for basis in BASES])
 points = rows(folder)

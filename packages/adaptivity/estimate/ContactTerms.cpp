@@ -226,9 +226,9 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     };
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
   const auto wornMore = [wear, &element](double t) {
-    return wear == nullptr ? 0.0
-                           : std::max(0.0, contact::MultiplierSpace::throughPoints(
-                                               wear->rate, element, t));
+    return wear == nullptr
+               ? 0.0
+               : contact::MultiplierSpace::throughPoints(wear->rate, element, t);
   };
   const auto yield = [&mesh, &condition, units, e, pressure, stiffness, wornMore](
                          double t, double length) {

@@ -7,6 +7,7 @@
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace epafi::bem {
@@ -74,6 +75,7 @@ double LuFactor::reciprocalCondition() const {
 }
 
 void LuFactor::solve(double* x, Index columns, Index stride) const {
+  assert(isRegular());
   if (lu_.empty())
     return;
   scaleRows(scales_, x, columns, stride);

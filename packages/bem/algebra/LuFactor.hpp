@@ -2,6 +2,7 @@
 
 #include "bem/base/Matrix.hpp"
 
+#include <cassert>
 #include <vector>
 
 namespace epafi::bem {
@@ -22,9 +23,15 @@ class LuFactor {
   /// Estimate of 1 / (|A| |A⁻¹|) in the 1-norm; 0 if a pivot is zero, 1 for size zero.
   double reciprocalCondition() const;
 
-  /// x := A⁻¹ x, column by column.  \pre isRegular()
-  void solve(Matrix& x) const { solve(x.data(), x.columns(), x.stride()); }
-  void solve(Vector& x) const { solve(x.data(), 1, lu_.rows()); }
+  /// x := A⁻¹ x, column by column.  \pre isRegular(); x has as many rows as A
+  void solve(Matrix& x) const {
+    assert(x.rows() == lu_.rows());
+    solve(x.data(), x.columns(), x.stride());
+  }
+  void solve(Vector& x) const {
+    assert(x.size() == at(lu_.rows()));
+    solve(x.data(), 1, lu_.rows());
+  }
 
  private:
   void solve(double* x, Index columns, Index stride) const;

@@ -6,8 +6,9 @@ namespace epafi::bem {
 /// in loops over many small matrices, since starting threads for each call costs much more
 /// than the arithmetic, and blasThreadsFor(work) for large calls.
 ///
-/// Not thread-safe: construct and destroy it outside of parallel loops.  In the rounds of
-/// parallelFor() OpenBLAS has one thread anyway.
+/// Several threads of an application may limit at once: the least limit holds for all, and the
+/// last one to leave restores what was before.  In the rounds of parallelFor() OpenBLAS has one
+/// thread anyway.
 class BlasThreads {
  public:
   explicit BlasThreads(int most);
@@ -16,7 +17,7 @@ class BlasThreads {
   BlasThreads& operator=(const BlasThreads&) = delete;
 
  private:
-  int before_ = 0;  ///< previous number of threads, if it was larger
+  int most_;
 };
 
 }  // namespace epafi::bem

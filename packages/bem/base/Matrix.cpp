@@ -60,6 +60,14 @@ Matrix::Matrix(Index rows, Index columns) : Matrix(unset(rows, columns)) {
     std::fill_n(data_.get(), stride_ * std::max<Index>(1, columns), 0.0);
 }
 
+Matrix& Matrix::operator=(Matrix&& other) noexcept {
+  rows_ = std::exchange(other.rows_, 0);
+  columns_ = std::exchange(other.columns_, 0);
+  stride_ = std::exchange(other.stride_, 1);
+  data_ = std::move(other.data_);
+  return *this;
+}
+
 Matrix Matrix::unset(Index rows, Index columns) {
   Matrix result;
   result.rows_ = rows;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace epafi::bem {
@@ -33,8 +35,9 @@ class Matrix {
   /// Entries have no value: for a result that is written as a whole.
   static Matrix unset(Index rows, Index columns);
 
-  Matrix(Matrix&&) noexcept = default;
-  Matrix& operator=(Matrix&&) noexcept = default;
+  /// The other is empty then.
+  Matrix(Matrix&& other) noexcept { *this = std::move(other); }
+  Matrix& operator=(Matrix&& other) noexcept;
   Matrix copy() const;
 
   /// Keeps the first `columns` columns and releases the memory of the others.
@@ -50,10 +53,21 @@ class Matrix {
   double* column(Index j) { return data_.get() + j * stride_; }
   const double* column(Index j) const { return data_.get() + j * stride_; }
 
-  double& operator()(Index i, Index j) { return data_[i + j * stride_]; }
-  double operator()(Index i, Index j) const { return data_[i + j * stride_]; }
+  /// \pre i is a row, j a column
+  double& operator()(Index i, Index j) {
+    assert(has(i, j));
+    return data_[i + j * stride_];
+  }
+  double operator()(Index i, Index j) const {
+    assert(has(i, j));
+    return data_[i + j * stride_];
+  }
 
  private:
+  bool has(Index i, Index j) const {
+    return 0 <= i && i < rows_ && 0 <= j && j < columns_;
+  }
+
   Index rows_ = 0;
   Index columns_ = 0;
   Index stride_ = 1;

@@ -8,6 +8,7 @@
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,7 @@ std::string describe(const ParameterEntry& entry) {
 
 /// The default of a row, marked as default.  \pre the row has one
 ParameterEntry defaultOf(const SchemaRow& row) {
+  assert(!row.defaultValue.empty());
   ParameterEntry entry =
       entryOf({textOf(row.kind).element, Shape::One, {row.defaultValue}});
   entry.setAnyValue(Teuchos::any(entry.getAny(false)), true);
@@ -322,6 +324,8 @@ const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
   for (const std::string& name : namesOf(path)) {
     const auto rows = childrenOf(table, pattern);
     row = &required(table, name.empty() ? nullptr : find(rows, name), rows, walked, name);
+    if (row->kind == Kind::Free)
+      break;
     pattern = row->path;
     walked = join(walked, name);
   }

@@ -7,7 +7,7 @@
 
 namespace epafi::bem {
 
-/// The row of a concrete path A->B->Key.
+/// The row of a concrete path A->B->Key; in a list that is passed on unchecked, that list's.
 /// \throws InputError for an unknown path, naming the nearest known key
 const SchemaRow& declared(const SchemaRows& table, const std::string& path);
 

@@ -3,6 +3,7 @@
 #include "bem/base/Box.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace epafi::bem {
@@ -152,6 +153,7 @@ std::vector<char> ClusterTree::paths(const std::vector<int>& leaves) const {
 
 Vec2 ClusterTree::fromCentre(int c, const BoundaryPoint& x) const {
   const Cluster& cluster = (*this)[c];
+  assert(!cluster.isEmpty());
   return mesh_->difference(x, cluster.anchor) - cluster.centre;
 }
 

@@ -3,6 +3,7 @@
 #include "bem/algebra/Products.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace epafi::bem {
 
@@ -135,6 +136,7 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& fi
 Response EliminatedCluster::response(const ClusterPart& part) const {
   if (isSilent_)
     return {};
+  assert(part.weights.skeleton.size() + part.weights.rest.size() > 0);
   return {rows_, rowsOf(outgoing(part, in_), rows_)};
 }
 

@@ -2,6 +2,8 @@
 
 #include "bem/base/Matrix.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace epafi::bem {
@@ -15,7 +17,10 @@ struct Interpolation {
 
   Index rows() const { return static_cast<Index>(skeleton.size()); }
   /// \pre no column is left out, as for the members below but times()
-  Index columns() const { return static_cast<Index>(skeleton.size() + rest.size()); }
+  Index columns() const {
+    assert(std::find(skeleton.begin(), skeleton.end(), -1) == skeleton.end());
+    return static_cast<Index>(skeleton.size() + rest.size());
+  }
 
   /// T X
   Matrix times(const Matrix& x) const;

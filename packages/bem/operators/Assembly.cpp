@@ -1,6 +1,7 @@
 #include "bem/operators/Assembly.hpp"
 
 #include "bem/base/Parallel.hpp"
+#include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/TileWriter.hpp"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ double workOf(const Space& space) {
 
 }  // namespace
 
-Operators assembleOperators(const Space& space, const Lame& lame) {
+Operators assemblePolynomialOperators(const Space& space, const Lame& lame) {
   Operators out{Matrix(space.densities(), space.densities()),
                 Matrix(space.densities(), space.displacements()),
                 Matrix(space.displacements(), space.displacements())};
@@ -64,6 +65,10 @@ Operators assembleOperators(const Space& space, const Lame& lame) {
   }
   ghosts.fold(out);
   return out;
+}
+
+Operators assembleOperators(const Space& space, const Lame& lame) {
+  return withExactRotation(assemblePolynomialOperators(space, lame), space);
 }
 
 }  // namespace epafi::bem

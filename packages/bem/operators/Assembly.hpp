@@ -11,7 +11,7 @@ struct Operators {
   Matrix singleLayer;    ///< V, densities x densities, lower triangle
   Matrix doubleLayer;    ///< K + 1/2, densities x displacements
   Matrix hypersingular;  ///< W, displacements x displacements, lower triangle
-  /// Null unless the displacements represent rotations exactly, see withExactRotation.
+  /// Null unless the displacements represent rotations exactly.
   std::shared_ptr<const Rotation> rotation = nullptr;
 };
 
@@ -22,7 +22,12 @@ struct Operators {
 ///   <W u, v> = <V* u', v'>                              [doc/theory/operators.md]
 ///
 /// The error of an entry is at most 1e-12 of the norm of the block of its pair of elements.
+/// Displacements represent rotations exactly, see Rotation: K + 1/2 and W of a rigid motion are
+/// rounding errors, on arcs, too.
 /// Threads: over blocks of elements.
 Operators assembleOperators(const Space& space, const Lame& lame);
+
+/// The same with displacements that are polynomials of arc length, without Rotation.
+Operators assemblePolynomialOperators(const Space& space, const Lame& lame);
 
 }  // namespace epafi::bem

@@ -5,12 +5,16 @@
 #include "bem/operators/LocalFunctions.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace epafi::bem {
 
 MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotentialGiven)
     : all_((space.densities() + space.displacements()) / 2,
            (space.densities() + space.displacements()) / 2) {
+  assert(std::count(isPotentialGiven.begin(), isPotentialGiven.end(), true) > 0);
+  assert(std::all_of(space.mesh().elements().begin(), space.mesh().elements().end(),
+                     [](const Element& e) { return e.densities == e.degree; }));
   assemble(space);
   holdConstants(space, isPotentialGiven);
   const Mesh& mesh = space.mesh();
@@ -40,7 +44,7 @@ void MixedLaplace::assemble(const Space& space) {
   lame.mu = 1;
   lame.a = 0.15915494309189535;
   lame.b = 0;
-  const Operators kelvin = assembleOperators(space, lame);
+  const Operators kelvin = assemblePolynomialOperators(space, lame);
   const Index flows = space.densities() / 2;
   const Index potentials = space.displacements() / 2;
   for (Index j = 0; j < flows; ++j)

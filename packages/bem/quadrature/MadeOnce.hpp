@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <mutex>
 
 namespace epafi::bem {
@@ -12,7 +13,9 @@ class MadeOnce {
  public:
   explicit MadeOnce(Value (*make)(int n)) : make_(make) {}
 
+  /// \pre 1 <= n <= Count
   const Value& operator[](int n) {
+    assert(1 <= n && n <= Count);
     const std::size_t k = n - 1;
     if (!isMade_[k].load(std::memory_order_acquire)) {
       const std::lock_guard<std::mutex> lock(making_);

@@ -5,28 +5,33 @@
 
 namespace epafi::bem {
 
+#ifdef EPAFI_X86
 template <Division How, class Kernel>
-EPAFI_AVX512 void runAvx512(const Kernel& kernel) {
+__attribute__((target("avx512f,avx512dq,avx512vl,fma"))) void runAvx512(
+    const Kernel& kernel) {
   kernel.template run<How>();
 }
 
 template <class Kernel>
-EPAFI_AVX2 void runAvx2(const Kernel& kernel) {
+__attribute__((target("avx2,fma"))) void runAvx2(const Kernel& kernel) {
   kernel.template run<Division::Fused>();
 }
+#endif
 
 /// Calls kernel.run<Division>(), compiled for an instruction set that the processor has.
 /// \pre run() and all functions that it calls are EPAFI_INLINE
 template <class Kernel>
 void dispatch(InstructionSet set, const Kernel& kernel) {
   switch (set) {
+#ifdef EPAFI_X86
     case InstructionSet::Avx512Dividing:
       return runAvx512<Division::Exact>(kernel);
     case InstructionSet::Avx512:
       return runAvx512<Division::Fused>(kernel);
     case InstructionSet::Avx2:
       return runAvx2(kernel);
-    case InstructionSet::Baseline:
+#endif
+    default:
       return kernel.template run<Division::Exact>();
   }
 }

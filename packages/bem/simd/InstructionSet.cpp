@@ -4,6 +4,7 @@ namespace epafi::bem {
 
 std::vector<InstructionSet> instructionSets() {
   std::vector<InstructionSet> sets = {InstructionSet::Baseline};
+#ifdef EPAFI_X86
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     sets.push_back(InstructionSet::Avx2);
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -15,6 +16,7 @@ std::vector<InstructionSet> instructionSets() {
         sets.push_back(InstructionSet::Avx512Dividing);
     }
   }
+#endif
   return sets;
 }
 

@@ -2,6 +2,11 @@
 
 #include <vector>
 
+// Elsewhere kernels are compiled for the baseline alone.
+#if defined(__x86_64__) || defined(__i386__)
+#define EPAFI_X86
+#endif
+
 namespace epafi::bem {
 
 /// Instruction sets for which kernels are compiled; each includes the previous ones.

@@ -5,8 +5,6 @@
 // Functions that the variants of a kernel share must be inlined: the linker could choose an
 // out-of-line copy compiled for AVX-512 on an older processor.
 #define EPAFI_INLINE inline __attribute__((always_inline))
-#define EPAFI_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma")))
-#define EPAFI_AVX2 __attribute__((target("avx2,fma")))
 
 namespace epafi::bem {
 

@@ -4,6 +4,7 @@
 #include "bem/tpetra/WholeVectorOperator.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace epafi::bem {
 
@@ -23,7 +24,9 @@ class SteklovPoincareOperator final : public WholeVectorOperator {
               }
               return forces;
             },
-            processes) {}
+            processes) {
+    assert(operators.compressed() == nullptr);
+  }
 };
 
 }  // namespace epafi::bem

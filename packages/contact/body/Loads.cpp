@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace epafi::contact {
@@ -66,6 +67,59 @@ double addTraction(const bem::Space& space, int e, const bem::Rule& rule,
   return rest;
 }
 
+/// Displacements, each with the values of the three rigid motions there.
+struct Samples {
+  std::vector<std::array<double, 3>> motions;
+  Vector values;
+};
+
+/// A rigid motion, by the amplitudes of those of the samples, and what is left of them.
+struct RigidPart {
+  std::array<double, 3> amplitudes{};
+  double largestRest = 0;  ///< zero where it is rounding
+};
+
+/// The rigid motion next to the samples, by least squares; motions that they do not know are zero.
+RigidPart rigidPartOf(const Samples& samples) {
+  constexpr double dependent = 1e-20;  // of squares
+  constexpr double rounding = 1e-13;
+  const std::size_t count = samples.values.size();
+  std::array<Vector, 3> q;  // orthonormal, or zero
+  double r[3][3] = {};
+  for (int k = 0; k < 3; ++k) {
+    for (const auto& motion : samples.motions)
+      q[k].push_back(motion[k]);
+    const double whole = bem::dot(q[k], q[k]);
+    for (int l = 0; l < k; ++l) {
+      r[l][k] = bem::dot(q[l], q[k]);
+      bem::axpy(-r[l][k], q[l], q[k]);
+    }
+    const double rest = bem::dot(q[k], q[k]);
+    r[k][k] = rest > dependent * whole ? std::sqrt(rest) : 0;
+    q[k] = bem::times(r[k][k] > 0 ? 1 / r[k][k] : 0, std::move(q[k]));
+  }
+  RigidPart part;
+  for (int k = 2; k >= 0; --k) {
+    double amplitude = bem::dot(q[k], samples.values);
+    for (int l = k + 1; l < 3; ++l)
+      amplitude -= r[k][l] * part.amplitudes[l];
+    part.amplitudes[k] = r[k][k] > 0 ? amplitude / r[k][k] : 0;
+  }
+  double size = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double rest = samples.values[i];
+    for (int k = 0; k < 3; ++k) {
+      const double moved = part.amplitudes[k] * samples.motions[i][k];
+      rest -= moved;
+      size = std::max(size, std::abs(moved));
+    }
+    part.largestRest = std::max(part.largestRest, std::abs(rest));
+  }
+  if (part.largestRest <= rounding * size)
+    part.largestRest = 0;
+  return part;
+}
+
 /// What acts inside leaves -t_p to the boundary, on all of it: where a clamp holds, too, whose
 /// reaction is that of the whole stress.
 void addInside(const bem::Space& space, const ParticularSolution& inside, Loads& loads) {
@@ -73,17 +127,21 @@ void addInside(const bem::Space& space, const ParticularSolution& inside, Loads&
   loads.given = loads.load;
   loads.inside.traction.assign(loads.load.size(), 0.0);
   double rest = 0;
+  Samples samples;
   for (int e = 0; e < mesh.size(); ++e)
     rest += addTraction(
         space, e, bem::gaussForGiven(mesh[e].degree),
         [&](double t, double) {
           const Vec2 traction = inside.traction(mesh, e, t);
           loads.largestTraction = std::max(loads.largestTraction, norm(traction));
-          loads.inside.largestDisplacement = std::max(
-              loads.inside.largestDisplacement, norm(inside.displacement(mesh, e, t)));
+          const Vec2 u = inside.displacement(mesh, e, t);
+          const Vec2 x = mesh.scaledPoint(e, t);
+          samples.motions.insert(samples.motions.end(), {{1, 0, -x.y}, {0, 1, x.x}});
+          samples.values.insert(samples.values.end(), {u.x, u.y});
           return traction;
         },
         loads.inside.traction.data());
+  loads.inside.largestDeformation = rigidPartOf(samples).largestRest;
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, loads.inside.traction);
   bem::axpy(-1, loads.inside.traction, loads.load);
@@ -110,16 +168,36 @@ void addDirichlet(const bem::Space& space, const std::string& name,
       for (int k = 0; k <= mesh[e].degree; ++k) {
         const Index unknown = space.displacement(e, k, component);
         loads.prescribed[unknown] = given[unknown];
-        loads.largestDisplacement =
-            std::max(loads.largestDisplacement, std::abs(given[unknown]));
       }
   }
+}
+
+/// Splits the prescribed displacement, which is zero elsewhere, and lets the whole body go with its
+/// rigid part: what is left to the operators is no difference of large forces.
+void addRigidPart(const bem::Space& space, const std::vector<char>& held, Loads& loads) {
+  if (!(bem::largestEntry(loads.prescribed) > 0))
+    return;
+  const Matrix motions = space.rigidMotions();
+  Samples samples;
+  for (Index j = 0; j < motions.rows(); ++j)
+    if (held[at(j)] != 0) {
+      samples.motions.push_back({motions(j, 0), motions(j, 1), motions(j, 2)});
+      samples.values.push_back(loads.prescribed[at(j)]);
+    }
+  const RigidPart part = rigidPartOf(samples);
+  loads.largestDeformation = part.largestRest;
+  loads.rigidPart.assign(loads.prescribed.size(), 0.0);
+  for (int k = 0; k < 3; ++k)
+    bem::axpy(part.amplitudes[at(k)], columnOf(motions, k), loads.rigidPart);
+  for (std::size_t j = 0; j < held.size(); ++j)
+    if (held[j] == 0)
+      loads.prescribed[j] = loads.rigidPart[j];
 }
 
 /// Moves nodes that nothing holds along the normal, so that the prescribed displacement keeps the
 /// volume: V at ν = 1/2 would answer a change with pressures as large as one over the part of it
 /// that a pin adds, and the displacement that loads cause would have to take them away.
-void keepVolume(const bem::Space& space, const Conditions& conditions, Loads& loads) {
+void keepVolume(const bem::Space& space, const std::vector<char>& held, Loads& loads) {
   const bem::Mesh& mesh = space.mesh();
   Vector volume(loads.prescribed.size(), 0.0);  // ∫ φ_j · n ds
   Vector lengths(volume.size(), 0.0);           // ∫ φ_j ds of the nodes' functions
@@ -134,7 +212,6 @@ void keepVolume(const bem::Space& space, const Conditions& conditions, Loads& lo
   }
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, volume);
-  const std::vector<char> held = prescribed(space, conditions);
   Vector outward(volume.size(), 0.0);
   for (std::size_t i = 0; i < volume.size(); ++i)
     if (lengths[i] > 0 && held[i] == 0)
@@ -175,8 +252,10 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
     addInside(space, *inside, loads);
   for (const auto& [name, dirichlet] : conditions.dirichlet)
     addDirichlet(space, name, dirichlet, inside, units, loads);
-  if (!conditions.pins.empty() && loads.largestDisplacement > 0)
-    keepVolume(space, conditions, loads);
+  const std::vector<char> held = prescribed(space, conditions);
+  addRigidPart(space, held, loads);
+  if (!conditions.pins.empty() && loads.largestDeformation > 0)
+    keepVolume(space, held, loads);
   return loads;
 }
 

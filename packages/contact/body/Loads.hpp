@@ -16,16 +16,19 @@ struct Loads {
   /// f_j = ∫ traction · φ_j ds; with body loads minus that of the traction of the particular
   /// solution, plus its term in the stabilisation.
   Vector load;
-  /// A displacement with the clamped values; elsewhere zero, or, with pins, what keeps the volume.
+  /// A displacement with the clamped values; elsewhere its rigid part, and, with pins, what keeps
+  /// the volume.
   Vector prescribed;
+  /// The rigid motion next to the clamped values, which deforms nothing; empty: zero.
+  Vector rigidPart{};
   double largestTraction = 0;
-  double largestDisplacement = 0;
+  double largestDeformation = 0;  ///< of clamped values, less the rigid part
 
   /// With body loads, of the particular solution u_p, t_p; else empty and zero.
   struct OfInside {
-    Vector traction;  ///< ∫ t_p · φ_j ds
-    double work = 0;  ///< ∫ given traction · u_p ds
-    double largestDisplacement = 0;
+    Vector traction;                ///< ∫ t_p · φ_j ds
+    double work = 0;                ///< ∫ given traction · u_p ds
+    double largestDeformation = 0;  ///< of u_p on the boundary, less its rigid part
   } inside{};
   Vector given{};  ///< ∫ traction · φ_j ds of the given traction; empty: `load`
 
@@ -39,8 +42,9 @@ struct Loads {
     Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
   } residual{};
 
+  /// What deforms or presses, however far the body moves.
   double size() const {
-    return largestTraction + largestDisplacement + inside.largestDisplacement;
+    return largestTraction + largestDeformation + inside.largestDeformation;
   }
 };
 

@@ -3,6 +3,8 @@
 #include "bem/base/Material.hpp"
 #include "contact/law/Law.hpp"
 
+#include <cassert>
+
 namespace epafi::contact {
 
 /// Normal compliance φ of contact surfaces (roughness, coating, gasket):
@@ -58,6 +60,7 @@ class PointClosing {
 struct Normal : LawOnBoundary<NormalLaw> {
   /// \pre there is a law
   PointClosing at(bem::Vec2 place, bem::Units units) const {
+    assert(law != nullptr);
     return {law, fieldsAt(place), units};
   }
 };

@@ -109,7 +109,8 @@ Index MultiplierSpace::points() const {
 double MultiplierSpace::throughPoints(const Vector& values, const ContactElement& element,
                                       double t) {
   const Vector chi = multiplierBasis("Gauss-Legendre-Lagrange").values(element.degree, t);
-  return std::inner_product(chi.begin(), chi.end(), values.begin() + element.point, 0.0);
+  const auto first = values.begin() + element.point;
+  return std::max(std::inner_product(chi.begin(), chi.end(), first, 0.0), 0.0);
 }
 
 Index Coefficients::number(int i) const {

@@ -114,7 +114,8 @@ class MultiplierSpace {
     double tangential = 0;
   };
   Value at(const Vector& multiplier, const ContactElement& element, double t) const;
-  /// At t, the polynomial that interpolates values at the Gauss points.
+  /// At t, of a quantity that is not negative: the positive part of the polynomial that interpolates
+  /// its values at the Gauss points, which is never farther from it than the polynomial.
   static double throughPoints(const Vector& values, const ContactElement& element,
                               double t);
 

@@ -14,6 +14,7 @@
 #include <NOX_Thyra_Vector.H>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -108,6 +109,33 @@ void forgetUse(ParameterList& list) {
   list = fresh;
 }
 
+// A key that NOX has more values for than go with Epafi's model.
+void requireOneOf(const ParameterList& list, const std::string& sublist,
+                  const std::string& key, const std::vector<std::string>& allowed) {
+  if (!sublist.empty() && !list.isSublist(sublist))
+    return;
+  const ParameterList& holder = sublist.empty() ? list : list.sublist(sublist);
+  if (!holder.isType<std::string>(key))
+    return;
+  const auto& value = holder.get<std::string>(key);
+  if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
+    return;
+  std::string names;
+  for (const std::string& name : allowed)
+    names += (names.empty() ? "'" : ", '") + name + "'";
+  throw bem::InputError(list.name(), sublist.empty() ? "" : "->", sublist, "->", key,
+                        " = '", value, "'; allowed: ", names);
+}
+
+// What Teuchos says, without the place in its sources and the condition.
+std::string saidBy(const std::logic_error& error) {
+  const std::string text = error.what();
+  const auto condition = text.find("Throw test that evaluated to true");
+  const auto end =
+      condition == std::string::npos ? condition : text.find("\n\n", condition);
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 // List for one run: that of the user, completed by the defaults of Epafi.
 RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& model,
                            const RCP<std::ostream>& log) {
@@ -116,10 +144,10 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
     list->setParameters(*user);
     forgetUse(*list);
   }
-  const std::string solver = list->get("Nonlinear Solver", "Line Search Based");
-  if (solver != "Line Search Based")
-    throw bem::InputError(list->name(), "->Nonlinear Solver = '", solver,
-                          "'; allowed: 'Line Search Based'");
+  requireOneOf(*list, "", "Nonlinear Solver", {"Line Search Based"});
+  // the slopes of More'-Thuente are those of another merit function, by a Jacobian that has gone
+  requireOneOf(*list, "Line Search", "Method",
+               {"Full Step", "Backtrack", "Polynomial", "NonlinearCG", "User Defined"});
   list->sublist("Solver Options")
       .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
                                              rcp(new Merit(model)));
@@ -153,7 +181,7 @@ auto withNoxErrors(const std::string& list, const std::ostringstream& log,
   } catch (const bem::InputError&) {
     throw;
   } catch (const std::logic_error& error) {
-    throw bem::InputError(list, ": ", error.what());
+    throw bem::InputError(list, ": ", saidBy(error));
   } catch (const char* text) {
     throw bem::InputError(list, ": ", text, ": ", log.str());
   }
@@ -173,8 +201,12 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
-  // With a lagged bound the residual may grow for a step while the bound converges.
-  const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
+  // With a lagged bound the residual may grow for a step while the bound converges.  A load comes
+  // from body to body, a step for each, before the residual falls.
+  constexpr Index fewest = 12;
+  const StepTest::Patience patience{
+      equation.bound() == Equation::Bound::Lagged ? 5 : 1,
+      static_cast<std::size_t>(std::max(fewest, equation.problem().rigidMotions()))};
   const auto test = rcp(new StepTest(model, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       list->name(), *log, [&] { return build(group, test, maximumIterations, list); });

@@ -16,10 +16,9 @@ constexpr double growthLimit = 1e6;
 constexpr double mostRounding =
     1e-8;                       // of products with the compressed D of slender bodies
 constexpr double isLeft = 0.9;  // of the residual after a step without effect
-constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
-constexpr std::size_t patientSteps = 12;  // without progress
-constexpr int many = 16;           // set changes; while they halve, that is progress
-constexpr std::size_t memory = 4;  // steps in which a coefficient must have changed
+constexpr double hasFallen = 0.999;  // a cycle repeats its residual up to rounding
+constexpr int many = 16;             // set changes; while they halve, that is progress
+constexpr std::size_t memory = 4;    // steps in which a coefficient must have changed
 
 std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
   std::vector<Index> result;
@@ -90,8 +89,8 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     const bool isNew = e.set != std::exchange(last_, e.set);
     const auto before = seen_.find(e.set);
     const bool cycles = isNew && before != seen_.end() &&
-                        e.scaled >= hasFallen * before->second && --patience_ <= 0;
-    if (cycles || sets_.size() > progress_ + patientSteps)
+                        e.scaled >= hasFallen * before->second && --patience_.cycles <= 0;
+    if (cycles || sets_.size() > progress_ + patience_.steps)
       fail(End::Cycling);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);

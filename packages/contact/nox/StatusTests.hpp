@@ -16,12 +16,16 @@ namespace epafi::contact {
 /// Converged: the scaled residual is below the tolerance; or it is at most 1e-8 and a
 /// full step with the same active set, which solves a linear problem, leaves 0.9 of it,
 /// so that it is the rounding error of D. Failed: an active set recurs behind others
-/// without a smaller residual (a cycle of active sets), twelve steps make no progress, the
+/// without a smaller residual (a cycle of active sets), too many steps make no progress, the
 /// residual grew by a factor of a million, or it is not a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
-  /// \param patience number of recurring active sets that ends the run
-  StepTest(Teuchos::RCP<const ContactModel> model, int patience)
+  /// What ends the run.
+  struct Patience {
+    int cycles;         ///< recurring active sets
+    std::size_t steps;  ///< without progress
+  };
+  StepTest(Teuchos::RCP<const ContactModel> model, Patience patience)
       : model_(std::move(model)), patience_(patience) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
@@ -36,7 +40,7 @@ class StepTest final : public NOX::StatusTest::Generic {
   void record(const Evaluation& e);
 
   Teuchos::RCP<const ContactModel> model_;
-  int patience_;
+  Patience patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;
   bool isRounding(const ActiveSet& set, double scaled) const;

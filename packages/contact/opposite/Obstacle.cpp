@@ -129,8 +129,6 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       [&](const SidePoint& point) {
         const ContactElement& contact = point.contact;
         const double gap = point.opposite.gap;
-        obstacle.largestPenetration =
-            std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
         Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.normal.holdsNothing(i))
@@ -140,7 +138,6 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
           return;
         const double m =
             sliding(mesh.physicalPoint(contact.element, point.t)) / units.length;
-        obstacle.largestSliding = std::max(obstacle.largestSliding, std::abs(m));
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.tangential.holdsNothing(i))
             obstacle.jump[contact.tangentialOf(i)] += point.weight * m * point.chi[i];

@@ -14,11 +14,9 @@ struct Obstacle {
   /// sliding of the opposite side.
   Vector jump;
   std::vector<Tangential> tangentials;
-  Surface surface;                ///< compliance of the surfaces
-  Vector slid;                    ///< m at the Gauss points of the elements
-  Vector wear;                    ///< n k there: worn depth per pressure and slip
-  double largestSliding = 0;      ///< max of |m|
-  double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
+  Surface surface;  ///< compliance of the surfaces
+  Vector slid;      ///< m at the Gauss points of the elements
+  Vector wear;      ///< n k there: worn depth per pressure and slip
 };
 
 /// \throws bem::InputError if a field of a law is negative or not finite, naming boundary and

@@ -76,23 +76,27 @@ double RigidDrives::force(std::size_t k, std::size_t c) const {
   return drive.value + drive.inside + drive.stiffness / (1 + stiffness(k, c)) * drive.end;
 }
 
-double RigidDrives::loadSize() const {
+Vector RigidDrives::pulls() const {
+  Vector result;
+  forEachFree([&](std::size_t k, std::size_t c) {
+    const double stiff = stiffness(k, c);
+    result.push_back(stiff / (1 + stiff) * scaleOf(k, c) * drives_[k].components[c].end);
+  });
+  return result;
+}
+
+double RigidDrives::loadSize(const double* alpha) const {
   double load = 0;
-  for (std::size_t k = 0; k < drives_.size(); ++k) {
-    const Traces& traces = (*traces_)[k];
-    Vec2 slide;
-    double others = 0;  // turning, and forces as pressures on opposite sides
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (drives_[k].components[c].free)
-        others +=
-            traces.length > 0 ? std::abs(force(k, c)) / scaleOf(k, c) / traces.length : 0;
-      if (c == 2)
-        others += traces.lever * std::abs(given(k, c));
-      else
-        (c == 0 ? slide.x : slide.y) = given(k, c);
-    }
-    load += norm(slide) + others;
-  }
+  const Vector pull = pulls();
+  std::size_t free = 0;
+  forEachFree([&](std::size_t k, std::size_t c) {
+    const Drive::Component& drive = drives_[k].components[c];
+    const double ofSpring = pull[free] - stiffness(k, c) * alpha[free];
+    const double given = (drive.value + drive.inside) / scaleOf(k, c);
+    if (const double length = (*traces_)[k].length; length > 0)
+      load += (std::abs(given) + std::abs(ofSpring)) / length;
+    ++free;
+  });
   return load;
 }
 

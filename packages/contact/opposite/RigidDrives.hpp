@@ -32,8 +32,10 @@ class RigidDrives {
 
   const std::vector<Drive>& drives() const { return drives_; }
   Index freeMotions() const;
-  /// Σ over bodies: of given motions and, as pressures on opposite sides, of forces.
-  double loadSize() const;
+  /// Forces with which springs pull at α = 0, entries of q; without springs: zero.
+  Vector pulls() const;
+  /// Forces, of springs at these α, as pressures on opposite sides: Σ over bodies.
+  double loadSize(const double* alpha) const;
 
   /// Sets G: behind elastic bodies' columns one -T m for each free motion m.
   void setMotions(std::vector<Vector> columns, Problem& problem) const;

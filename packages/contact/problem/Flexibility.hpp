@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Matrix.hpp"
 
+#include <cassert>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -88,7 +89,10 @@ class Flexibility {
   }
   void release() const { operator_->release(); }
   /// \pre isFormed()
-  const Matrix& entries() const { return *entries_; }
+  const Matrix& entries() const {
+    assert(isFormed());
+    return *entries_;
+  }
   /// A copy of the entries of D; if they are not formed, by one product per column.
   Matrix formed() const { return operator_->formed(); }
   const double* column(Index j) const { return entries().column(j); }

@@ -3,6 +3,7 @@
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 
+#include <cassert>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -33,7 +34,10 @@ class Tangential : public PointLaw {
   bool isTied() const { return normal_ == none; }
 
   /// \pre not tied.
-  Index normal() const { return normal_; }
+  Index normal() const {
+    assert(!isTied());
+    return normal_;
+  }
 
   using PointLaw::bound;
   using PointLaw::slope;

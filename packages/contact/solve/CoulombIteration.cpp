@@ -32,9 +32,9 @@ double largestDifference(const Vector& a, const Vector& b) {
 }
 
 // A bound to begin with: that of the start or, where it is zero and friction may have to
-// hold the body, that after a few steps of the coupled problem.
+// hold the body, that after a few steps of the coupled problem: the load comes from body to body.
 Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& start) const {
-  constexpr int steps = 5;
+  const int steps = static_cast<int>(std::max<Index>(5, problem.rigidMotions()));
   const Vector bounds = problem.slipBounds(start.multiplier);
   const bool slippery = std::all_of(bounds.begin(), bounds.end(), [](double s) {
     return s <= 0 || !std::isfinite(s);  // infinite where sides are bonded

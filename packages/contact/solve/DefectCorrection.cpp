@@ -11,7 +11,7 @@ namespace epafi::contact {
 
 namespace {
 
-// Of r over the displacement: what is left as it is, and where steps end.
+// Of r over the deformation: what is left as it is, and where steps end.
 constexpr double enough = 1e-10;
 constexpr double goal = 1e-12;
 // Of F over the load: more comes of coefficients in a wrong state.
@@ -24,8 +24,20 @@ constexpr int mostSteps = 20;
 struct Point {
   Configuration at;
   Evaluation evaluation;
+  double missed = 0;  ///< r over the deformation
   bool isSolution = false;
 };
+
+/// The largest displacement, less the body's rigid motion.
+double deformationOf(const ContactBody& body, const State& state, Vector u) {
+  if (const Vector& rigid = body.loads().rigidPart; !rigid.empty())
+    bem::axpy(-1, rigid, u);
+  const Holding& holding = body.holding();
+  for (std::size_t k = 0; k < state.rigid.size(); ++k)
+    bem::axpy(-state.rigid[k],
+              columnOf(holding.allowed, holding.fixed() + static_cast<Index>(k)), u);
+  return bem::largestEntry(u);
+}
 
 Point pointOf(const ContactSystem& system, const Equation& equation,
               const bem::Processes& processes, State state) {
@@ -33,17 +45,23 @@ Point pointOf(const ContactSystem& system, const Equation& equation,
   const Vector& r = at.penetration;
   const Vector lengths = system.lengths();
   Evaluation e = equation.at(pack(system.numbers(), at.state), r);
-  double size = 0;
-  for (const Vector& u : at.displacements)
-    size = std::max(size, bem::largestEntry(u));
+  double displacement = 0;
+  double deformation = 0;
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const Vector& u = at.displacements[b];
+    displacement = std::max(displacement, bem::largestEntry(u));
+    deformation = std::max(deformation, deformationOf(system.body(b), at.bodies[b], u));
+  }
   Vector open(r.size());
   for (std::size_t i = 0; i < r.size(); ++i)
     if (e.rows[i].penetration != 0)
       open[i] = r[i] / lengths[i];
+  const double largest = bem::largestEntry(open);
   const Vector decided = processes.broadcast(
-      {size > 0 ? bem::largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
+      {displacement > 0 ? largest / displacement : 0,
+       deformation > 0 ? largest / deformation : 0, e.scaled <= consistent ? 1.0 : 0});
   at.defect = decided[0];
-  return {std::move(at), std::move(e), decided[1] != 0};
+  return {std::move(at), std::move(e), decided[1], decided[2] != 0};
 }
 
 /// Where a step of Newton's leads; empty if there is none.
@@ -69,19 +87,19 @@ Configuration corrected(const ContactSystem& system, State state,
     return system.configuration(std::move(state));
   const Equation equation(system.numbers(), Equation::Bound::Differentiated, 0);
   Point best = pointOf(system, equation, processes, std::move(state));
-  if (best.at.defect <= enough)
+  if (best.missed <= enough)
     return std::move(best.at);
   Evaluation e = best.evaluation;
-  for (int step = 0; step < mostSteps && best.at.defect > goal; ++step) {
+  for (int step = 0; step < mostSteps && best.missed > goal; ++step) {
     const Vector x = next(equation, e, processes);
     if (x.empty())
       break;
     Point there = pointOf(system, equation, processes, unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
     const bool isSettled = processes.agreed(there.evaluation.set == e.set);
-    const bool isWorthAnother = there.at.defect <= progress * best.at.defect;
+    const bool isWorthAnother = there.missed <= progress * best.missed;
     e = there.evaluation;
-    if (there.isSolution && there.at.defect < best.at.defect)
+    if (there.isSolution && there.missed < best.missed)
       best = std::move(there);
     if (isSettled && !isWorthAnother)
       break;

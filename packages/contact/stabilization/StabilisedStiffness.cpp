@@ -1,7 +1,5 @@
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
-#include "bem/operators/ExactRotation.hpp"
-
 #include <cmath>
 
 namespace epafi::contact {
@@ -67,7 +65,7 @@ bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const Stabilization& stabilization,
                                    const bem::Lame& lame, bem::Units units) {
   return bem::SteklovPoincare(
-      bem::withExactRotation(bem::assembleOperators(space, lame), space),
+      bem::assembleOperators(space, lame),
       densityCompliance(space, multiplier, stabilization, lame, units));
 }
 

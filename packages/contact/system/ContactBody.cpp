@@ -88,9 +88,12 @@ void ContactBody::setLoads() {
     if (!loads_.residual.force.empty())
       axpy(1, loads_.residual.force, loads_.load);
   }
-  load_ = loads_.largestDisplacement > 0
-              ? elastic_->residual(loads_.load, loads_.prescribed)
-              : loads_.load;
+  load_ = loads_.load;
+  if (loads_.largestDeformation > 0) {
+    Vector deformation = loads_.prescribed;
+    axpy(-1, loads_.rigidPart, deformation);
+    load_ = elastic_->residual(load_, deformation);
+  }
   constant_ = withoutFixedMotions(
       *holding_, loads_.prescribed,
       meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));

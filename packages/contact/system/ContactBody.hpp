@@ -104,8 +104,6 @@ class ContactBody {
   Vector displacementOfLoads() const;
   Vector pushing() const;
   Vector rigidLoad() const;
-  /// Size of what acts on the body, dimensionless; zero: nothing.
-  double loadSize() const { return loads_.size() + obstacle_.largestPenetration; }
 
  private:
   void setLoads();

@@ -80,6 +80,7 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
       wear_(bodies_, numbering_, {}) {
   condense(inputs.front().formedUpTo);
   wear_.setSlips({}, numbers_.surface);
+  setScale(loadSize());
 }
 
 ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
@@ -218,7 +219,6 @@ void ContactSystem::finish() {
   addBodyLoads(*bodies_, numbering_, given_);
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
-  setScale(loadSize());
 }
 
 void ContactSystem::addGiven(Vector& r) const {
@@ -235,13 +235,17 @@ void ContactSystem::setScale(double load) {
 }
 
 double ContactSystem::loadSize() const {
-  double load = rigid_.loadSize();
-  for (const ContactBody& body : *bodies_)
-    load += body.loadSize();
-  // shear has the size of what presses, however far that slides
-  for (std::size_t b = 0; b < size() && load == 0; ++b)
-    load = body(b).obstacle().largestSliding;
-  return load;
+  Vector given(at(numbering_.size()));
+  addGiven(given);
+  double own = 0;
+  double moved = bem::largestEntry(given);
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Loads& loads = body(b).loads();
+    addRigidPart(loads, numbering_, b, body(b).coupling().trace, (*opposite_)[b], given);
+    own += loads.size();
+    moved = std::max(moved, bem::largestEntry(loads.rigidPart));
+  }
+  return contact::loadSize(numbers_, given, lengths(), moved, own, rigid_);
 }
 
 Vector ContactSystem::penetration(const Configuration& at) const {
@@ -261,22 +265,6 @@ Vector ContactSystem::penetration(const Configuration& at) const {
   if (!numbers().surface.empty())
     axpy(-1, numbers().surface.closing(at.state.multiplier), r);
   return r;
-}
-
-Vector ContactSystem::lengths() const {
-  Vector all(numbering().size());
-  for (std::size_t b = 0; b < size(); ++b) {
-    const bem::Mesh& mesh = body(b).space().mesh();
-    for (const auto& element : body(b).multiplier().elements()) {
-      const double share = 2 * mesh[element.element].half / (element.degree + 1);
-      for (int i = 0; i <= element.degree; ++i) {
-        all[numbering()(b, element.normalOf(i))] += share;
-        if (element.shears())
-          all[numbering()(b, element.tangentialOf(i))] += share;
-      }
-    }
-  }
-  return all;
 }
 
 Vector ContactSystem::slipSoFar(const Configuration& at) const {

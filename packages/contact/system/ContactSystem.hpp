@@ -5,6 +5,7 @@
 #include "contact/system/Anderson.hpp"
 #include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
+#include "contact/system/LoadSize.hpp"
 #include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
@@ -58,8 +59,8 @@ class ContactSystem {
   /// that a step costs one solution with the factors.                       [doc/theory/paths.md]
   ContactSystem under(const Step& step) const { return {*this, step}; }
 
-  /// For each coefficient about the integral of its function.
-  Vector lengths() const;
+  /// See lengthsOf.
+  Vector lengths() const { return lengthsOf(sides(), numbering_); }
   /// Data for the next step: rₜ since the start of the path; and r from the displacements minus r
   /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;
@@ -69,8 +70,7 @@ class ContactSystem {
   /// Responses to loads of each body, with those of this step, for the next step.
   const std::vector<LoadResponses>& responses() const { return responses_; }
 
-  /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
-  /// zero without load.
+  /// See LoadSize.
   double loadSize() const;
 
   std::size_t size() const { return bodies_->size(); }
