@@ -28,7 +28,7 @@ BodySpaces::BodySpaces(const Scene& scene, const Level& level) : scene_(scene) {
 contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
   contact::OppositeSide opposite;
   opposite.shift = scene_.shift(pair);
-  opposite.reach = scene_.reach(pair);
+  opposite.visibility = scene_.visibility(pair);
   if (pair.opposite.rigid) {
     const RigidBody& body = scene_.rigid[pair.opposite.body];
     const double length = scene_.units().length;
@@ -39,11 +39,13 @@ contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
   }
   opposite.body = static_cast<int>(pair.opposite.body);
   const bem::Mesh& mesh = spaces_[pair.opposite.body].mesh();
+  std::vector<bem::Curve> curves;
   for (const int e : mesh.elementsOf(pair.opposite.boundary)) {
-    opposite.curves.push_back(mesh[e].curve);
+    curves.push_back(mesh[e].curve);
     opposite.elements.push_back(e);
     opposite.degrees.push_back(mesh[e].degree);
   }
+  opposite.curves = bem::CurveTree(std::move(curves));
   return opposite;
 }
 

@@ -85,28 +85,20 @@ struct SingularMesh {
 
 using adaptivity::Singularity;
 
-/// A place on one of several curves.
-struct Place {
-  std::size_t curve = 0;
-  double t = 0;
-};
+/// What a contact's sides see of each other.
+struct Sides {
+  Sides(const Scene& scene, const ContactPair& pair)
+      : visibility(scene.visibility(pair)), shift(scene.shift(pair)) {}
 
-/// That opposite to a place on the side of a contact.
-std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
-                                const bem::Curve& side, double t,
-                                const std::vector<bem::Curve>& opposite) {
-  std::optional<Place> found;
-  double smallest = scene.reach(pair);
-  for (std::size_t k = 0; k < opposite.size(); ++k) {
-    const auto there =
-        bem::crossing(side.point(t) + scene.shift(pair), side.normal(t), opposite[k]);
-    if (!there || !bem::isOn(*there) || std::abs(there->distance) > smallest)
-      continue;
-    smallest = std::abs(there->distance);
-    found = Place{k, there->t};
+  /// What lies opposite to a place on an element of the side.
+  std::optional<bem::FacedPoint> opposite(const bem::Curve& side, double t,
+                                          const bem::CurveTree& curves) const {
+    return faced(side.moved(shift), t, curves, visibility);
   }
-  return found;
-}
+
+  bem::Visibility visibility;
+  bem::Vec2 shift;
+};
 
 /// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
 /// unbounded there, or jumps.
@@ -150,6 +142,8 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
                                                   const SingularMesh& side) {
   const bem::Mesh& mesh = side.mesh;
   const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
+  const std::vector<bem::Curve>& curves = opposite.curves.curves();
+  const Sides sides(scene, pair);
   std::vector<adaptivity::EdgePlace> found;
   for (const int e : mesh.elementsOf(pair.side.boundary)) {
     bem::Vector places = side.singular.inside[e];
@@ -157,9 +151,9 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
       if (side.singular.at(mesh, e, end) == Singularity::Strong)
         places.push_back(end ? 1 : -1);
     for (const double t : places)
-      if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, opposite.curves))
+      if (const auto there = sides.opposite(mesh[e].curve, t, opposite.curves))
         found.push_back({opposite.edges[there->curve],
-                         opposite.curves[there->curve].half() * (1 + there->t)});
+                         curves[there->curve].half() * (1 + there->crossing.t)});
   }
   return found;
 }
@@ -169,13 +163,15 @@ std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPa
                                              const SingularMesh& side,
                                              const bem::Mesh& opposite) {
   const std::vector<int> numbers = opposite.elementsOf(pair.opposite.boundary);
-  std::vector<bem::Curve> curves;
-  std::transform(numbers.begin(), numbers.end(), std::back_inserter(curves),
+  std::vector<bem::Curve> elements;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(elements),
                  [&](int e) { return opposite[e].curve; });
+  const bem::CurveTree curves(std::move(elements));
+  const Sides sides(scene, pair);
   std::vector<std::pair<int, int>> pairs;
   for (const int e : side.mesh.elementsOf(pair.side.boundary))
     for (const double t : besideSingular(side, e))
-      if (const auto there = oppositeTo(scene, pair, side.mesh[e].curve, t, curves))
+      if (const auto there = sides.opposite(side.mesh[e].curve, t, curves))
         pairs.emplace_back(e, numbers[there->curve]);
   return pairs;
 }

@@ -114,6 +114,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
   const bem::Outline& other = scene.outlineOf(pair.opposite);
   const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
+  const bem::Visibility visibility = scene.visibility(pair);
   const bem::Vec2 shift = scene.shift(pair);
   std::vector<contact::Conditions::Part> parts;
   for (std::size_t e = 0; e < own.edges().size(); ++e) {
@@ -122,7 +123,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       continue;
     const double half = edge.curve.half();
     for (const bem::Facing& stretch :
-         bem::facing(edge.curve.moved(shift), opposite.curves, scene.reach(pair))) {
+         bem::facing(edge.curve.moved(shift), opposite.curves, visibility)) {
       addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
               parts);
       if (pair.opposite.rigid)
@@ -130,11 +131,12 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
-        const auto there = bem::crossing(edge.curve.point(t) + shift,
-                                         edge.curve.normal(t), opposite.curves[k]);
+        const bem::Curve& curve = opposite.curves.curves()[k];
+        const auto there =
+            bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
         if (there)
           addNode(other, opposite.edges[k],
-                  opposite.curves[k].half() * (1 + std::clamp(there->t, -1.0, 1.0)),
+                  curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)),
                   scene.bodies[pair.opposite.body].nodes);
       }
     }

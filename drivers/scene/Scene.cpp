@@ -5,19 +5,43 @@
 
 namespace epafi::drivers {
 
+namespace {
+
+/// An edge of an outline in another unit of length.
+bem::Curve inUnits(double length, const bem::Outline& outline, const bem::Edge& edge) {
+  const double ratio = outline.scaling().length / length;
+  return {ratio * edge.curve.from(), ratio * edge.curve.to(),
+          std::tan(edge.curve.angle() / 4)};
+}
+
+}  // namespace
+
 Scene::OppositeEdges Scene::oppositeEdges(const ContactPair& pair) const {
   const bem::Outline& outline = outlineOf(pair.opposite);
-  const double ratio = outline.scaling().length / units().length;
-  OppositeEdges opposite;
+  std::vector<int> edges;
+  std::vector<bem::Curve> curves;
   for (std::size_t e = 0; e < outline.edges().size(); ++e) {
     const bem::Edge& edge = outline.edges()[e];
     if (edge.boundary != pair.opposite.boundary)
       continue;
-    opposite.edges.push_back(static_cast<int>(e));
-    opposite.curves.emplace_back(ratio * edge.curve.from(), ratio * edge.curve.to(),
-                                 std::tan(edge.curve.angle() / 4));
+    edges.push_back(static_cast<int>(e));
+    curves.push_back(inUnits(units().length, outline, edge));
   }
-  return opposite;
+  return {std::move(edges), bem::CurveTree(std::move(curves))};
+}
+
+bem::Visibility Scene::visibility(const ContactPair& pair) const {
+  constexpr double touching = 1e-9;  // of the smaller body
+  const bem::Outline& side = outlineOf(pair.side);
+  const bem::Outline& opposite = outlineOf(pair.opposite);
+  std::vector<bem::Curve> own;
+  for (const bem::Edge& edge : side.edges())
+    own.push_back(edge.curve.moved(shift(pair)));
+  std::vector<bem::Curve> others;
+  for (const bem::Edge& edge : opposite.edges())
+    others.push_back(inUnits(units().length, opposite, edge));
+  return {std::move(own), std::move(others),
+          touching * std::min(side.diameter(), opposite.diameter()) / units().length};
 }
 
 std::vector<contact::Drive> Scene::drivesAt(double t) const {

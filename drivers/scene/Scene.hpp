@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
+#include "bem/geometry/NormalRay.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/opposite/RigidDrives.hpp"
@@ -158,15 +159,11 @@ struct Scene {
   /// The opposite side: indices of its edges, and the edges in this scene's length.
   struct OppositeEdges {
     std::vector<int> edges;
-    std::vector<bem::Curve> curves;
+    bem::CurveTree curves;
   };
   OppositeEdges oppositeEdges(const ContactPair& pair) const;
-  /// How far to search along the normals of a side: the smaller diameter, scaled.
-  double reach(const ContactPair& pair) const {
-    return std::min(outlineOf(pair.side).diameter(),
-                    outlineOf(pair.opposite).diameter()) /
-           units().length;
-  }
+  /// What points of `side` see of the opposite body, in its scaled coordinates.
+  bem::Visibility visibility(const ContactPair& pair) const;
   bool hasContact() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return !body.conditions.contact.empty(); });

@@ -1,12 +1,12 @@
 """Solves random scenes, each made from its seed alone.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]...
-                  [--bodies 2|3|rings|odd|products|surfaces|one_step] [--set KEY=VALUE]...
+                  [--bodies 2|3|pairs|rings|odd|products|surfaces|one_step] [--set KEY=VALUE]...
 
 Claimed is that all scenes are solved, that no level takes more than MOST steps, that no energy is
 negative and that friction takes energy; of one_step that a path of one step is the solve without a
-path: equal levels, elements and unknowns, energies equal by SAME of a level's largest.  Of what
-fails the scene's file is printed.
+path: equal levels, elements and unknowns, energies equal by SAME of a level's largest; of pairs that forces
+balance and none is far beyond the weight that it carries.  Of what fails the scene's file is printed.
 """
 import argparse
 import concurrent.futures
@@ -22,12 +22,13 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from claims import absent, claim, finish, table, write  # noqa: E402
 from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
 from oddities import Oddities  # noqa: E402
+from pairs import Pairs  # noqa: E402
 from products import Products  # noqa: E402
 from scenes import Scene  # noqa: E402
 from surfaces import Surfaces  # noqa: E402
 
 FEW, MOST = 30, 100
-KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "rings": Rings, "odd": Oddities,
+KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "pairs": Pairs, "rings": Rings, "odd": Oddities,
          "products": Products, "surfaces": Surfaces,
          "one_step": functools.partial(Products, paths=False)}
 PATIENCE = 600
@@ -63,16 +64,25 @@ class Result:
             for step in table(path):
                 most[step["level"]] = max(most.get(step["level"], 0), int(step["newton_iterations"]))
             self.steps = list(most.values())
-        self.senseless = not all(makes_sense(level, "Tied" in self.scene.laws)
+        self.senseless = not all(makes_sense(level, self.scene)
                                  for level in self.levels)
-        if self.code == 0 and not self.senseless and max(self.steps, default=0) <= FEW:
+        self.wrong = []
+        path = os.path.join(out, "bodies.csv")
+        if hasattr(self.scene, "wrong") and os.path.exists(path):
+            rows = table(path)
+            for level in self.levels:
+                self.wrong += self.scene.wrong(
+                    level, [row for row in rows if row["level"] == level["level"]])
+        if (self.code == 0 and not self.senseless and not self.wrong and
+                max(self.steps, default=0) <= FEW):
             shutil.rmtree(folder)
 
 
-def makes_sense(level, tied):
+def makes_sense(level, scene):
     """Bonds may pull."""
-    return level["energy_strain"] >= 0 and level["energy_friction"] >= 0 and (
-        tied or level["force_normal"] >= 0)
+    least = -NOTHING * getattr(scene, "energy", 0)
+    return level["energy_strain"] >= least and level["energy_friction"] >= 0 and (
+        "Tied" in scene.laws or level["force_normal"] >= 0)
 
 
 def off(once, path):
@@ -122,6 +132,10 @@ def main():
         len(steps), statistics.median(steps), max(steps), sum(step > FEW for step in steps), FEW))
     none("%d scenes, not solved" % len(results), [r for r in results if r.code != 0])
     none("energies or pressures below zero", [r for r in results if r.senseless])
+    for result in results:
+        if result.wrong:
+            print("%s: %s" % (result.file, "; ".join(result.wrong)))
+    none("forces out of balance or beyond the load", [r for r in results if r.wrong])
     none("more than %d steps" % MOST, [r for r in results if max(r.steps, default=0) > MOST])
     finish()
 

@@ -75,19 +75,6 @@ bool crossNear(const Curve& a, const Curve& b, Vec2 start, Vec2& crossing) {
          std::abs(t) <= 1;
 }
 
-std::vector<Vec2> crossings(const Curve& a, const Curve& b) {
-  std::vector<Vec2> found;
-  for (const Vec2 start : crossingsOfWholes(a, b)) {
-    Vec2 crossing;
-    if (crossNear(a, b, start, crossing))
-      found.push_back(crossing);
-  }
-  if (a.isStraight() && b.isStraight() &&
-      properlyCross(a.from(), a.to(), b.from(), b.to()))
-    found.push_back(a.from());
-  return found;
-}
-
 /// Points of a at which b may be nearest: its ends, and feet of common normals.
 std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
   std::vector<Vec2> points = {a.from(), a.to()};
@@ -158,6 +145,23 @@ bool rayCrosses(Vec2 p, const Curve& curve, double s, Vec2 a, double t, Vec2 b) 
 
 }  // namespace
 
+std::vector<Vec2> crossings(const Curve& a, const Curve& b) {
+  std::vector<Vec2> found;
+  for (const Vec2 start : crossingsOfWholes(a, b)) {
+    Vec2 crossing;
+    if (crossNear(a, b, start, crossing))
+      found.push_back(crossing);
+  }
+  if (a.isStraight() && b.isStraight() &&
+      properlyCross(a.from(), a.to(), b.from(), b.to())) {
+    const Vec2 way = b.from() - a.from();
+    const Vec2 along = a.to() - a.from();
+    const Vec2 across = b.to() - b.from();
+    found.push_back(a.from() + (cross(way, across) / cross(along, across)) * along);
+  }
+  return found;
+}
+
 bool meet(const Curve& a, const Curve& b, double tolerance) {
   const Vec2 apart = a.frame().middle - b.frame().middle;
   return norm(apart) <= a.half() + b.half() + tolerance &&
@@ -183,9 +187,15 @@ bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blin
          (b.to() == a.from() && runsBack(b.tangent(1), a.tangent(-1)));
 }
 
-bool inside(Vec2 p, const std::vector<Curve>& loop) {
+bool inside(Vec2 p, const CurveTree& loops) {
   bool odd = false;
-  for (const Curve& curve : loop) {
+  const auto mayBeCrossed = [p](const Disc& disc) {
+    constexpr double rounding = 1e-12;
+    const double radius = disc.radius + rounding * (disc.radius + norm(disc.middle));
+    return std::abs(disc.middle.y - p.y) <= radius && disc.middle.x + radius >= p.x;
+  };
+  loops.search(mayBeCrossed, [&](std::size_t number) {
+    const Curve& curve = loops.curves()[number];
     const std::vector<double> cuts = monotoneCuts(curve);
     // at the ends the curve's own points, which the neighbours share
     const auto place = [&](std::size_t k) {
@@ -195,7 +205,7 @@ bool inside(Vec2 p, const std::vector<Curve>& loop) {
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
       if (rayCrosses(p, curve, cuts[k], place(k), cuts[k + 1], place(k + 1)))
         odd = !odd;
-  }
+  });
   return odd;
 }
 

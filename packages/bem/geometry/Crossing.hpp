@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/geometry/Curve.hpp"
+#include "bem/geometry/CurveTree.hpp"
 
 #include <vector>
 
@@ -15,8 +15,11 @@ bool meet(const Curve& a, const Curve& b, double tolerance);
 /// ignored, since curves with a smooth joint touch there.
 bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blind);
 
-/// Is p inside a closed loop of curves?  Counts the crossings with a ray to the right.
-bool inside(Vec2 p, const std::vector<Curve>& loop);
+/// Where two curves cross; touching ones need not be found.
+std::vector<Vec2> crossings(const Curve& a, const Curve& b);
+
+/// Is p inside closed loops of curves?  Counts the crossings with a ray to the right.
+bool inside(Vec2 p, const CurveTree& loops);
 
 /// Ends of chords along a curve, the ends of the curve among them: one chord of a segment, 32 of an
 /// arc.

@@ -1,5 +1,7 @@
 #include "bem/geometry/NormalRay.hpp"
 
+#include "bem/geometry/Crossing.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +17,14 @@ double parameterOf(const Curve& arc, Vec2 direction) {
          (0.5 * arc.angle());
 }
 
-/// Can a normal line of the side meet the curve?  True for any that does.
-bool mayFace(const Curve& side, const Curve& curve) {
+/// Can a normal line of the side meet a curve in the disc?  True for any that does.
+bool mayFace(const Curve& side, const Disc& disc) {
   constexpr double rounding = 1 + 1e-9;
-  const double radius = rounding * curve.half();
-  const Vec2 way = curve.frame().middle - side.frame().middle;
+  const double radius = rounding * disc.radius;
+  const Vec2 way = disc.middle - side.frame().middle;
   if (side.isStraight())
     return std::abs(dot(way, side.frame().tangent)) <= rounding * side.half() + radius;
-  const Vec2 ray = curve.frame().middle - side.centre();
+  const Vec2 ray = disc.middle - side.centre();
   const double distance = norm(ray);
   return distance <= radius ||
          std::atan2(std::abs(dot(side.frame().tangent, ray)),
@@ -37,16 +39,20 @@ bool isBetter(const Crossing& a, const Crossing& b) {
                  : std::abs(a.t) < std::abs(b.t);
 }
 
-std::optional<Crossing> crossingOfSegment(Vec2 x, Vec2 n, const Curve& curve) {
-  const double facing = dot(n, curve.frame().normal);
-  if (!(facing < -1e-12))
-    return {};
-  const Vec2 way = curve.frame().middle - x;
-  const double s = dot(way, curve.frame().normal) / facing;
-  return Crossing{s, dot(s * n - way, curve.frame().tangent) / curve.half()};
-}
-
-std::optional<Crossing> crossingOfArc(Vec2 x, Vec2 n, const Curve& curve) {
+/// Calls visit(crossing, n · n(t)) for those of the line x + s n with the full line or circle of a
+/// curve.
+template <class Visit>
+void forEachCrossing(Vec2 x, Vec2 n, const Curve& curve, const Visit& visit) {
+  constexpr double grazing = 1e-12;
+  if (curve.isStraight()) {
+    const double outward = dot(n, curve.frame().normal);
+    if (!(std::abs(outward) > grazing))
+      return;
+    const Vec2 way = curve.frame().middle - x;
+    const double s = dot(way, curve.frame().normal) / outward;
+    visit(Crossing{s, dot(s * n - way, curve.frame().tangent) / curve.half()}, outward);
+    return;
+  }
   const Vec2 centre = curve.centre();
   const double radius = 1 / std::abs(curve.curvature());
   const Vec2 from = x - centre;
@@ -55,23 +61,18 @@ std::optional<Crossing> crossingOfArc(Vec2 x, Vec2 n, const Curve& curve) {
   const double aside = cross(n, from);
   const double square = (radius - std::abs(aside)) * (radius + std::abs(aside));
   if (!(square > 0))
-    return {};
-  std::optional<Crossing> best;
+    return;
   for (const double root : {-std::sqrt(square), std::sqrt(square)}) {
     const double s = root - half;
     const Vec2 direction = from + s * n;
     const double outward = (curve.curvature() > 0 ? 1 : -1) * dot(n, direction) / radius;
-    if (!(outward < -1e-12))
-      continue;
-    const Crossing found{s, parameterOf(curve, direction)};
-    if (!best || isBetter(found, *best))
-      best = found;
+    if (std::abs(outward) > grazing)
+      visit(Crossing{s, parameterOf(curve, direction)}, outward);
   }
-  return best;
 }
 
 /// Where normals of the side touch an arc.
-void addGrazes(const Curve& side, const Curve& arc, Vector& feet) {
+std::vector<Vec2> grazes(const Curve& side, const Curve& arc) {
   const Vec2 centre = arc.centre();
   const double radius = 1 / std::abs(arc.curvature());
   std::vector<Vec2> touched;
@@ -82,49 +83,119 @@ void addGrazes(const Curve& side, const Curve& arc, Vector& feet) {
     const Vec2 way = centre - side.centre();
     const double distance = norm(way);
     if (!(distance > radius))
-      return;
+      return touched;
     const double sine = radius / distance;
     const double cosine = std::sqrt(1 - sine * sine);
     for (const double sign : {-1.0, 1.0})
       touched.push_back(side.centre() +
                         cosine * (cosine * way + sign * sine * turnLeft(way)));
   }
-  for (const Vec2 y : touched)
-    feet.push_back(footOn(side, y));
+  return touched;
+}
+
+/// Adds where normals of the side meet ends of a curve, or touch it.
+void addEnds(const Curve& side, const Curve& curve, Vector& ends) {
+  std::vector<Vec2> points = {curve.from(), curve.to()};
+  if (!curve.isStraight())
+    for (const Vec2 y : grazes(side, curve))
+      points.push_back(y);
+  for (const Vec2 y : points)
+    for (const double t : feetOn(side, y))
+      ends.push_back(t);
+}
+
+/// Does the line x + s n cross a curve within an interval of s?
+bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves) {
+  bool found = false;
+  curves.search(
+      [&](const Disc& disc) {
+        constexpr double rounding = 1 + 1e-9;
+        const double radius = rounding * disc.radius;
+        const Vec2 way = disc.middle - x;
+        const double along = dot(n, way);
+        return !found && std::abs(cross(n, way)) <= radius && along >= first - radius &&
+               along <= last + radius;
+      },
+      [&](std::size_t k) {
+        forEachCrossing(x, n, curves.curves()[k], [&](const Crossing& here, double) {
+          found = found || (isOn(here) && here.distance > first && here.distance < last);
+        });
+      });
+  return found;
 }
 
 }  // namespace
 
 std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve) {
-  return curve.isStraight() ? crossingOfSegment(x, n, curve) : crossingOfArc(x, n, curve);
+  std::optional<Crossing> best;
+  forEachCrossing(x, n, curve, [&](const Crossing& found, double outward) {
+    if (outward < 0 && (!best || isBetter(found, *best)))
+      best = found;
+  });
+  return best;
 }
 
-double footOn(const Curve& side, Vec2 y) {
+std::vector<double> feetOn(const Curve& side, Vec2 y) {
   if (side.isStraight()) {
     const Vec2 fromStart = y - side.from();
     const Vec2 fromEnd = y - side.to();
     const double before = dot(fromStart, side.frame().tangent) / side.half();
     const double behind = dot(fromEnd, side.frame().tangent) / side.half();
-    return std::abs(before) < std::abs(behind) ? before - 1 : behind + 1;
+    return {std::abs(before) < std::abs(behind) ? before - 1 : behind + 1};
   }
-  return parameterOf(side, y - side.centre());
+  const Vec2 ray = y - side.centre();
+  return {parameterOf(side, ray), parameterOf(side, -ray)};
 }
 
-std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite,
-                           double reach) {
+bool Visibility::sees(Vec2 x, Vec2 n, double s) const {
+  if (std::abs(s) <= touching_)
+    return true;
+  const Vec2 way = s > 0 ? n : -n;
+  const double distance = std::abs(s);
+  // what ends with the opposite body, as flush sides do, hides it
+  return !crosses(x, way, touching_, distance + touching_, own_) &&
+         !crosses(x, way, touching_, distance - touching_, opposite_);
+}
+
+void Visibility::addChanges(const Curve& side, Vector& places) const {
+  for (const CurveTree* body : {&own_, &opposite_})
+    body->search([&](const Disc& disc) { return mayFace(side, disc); },
+                 [&](std::size_t k) { addEnds(side, body->curves()[k], places); });
+  // where the side comes into the opposite body, or leaves it
+  const Disc own = discOf(side);
+  opposite_.search([&](const Disc& disc) { return disc.isNear(own); },
+                   [&](std::size_t k) {
+                     for (const Vec2 y : crossings(side, opposite_.curves()[k]))
+                       places.push_back(feetOn(side, y).front());
+                   });
+}
+
+std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& opposite,
+                                const Visibility& visibility) {
+  const Vec2 x = side.point(t);
+  const Vec2 n = side.normal(t);
+  std::optional<FacedPoint> best;
+  opposite.search(
+      [&](const Disc& disc) {
+        constexpr double rounding = 1 + 1e-9;
+        return std::abs(cross(n, disc.middle - x)) <= rounding * disc.radius;
+      },
+      [&](std::size_t k) {
+        const auto here = crossing(x, n, opposite.curves()[k]);
+        if (here && isOn(*here) && (!best || isBetter(*here, best->crossing)) &&
+            visibility.sees(x, n, here->distance))
+          best = FacedPoint{static_cast<int>(k), *here};
+      });
+  return best;
+}
+
+std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
+                           const Visibility& visibility) {
   constexpr double tiny = 1e-12;  // of an element: rounding of two ends that meet
   Vector ends = {-1, 1};
-  std::vector<std::size_t> candidates;
-  for (std::size_t k = 0; k < opposite.size(); ++k) {
-    const Curve& curve = opposite[k];
-    if (!mayFace(side, curve))
-      continue;
-    candidates.push_back(k);
-    ends.push_back(footOn(side, curve.from()));
-    ends.push_back(footOn(side, curve.to()));
-    if (!curve.isStraight())
-      addGrazes(side, curve, ends);
-  }
+  opposite.search([&](const Disc& disc) { return mayFace(side, disc); },
+                  [&](std::size_t k) { addEnds(side, opposite.curves()[k], ends); });
+  visibility.addChanges(side, ends);
   std::sort(ends.begin(), ends.end());
   ends.erase(std::remove_if(ends.begin(), ends.end(),
                             [](double t) { return !(t >= -1 && t <= 1); }),
@@ -134,24 +205,12 @@ std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite
   for (const double end : ends) {
     if (end - begin < tiny || (end < 1 && 1 - end < tiny))
       continue;
-    const double middle = 0.5 * (begin + end);
-    const Vec2 x = side.point(middle);
-    const Vec2 n = side.normal(middle);
-    std::optional<Crossing> best;
-    int found = -1;
-    for (const std::size_t k : candidates) {
-      const auto here = crossing(x, n, opposite[k]);
-      if (here && isOn(*here) && std::abs(here->distance) <= reach &&
-          (!best || isBetter(*here, *best))) {
-        best = here;
-        found = static_cast<int>(k);
-      }
-    }
-    if (best && !stretches.empty() && stretches.back().end == begin &&
-        stretches.back().curve == found)
+    const auto found = faced(side, 0.5 * (begin + end), opposite, visibility);
+    if (found && !stretches.empty() && stretches.back().end == begin &&
+        stretches.back().curve == found->curve)
       stretches.back().end = end;
-    else if (best)
-      stretches.push_back({begin, end, found});
+    else if (found)
+      stretches.push_back({begin, end, found->curve});
     begin = end;
   }
   return stretches;

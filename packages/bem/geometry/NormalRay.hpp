@@ -1,9 +1,10 @@
 #pragma once
 
 #include "bem/base/Matrix.hpp"
-#include "bem/geometry/Curve.hpp"
+#include "bem/geometry/CurveTree.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace epafi::bem {
@@ -25,9 +26,33 @@ std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve);
 /// Is a crossing on its curve, up to rounding?
 inline bool isOn(const Crossing& crossing) { return std::abs(crossing.t) <= 1 + 1e-11; }
 
-/// Parameter t of the point of the side whose normal line contains y; it may be outside
-/// [-1, 1].
-double footOn(const Curve& side, Vec2 y);
+/// Parameters t, also outside [-1, 1], of the points of a side whose normal lines contain y: on an
+/// arc two, first the one on the same side of the centre as y.
+std::vector<double> feetOn(const Curve& side, Vec2 y);
+
+/// The boundaries of two bodies in contact, in the same coordinates, and which of their points see
+/// each other: those between which a line crosses neither boundary.  It lies outside both bodies, or,
+/// where they overlap, inside both.
+class Visibility {
+ public:
+  /// Everything is seen from everywhere.
+  Visibility() = default;
+  /// \param own of the body whose points look, \param opposite of the other one; all their curves
+  /// \param touching points that are closer than this touch
+  Visibility(std::vector<Curve> own, std::vector<Curve> opposite, double touching)
+      : own_(std::move(own)), opposite_(std::move(opposite)), touching_(touching) {}
+
+  /// Does a point x of the own body with the normal n see the point x + s n of the opposite one?
+  bool sees(Vec2 x, Vec2 n, double s) const;
+  /// Adds the parameters of a side of the own body, in any order, between which its points see the
+  /// same parts of the opposite one; others may be among them.
+  void addChanges(const Curve& side, Vector& places) const;
+
+ private:
+  CurveTree own_;
+  CurveTree opposite_;
+  double touching_ = 0;
+};
 
 /// A stretch of a side that faces one curve, t in [begin, end].
 struct Facing {
@@ -36,10 +61,18 @@ struct Facing {
   int curve = 0;  ///< index into the curves opposite
 };
 
-/// Stretches of a side and the curves that they face, ascending in t: at each point the curve with
-/// the smallest |s| <= reach; parts of the side that face no curve are omitted.  Stretches end
-/// opposite to ends of curves and to points where curves turn away.
-std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite,
-                           double reach);
+/// Stretches of a side and the curves that they face, ascending in t: at each point the nearest
+/// curve that it sees; parts of the side that see none are omitted.  Stretches end opposite to ends of
+/// curves, at points where curves turn away and where something else comes between.
+std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
+                           const Visibility& visibility);
+
+/// What a point of a side faces, if anything.
+struct FacedPoint {
+  int curve = 0;
+  Crossing crossing{};
+};
+std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& opposite,
+                                const Visibility& visibility);
 
 }  // namespace epafi::bem

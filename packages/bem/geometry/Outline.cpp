@@ -21,11 +21,11 @@ std::string nameOf(const Loop& loop, std::size_t edge) {
 
 std::string pointText(Vec2 p) { return message("(", p.x, ", ", p.y, ")"); }
 
-std::vector<Curve> curvesOf(const Loop& loop) {
+CurveTree curvesOf(const Loop& loop) {
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     curves.push_back(loop.curve(i));
-  return curves;
+  return CurveTree(std::move(curves));
 }
 
 bool hasArcs(const Loop& loop) {
@@ -166,12 +166,16 @@ void checkSimple(const Loop& loop) {
           " are both ", pointText(v[i]),
           i + 1 == n ? "; the polygon closes by itself, do not repeat the first vertex"
                      : "");
-  const std::vector<Curve> curves = curvesOf(loop);
+  const CurveTree tree = curvesOf(loop);
   for (std::size_t i = 0; i < n; ++i) {
     checkFold(loop, i, tolerance, size);
-    for (std::size_t j = i + 2; j < n; ++j)
-      if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
-        failToBeSimple(loop, i, j);
+    const Curve& curve = tree.curves()[i];
+    tree.search([&](const Disc& disc) { return disc.isNear(discOf(curve), tolerance); },
+                [&](std::size_t j) {
+                  if (j >= i + 2 && !(i == 0 && j == n - 1) &&
+                      meet(curve, tree.curves()[j], tolerance))
+                    failToBeSimple(loop, i, j);
+                });
   }
   const double area = loop.twiceArea();
   if (!std::isnormal(area))
@@ -184,13 +188,17 @@ void checkSimple(const Loop& loop) {
 
 void checkApart(const Loop& a, const Loop& b, double tolerance, const std::string& first,
                 const std::string& second) {
-  const std::vector<Curve> ofA = curvesOf(a);
-  const std::vector<Curve> ofB = curvesOf(b);
-  for (std::size_t i = 0; i < ofA.size(); ++i)
-    for (std::size_t j = 0; j < ofB.size(); ++j)
-      if (meet(ofA[i], ofB[j], tolerance))
-        throw InputError(first, " and ", second, " touch or cross: ", nameOf(a, i),
-                         " and ", nameOf(b, j));
+  const CurveTree ofB = curvesOf(b);
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+    const Curve curve = a.curve(i);
+    ofB.search([&](const Disc& disc) { return disc.isNear(discOf(curve), tolerance); },
+               [&](std::size_t j) {
+                 if (meet(curve, ofB.curves()[j], tolerance))
+                   throw InputError(first, " and ", second,
+                                    " touch or cross: ", nameOf(a, i), " and ",
+                                    nameOf(b, j));
+               });
+  }
 }
 
 void checkLoop(const Loop& loop, const std::string& name) {
@@ -229,8 +237,8 @@ Curve Loop::curve(std::size_t edge) const {
 double Loop::twiceArea() const {
   double area = twiceAreaOfChords(*this);
   if (hasArcs(*this))
-    for (const Curve& curve : curvesOf(*this))
-      area += twiceAreaBesideChord(curve);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      area += twiceAreaBesideChord(curve(i));
   return area;
 }
 
@@ -291,17 +299,23 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
   append(outer);
   for (const Loop& hole : holes)
     append(reversed(hole));
+  std::vector<Curve> curves;
+  for (const Edge& edge : edges_)
+    curves.push_back(edge.curve);
+  curves_ = CurveTree(std::move(curves));
 }
 
 bool Outline::contains(Vec2 physical) const {
   const Vec2 p = scaled(physical);
-  std::vector<Curve> curves;
-  for (const Edge& edge : edges_) {
-    if (edge.curve.contains(p, resolution))
-      return false;
-    curves.push_back(edge.curve);
-  }
-  return inside(p, curves);
+  bool isOnBoundary = false;
+  curves_.search(
+      [&](const Disc& disc) {
+        return disc.isNear({p, 0}, resolution);
+      },
+      [&](std::size_t k) {
+        isOnBoundary = isOnBoundary || curves_.curves()[k].contains(p, resolution);
+      });
+  return !isOnBoundary && inside(p, curves_);
 }
 
 }  // namespace epafi::bem

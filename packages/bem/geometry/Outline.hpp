@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/geometry/Curve.hpp"
+#include "bem/geometry/CurveTree.hpp"
 
 #include <string>
 #include <vector>
@@ -66,6 +66,8 @@ class Outline {
 
   const std::vector<Edge>& edges() const { return edges_; }
   const Edge& edge(int e) const { return edges_[e]; }
+  /// Of the edges, in scaled coordinates.
+  const CurveTree& curves() const { return curves_; }
   /// e if it is straight, else -1.
   int lineOf(int e) const { return edge(e).curve.isStraight() ? e : -1; }
   int loops() const { return loops_; }
@@ -86,6 +88,7 @@ class Outline {
 
  private:
   std::vector<Edge> edges_;
+  CurveTree curves_;  ///< of the edges
   int loops_ = 0;
   double diameter_ = 1;
   Scaling scaling_;

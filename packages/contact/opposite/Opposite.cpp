@@ -1,7 +1,11 @@
 #include "contact/opposite/Opposite.hpp"
 
+#include "bem/base/Error.hpp"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace epafi::contact {
 
@@ -10,17 +14,36 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-const bem::Facing* stretchAt(const std::vector<bem::Facing>& stretches, double t) {
-  const bem::Facing* nearest = nullptr;
-  double distance = 0;
-  for (const bem::Facing& stretch : stretches) {
-    const double off = std::max({0.0, stretch.begin - t, t - stretch.end});
-    if (nearest == nullptr || off < distance) {
-      nearest = &stretch;
-      distance = off;
-    }
-  }
-  return nearest;
+/// \pre there is one
+const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t) {
+  const auto off = [t](const bem::Facing& stretch) {
+    return std::max({0.0, stretch.begin - t, t - stretch.end});
+  };
+  return *std::min_element(
+      stretches.begin(), stretches.end(),
+      [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
+}
+
+/// An element has nodes where what lies opposite ends, but for slivers, which take part with what is
+/// next to them.  A multiplier that acts beyond would press on nothing.
+void checkCovered(const bem::Mesh& mesh, const ContactElement& element,
+                  const std::vector<bem::Facing>& stretches) {
+  constexpr double sliver =
+      1e-5;  // of an edge; nodes that are closer than 1e-6 are left out
+  constexpr double ofScene = 1e-11;
+  const bem::Element& side = mesh[element.element];
+  double uncovered = side.curve.length();
+  for (const bem::Facing& stretch : stretches)
+    uncovered -= side.half * (stretch.end - stretch.begin);
+  const double edge = mesh.outline().edge(side.piece.edge).curve.length();
+  if (!stretches.empty() && uncovered <= std::max(sliver * edge, ofScene))
+    return;
+  const Vec2 from = mesh.physicalPoint(element.element, -1);
+  const Vec2 to = mesh.physicalPoint(element.element, 1);
+  throw bem::InputError(placeOf(element), ": nothing lies opposite to ",
+                        stretches.empty() ? "" : "a part of ", "the element from (",
+                        from.x, ", ", from.y, ") to (", to.x, ", ", to.y,
+                        ") of the side that carries the stresses");
 }
 
 }  // namespace
@@ -36,8 +59,9 @@ Opposite::Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
     Sight& sight = sights_[element.element];
     sight.side = &side;
     sight.element = &element;
-    sight.stretches =
-        facing(mesh[element.element].curve.moved(side.shift), side.curves, side.reach);
+    sight.stretches = facing(mesh[element.element].curve.moved(side.shift), side.curves,
+                             side.visibility);
+    checkCovered(mesh, element, sight.stretches);
   }
   for (std::size_t e = 0; e < sights_.size(); ++e)
     for (std::size_t k = 0; k < sights_[e].stretches.size(); ++k)
@@ -59,15 +83,19 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   if (here.side == nullptr)
     return {givenGap(element, t)};
   Point point;
-  const bem::Facing* stretch = stretchAt(here.stretches, t);
-  if (stretch == nullptr)
-    return point;
   const OppositeSide& side = *here.side;
-  const std::size_t k = stretch->curve;
+  const bem::Facing& stretch = stretchAt(here.stretches, t);
+  const std::size_t k = stretch.curve;
+  const bem::Curve& other = side.curves.curves()[k];
   const bem::Curve& own = mesh_[element.element].curve;
-  const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
-  if (!found)
-    return point;
+  std::optional<bem::Crossing> found;
+  // a normal that touches an arc meets it beside that place
+  for (const double inwards : {0.0, 1e-7, 1.0}) {
+    const double place = t + inwards * (0.5 * (stretch.begin + stretch.end) - t);
+    if (found = crossing(own.point(place) + side.shift, own.normal(place), other); found)
+      break;
+  }
+  assert(found);
   point.gap = (element.ties() ? 0 : found->distance) + givenGap(element, t);
   point.t = std::clamp(found->t, -1.0, 1.0);
   if (side.body >= 0) {
@@ -75,7 +103,7 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
     point.element = side.elements[k];
   } else {
     point.rigid = side.rigid;
-    point.arm = side.curves[k].point(point.t) - side.pole;
+    point.arm = other.point(point.t) - side.pole;
   }
   return point;
 }
@@ -109,18 +137,19 @@ std::vector<int> Opposite::bodies() const {
 std::vector<Opposite::Source> Opposite::sources(int body, int element, double t) const {
   std::vector<Source> result;
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
-    const bem::Curve& other = here.side->curves[stretch.curve];
+    const bem::Curve& other = here.side->curves.curves()[stretch.curve];
     const bem::Curve& own = mesh_[here.element->element].curve;
-    const double foot = footOn(own, other.point(t) - here.side->shift);
-    if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
-      return;
-    // the foot runs along the side with the part of the way that is along it, which an arc
-    // draws in or out by the distance from its centre
-    const double distance =
-        dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-    const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
-                         std::abs(1 + own.curvature() * distance);
-    result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+    for (const double foot : feetOn(own, other.point(t) - here.side->shift)) {
+      if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
+        continue;
+      // the foot runs along the side with the part of the way that is along it, which an arc
+      // draws in or out by the distance from its centre
+      const double distance =
+          dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
+      const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
+                           std::abs(1 + own.curvature() * distance);
+      result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+    }
   });
   return result;
 }
@@ -131,7 +160,7 @@ Vector Opposite::sourceBreaks(int body, int element) const {
     const bem::Curve& own = mesh_[here.element->element].curve;
     for (const double t : {stretch.begin, stretch.end})
       if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
-                                    here.side->curves[stretch.curve]))
+                                    here.side->curves.curves()[stretch.curve]))
         result.push_back(std::clamp(hit->t, -1.0, 1.0));
   });
   return result;

@@ -26,14 +26,14 @@ using bem::Matrix;
 
 /// Boundary of the opposite body of a contact side.
 struct OppositeSide {
-  int body = -1;                   ///< index of a deformable body; -1: rigid
-  int rigid = -1;                  ///< index of a rigid body
-  std::vector<bem::Curve> curves;  ///< elements or edges, in the scaling of that body
-  std::vector<int> elements;  ///< their numbers in its mesh; empty: it does not deform
-  std::vector<int> degrees;   ///< likewise
-  bem::Vec2 shift;            ///< a place there less the same place on the side
-  double reach = 0;           ///< how far along a normal it is looked for
-  bem::Vec2 pole{};           ///< reference point of what does not deform
+  int body = -1;                 ///< index of a deformable body; -1: rigid
+  int rigid = -1;                ///< index of a rigid body
+  bem::CurveTree curves;         ///< elements or edges, in the scaling of that body
+  std::vector<int> elements;     ///< their numbers in its mesh; empty: it does not deform
+  std::vector<int> degrees;      ///< likewise
+  bem::Vec2 shift;               ///< a place there less the same place on the side
+  bem::Visibility visibility{};  ///< of both bodies, in the scaling of that body
+  bem::Vec2 pole{};              ///< reference point of what does not deform
 };
 
 /// The opposite side as a function of points of the side that carries the multiplier: outlines of
@@ -50,6 +50,8 @@ class Opposite {
   Opposite(const bem::Mesh& mesh, double length)
       : mesh_(mesh), length_(length), sights_(bem::at(mesh.size())) {}
   /// \param sides by the contacts' names.  Refers to the multiplier's elements, too.
+  /// \throws bem::InputError for an element that has nothing opposite, if only on a part longer than
+  /// what a mesh leaves out between a node and the end of what is opposite
   Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
            const std::map<std::string, OppositeSide>& sides);
 
