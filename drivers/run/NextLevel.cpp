@@ -2,6 +2,7 @@
 
 #include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/mark/Strategy.hpp"
+#include "adaptivity/refine/LineOfSymmetry.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
@@ -35,7 +36,7 @@ std::vector<bem::Piece> halvedAtEnds(const bem::Mesh& mesh,
         (points.at(mesh, e, false) != adaptivity::Singularity::None ||
          points.at(mesh, e, true) != adaptivity::Singularity::None))
       marks[e] = adaptivity::Mark::Bisect;
-  return piecesOf(adaptivity::refine(mesh, marks));
+  return piecesOf(adaptivity::gradedLines(adaptivity::refine(mesh, marks), conditions));
 }
 
 }  // namespace
@@ -374,7 +375,9 @@ std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
 
   Level next{level.number + 1};
   for (std::size_t b = 0; b < spaces.size(); ++b)
-    next.meshes.push_back(piecesOf(adaptivity::refine(spaces.space(b).mesh(), marks[b])));
+    next.meshes.push_back(piecesOf(
+        adaptivity::gradedLines(adaptivity::refine(spaces.space(b).mesh(), marks[b]),
+                                scene.bodies[b].conditions)));
   if (strategyOf(scene).start == adaptivity::Start::Carried && hasFirst(scene, level))
     next.steps = {carryFirst(spaces, level, next)};
   return next;
