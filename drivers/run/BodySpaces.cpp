@@ -1,5 +1,6 @@
 #include "drivers/run/BodySpaces.hpp"
 
+#include "adaptivity/refine/LineOfSymmetry.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/conditions/Conduction.hpp"
 #include "contact/stabilization/StabilisedStiffness.hpp"
@@ -163,9 +164,7 @@ void cutEdge(int edge, double length, int count, int degree, bem::Vector nodes,
   }
 }
 
-}  // namespace
-
-bem::Mesh firstMesh(const Body& body) {
+bem::Mesh ungradedMesh(const Body& body) {
   if (body.nodes.empty())
     return bem::makeMesh(body.outline, body.elementsPerEdge, body.degree);
   std::vector<bem::Piece> pieces;
@@ -178,6 +177,12 @@ bem::Mesh firstMesh(const Body& body) {
             body.elementsPerEdge[e], body.degree, std::move(nodes), pieces);
   }
   return {body.outline, pieces};
+}
+
+}  // namespace
+
+bem::Mesh firstMesh(const Body& body) {
+  return adaptivity::gradedLines(ungradedMesh(body), body.conditions);
 }
 
 Level firstMeshes(const Scene& scene) {

@@ -62,7 +62,7 @@ class BodySpaces {
 };
 
 /// First mesh of a body.  An edge on which contact with another body ends is divided
-/// there, its elements are distributed by length.
+/// there, its elements are distributed by length; lines of symmetry are graded.
 bem::Mesh firstMesh(const Body& body);
 
 /// A level with those of all bodies.

@@ -64,8 +64,9 @@ struct Level {
 
   /// Estimated error over the energy norm of the solution, (2 energyStrain)^½.  On a path the
   /// maximum over all steps; each norm counts as at least a tenth of the largest one, since
-  /// steps without loads have norm zero.  Infinite if the norm is zero and the error is not;
-  /// zero if both are rounding errors of a motion without strain.
+  /// steps without loads have norm zero, and as at least a millionth of what strains as large as
+  /// those of heat and weight would store.  Infinite if the norm is zero and the error is not;
+  /// zero if both are rounding errors of what loads and motions could store.
   double relativeEstimate = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/mark/Strategy.hpp"
+#include "adaptivity/refine/LineOfSymmetry.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/StartValue.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
@@ -35,7 +36,7 @@ std::vector<bem::Piece> halvedAtEnds(const bem::Mesh& mesh,
         (points.at(mesh, e, false) != adaptivity::Singularity::None ||
          points.at(mesh, e, true) != adaptivity::Singularity::None))
       marks[e] = adaptivity::Mark::Bisect;
-  return piecesOf(adaptivity::refine(mesh, marks));
+  return piecesOf(adaptivity::gradedLines(adaptivity::refine(mesh, marks), conditions));
 }
 
 }  // namespace
@@ -291,8 +292,12 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
   const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
-  for (const adaptivity::Indicators& ofBody : level.indicators)
-    squares.push_back(ofBody.elements());
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    squares.push_back(level.indicators[b].elements());
+    for (std::size_t e = 0; e < squares[b].size(); ++e)  // those are not worth a level
+      if (adaptivity::isShort(meshes[b].mesh, static_cast<int>(e)))
+        squares[b][e] = 0;
+  }
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
     worst = withFacing(scene, meshes, std::move(worst));
@@ -304,6 +309,21 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
     marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   return marks;
+}
+
+/// The part of the estimate that short elements carry, which no level makes smaller.
+double shareOfShort(const BodySpaces& spaces, const Level& level) {
+  double ofShort = 0;
+  double all = 0;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Vector squares = level.indicators[b].elements();
+    for (std::size_t e = 0; e < squares.size(); ++e) {
+      all += squares[e];
+      if (adaptivity::isShort(spaces.space(b).mesh(), static_cast<int>(e)))
+        ofShort += squares[e];
+    }
+  }
+  return all > 0 ? std::sqrt(ofShort / all) : 0;
 }
 
 bool isReached(const Scene& scene, const Level& level) {
@@ -364,13 +384,25 @@ std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
     return converged("all levels that the scene allows are computed");
 
   const BodySpaces spaces(scene, level);
+  const double untold = shareOfShort(spaces, level) * level.relativeEstimate;
+  if (const auto& tolerance = scene.adaptivity.limits.tolerance;
+      tolerance && untold > *tolerance)
+    return converged(
+        bem::message("elements as short as the digits of coordinates allow carry an "
+                     "estimated error of ",
+                     100 * untold, " %"));
   const std::vector<adaptivity::Marks> marks = marksOf(spaces, level, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
-    return converged("there is nothing to refine");
+    return converged(
+        "there is nothing to refine: what carries the estimate are elements as short as "
+        "the "
+        "digits of coordinates allow, or of the highest degree");
 
   Level next{level.number + 1};
   for (std::size_t b = 0; b < spaces.size(); ++b)
-    next.meshes.push_back(piecesOf(adaptivity::refine(spaces.space(b).mesh(), marks[b])));
+    next.meshes.push_back(piecesOf(
+        adaptivity::gradedLines(adaptivity::refine(spaces.space(b).mesh(), marks[b]),
+                                scene.bodies[b].conditions)));
   if (strategyOf(scene).start == adaptivity::Start::Carried && hasFirst(scene, level))
     next.steps = {carryFirst(spaces, level, next)};
   return next;

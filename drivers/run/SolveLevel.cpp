@@ -48,8 +48,8 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
 
 /// See Level::relativeEstimate.
 double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
-  // of squared norms: rounding of a motion without strain has all digits of those below
-  constexpr double rounding = 1e-24;
+  // a strain of this part of the thermal one has no meaning in a body that heat leaves unstrained
+  constexpr double negligible = 1e-12;  // of squared norms
   double largest = solved.steps.front()->row.energyStrain;
   for (const auto& step : solved.steps)
     largest = std::max(largest, step->row.energyStrain);
@@ -58,13 +58,13 @@ double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
     if (!std::isfinite(estimates[k]))
       return std::numeric_limits<double>::infinity();
     const SolvedStep& step = *solved.steps[k];
+    const SolvedStep::Storable storable = step.storable();
     const double square = estimates[k] * estimates[k];
     // rounding may leave an energy below zero
     const double norm = 2 * std::max({step.row.energyStrain, largest / 100, 0.0});
-    const double motion = step.largestDisplacement();
-    if (std::max(square, norm) >
-        rounding * step.spaces.scene().energy() * motion * motion)
-      result = std::max(result, estimates[k] / std::sqrt(norm));
+    if (std::max(square, norm) > storable.rounding)
+      result = std::max(
+          result, estimates[k] / std::sqrt(std::max(norm, negligible * storable.inside)));
   }
   return result;
 }

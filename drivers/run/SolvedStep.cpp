@@ -1,5 +1,6 @@
 #include "drivers/run/SolvedStep.hpp"
 
+#include "adaptivity/refine/Refine.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/equation/ContactState.hpp"
 
@@ -108,6 +109,23 @@ double SolvedStep::largestDisplacement() const {
   for (const bem::Vector& displacement : at.displacements)
     largest = std::max(largest, bem::largestEntry(displacement));
   return largest;
+}
+
+SolvedStep::Storable SolvedStep::storable() const {
+  Storable energy;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double mu = motions.shearModuli[b] * spaces.scene().energy();
+    const contact::Loads& loads = system->body(b).loads();
+    const double inside = loads.inside.largestDisplacement;
+    const double largest =
+        std::max({bem::largestEntry(at.displacements[b]), loads.largestDisplacement,
+                  inside, loads.largestTraction / motions.shearModuli[b]});
+    const double digits =
+        1e-12 + 16 * adaptivity::spacing(spaces.space(b).mesh().outline());
+    energy.inside = std::max(energy.inside, mu * inside * inside);
+    energy.rounding = std::max(energy.rounding, mu * largest * largest * digits * digits);
+  }
+  return energy;
 }
 
 double SolvedStep::frictionWorkOfStep() const {

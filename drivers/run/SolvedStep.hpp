@@ -43,6 +43,15 @@ struct SolvedStep : SolvedPart {
   const std::vector<contact::Summary>& summaries() const;
   /// Of all elastic bodies' unknowns.
   double largestDisplacement() const;
+  /// What strains as large as displacements and loads would store in a body of the scene's size,
+  /// in the user's units.
+  struct Storable {
+    double inside = 0;  ///< μ u_p², of weight, spin and heat
+    /// What rounding leaves of all, μ u² or t²/μ, where nothing is strained: 12 digits of u and t,
+    /// and of places those that they have, see adaptivity::spacing.
+    double rounding = 0;
+  };
+  Storable storable() const;
   /// Friction's work in this step, in the user's units.
   double frictionWorkOfStep() const;
   /// Energy stored by contact surfaces, in the user's units.

@@ -80,8 +80,8 @@ void addBody(Table& table) {
       {
           Row("Symmetry", Kind::Text,
               "the scene is drawn as one half of what is symmetric about the line x = 0 "
-              "(X: mirrored along x) or y = 0 (Y); edges on the line are rollers by "
-              "themselves")
+              "(X: mirrored along x) or y = 0 (Y); edges on the line named 'symmetry' or "
+              "'any', else those without a condition, are rollers")
               .defaultValue("None")
               .allowed({"None", "X", "Y"}),
       });

@@ -21,28 +21,75 @@ using Teuchos::ParameterList;
 /// files have 6 or 7 digits.
 constexpr double near = 1e-6;
 
-/// Moves vertices near the line onto it and renames edges there; returns their names.
-std::set<std::string> align(const Symmetry& symmetry, double tolerance,
-                            const std::string& path, bem::Loop& loop) {
+bool isOnLine(const Symmetry& symmetry, const bem::Loop& loop, std::size_t edge) {
+  bem::Vec2 start = loop.vertices[edge];
+  bem::Vec2 end = loop.vertices[(edge + 1) % loop.vertices.size()];
+  return symmetry.across(start) == 0 && symmetry.across(end) == 0 &&
+         (loop.bulges.empty() || loop.bulges[edge] == 0);
+}
+
+using Names = std::set<std::string>;
+
+/// The names of a body's edges on the line, and of those off it.
+struct Sides {
+  Names on;
+  Names off;
+};
+
+/// Moves vertices near the line onto it.
+void align(const Symmetry& symmetry, double tolerance, bem::Loop& loop, Sides& names) {
   for (Vec2& v : loop.vertices)
     if (std::abs(symmetry.across(v)) <= tolerance)
       symmetry.across(v) = 0;
-  std::set<std::string> renamed;
-  const std::size_t count = loop.vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < loop.edges.size(); ++i)
+    (isOnLine(symmetry, loop, i) ? names.on : names.off).insert(loop.edges[i]);
+}
+
+/// Does a boundary condition or a contact name a boundary?
+bool hasCondition(const ParameterList& scene, const std::string& body,
+                  const std::string& boundary) {
+  if (scene.sublist("Bodies")
+          .sublist(body)
+          .sublist("Boundary Conditions")
+          .isParameter(boundary))
+    return true;
+  const ParameterList& contacts = scene.sublist("Contacts");
+  return std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) {
+    const auto& sides = contacts.sublist(contact.first)
+                            .template get<Teuchos::Array<std::string>>("Between");
+    return std::find(sides.begin(), sides.end(), body + ":" + boundary) != sides.end();
+  });
+}
+
+/// The boundaries on the line that are rollers: `symmetry` and `any`; without such those
+/// without a condition, or whose condition is for edges off the line.
+Names rollersOf(const ParameterList& scene, const std::string& body, const Sides& names) {
+  Names rollers;
+  for (const char* name : {Symmetry::boundary, Symmetry::unnamed})
+    if (names.on.count(name) > 0)
+      rollers.insert(name);
+  if (!rollers.empty())
+    return rollers;
+  for (const std::string& name : names.on)
+    if (names.off.count(name) > 0 || !hasCondition(scene, body, name))
+      rollers.insert(name);
+  return rollers;
+}
+
+/// Renames the rollers on the line.
+void rename(const Symmetry& symmetry, const Names& rollers, const std::string& path,
+            bem::Loop& loop) {
+  for (std::size_t i = 0; i < loop.edges.size(); ++i) {
     std::string& name = loop.edges[i];
-    if (symmetry.across(loop.vertices[i]) == 0 &&
-        symmetry.across(loop.vertices[(i + 1) % count]) == 0 &&
-        (loop.bulges.empty() || loop.bulges[i] == 0)) {
-      renamed.insert(name);
-      name = Symmetry::boundary;
+    if (isOnLine(symmetry, loop, i)) {
+      if (rollers.count(name) > 0)
+        name = Symmetry::boundary;
     } else if (name == Symmetry::boundary) {
       throw InputError(path, ": edge ", i, " is named '", name,
                        "', as edges on the line of symmetry are, and lies off it "
                        "(Geometry->Symmetry); take another name");
     }
   }
-  return renamed;
 }
 
 /// The side of the line where a polygon lies, -1 or 1; `side`: as required, 0: any.
@@ -62,9 +109,9 @@ double sideOf(const Symmetry& symmetry, double tolerance, double side,
   return side;
 }
 
-/// Edges on the line are rollers: no condition or contact may name them.
-void checkUnnamed(const Symmetry& symmetry, const std::set<std::string>& names,
-                  const std::string& body, const ParameterList& scene) {
+/// No condition or contact may name rollers on the line.
+void checkUnnamed(const Symmetry& symmetry, const Names& names, const std::string& body,
+                  const ParameterList& scene) {
   const auto refuse = [&](const std::string& path) {
     throw InputError(path, ": these edges lie on the line of symmetry, ", symmetry.line(),
                      " (Geometry->Symmetry); they are rollers by themselves, without "
@@ -107,22 +154,23 @@ std::vector<bem::Loops> alignedWith(const Symmetry& symmetry,
   for (const auto& item : scene.sublist("Bodies")) {
     const std::string path = "Bodies->" + item.first + "->Geometry";
     const double tolerance = near * bem::scalingOf(own->outer).length;
-    std::set<std::string> onLine;
-    std::set<std::string> others;
-    const auto add = [&](bem::Loop& loop) {
-      onLine.merge(align(symmetry, tolerance, path, loop));
-      others.insert(loop.edges.begin(), loop.edges.end());
-      side = sideOf(symmetry, tolerance, side, path, loop);
+    const auto forEachLoop = [&](const auto& visit) {
+      visit(own->outer);
+      for (bem::Loop& hole : own->holes)
+        visit(hole);
     };
-    add(own->outer);
-    for (bem::Loop& hole : own->holes)
-      add(hole);
-    touches = touches || !onLine.empty();
-    others.erase(Symmetry::boundary);
-    for (const std::string& name : others)
-      onLine.erase(name);
-    onLine.insert(Symmetry::boundary);
-    checkUnnamed(symmetry, onLine, item.first, scene);
+    Sides names;
+    forEachLoop([&](bem::Loop& loop) {
+      align(symmetry, tolerance, loop, names);
+      side = sideOf(symmetry, tolerance, side, path, loop);
+    });
+    touches = touches || !names.on.empty();
+    Names rollers = rollersOf(scene, item.first, names);
+    forEachLoop([&](bem::Loop& loop) { rename(symmetry, rollers, path, loop); });
+    for (const std::string& name : names.off)
+      rollers.erase(name);
+    rollers.insert(Symmetry::boundary);
+    checkUnnamed(symmetry, rollers, item.first, scene);
     ++own;
   }
   if (!touches)

@@ -28,17 +28,21 @@ struct Symmetry {
   /// "x = 0"
   std::string line() const { return axis == 0 ? "x = 0" : "y = 0"; }
 
-  /// The name of all edges on the line.
+  /// The name of all rollers on the line.
   static constexpr const char* boundary = "symmetry";
+  /// The name of edges without a name of their own.
+  static constexpr const char* unnamed = "any";
 };
 
 /// Reads the validated list Geometry at the root.
 Symmetry parseSymmetry(const Teuchos::ParameterList& geometry);
 
 /// The outlines of all bodies of a validated scene, in order: vertices near the line are
-/// moved onto it, and edges on it are named Symmetry::boundary.
-/// \throws bem::InputError if they lie on both sides of the line, if no edge or a wrongly
-///   named one is on it, or if a condition or a contact names such edges.
+/// moved onto it, and rollers on it are named Symmetry::boundary.  Those are the edges on it
+/// named `symmetry` or `any`; of a body without such all those without a condition of their own.
+/// Others on it, such as cracks, keep their condition or are free.
+/// \throws bem::InputError if they lie on both sides of the line, if no edge is on it or one
+///   off it is named Symmetry::boundary, or if a condition or a contact names rollers.
 std::vector<bem::Loops> alignedWith(const Symmetry& symmetry,
                                     std::vector<bem::Loops> loops,
                                     const Teuchos::ParameterList& scene);

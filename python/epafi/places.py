@@ -156,12 +156,16 @@ class Outlines:
         spacing = abs(np.diff(x[max(nearest - 1, 0):nearest + 2])).min(initial=math.inf)
         return rows if len(rows) or not distance[nearest] < spacing else np.array([nearest])
 
+    def halved(self, element: Element) -> bool:
+        """Does the body go on beyond it as its mirror image?"""
+        return element.name == SYMMETRY and self.line in ("X", "Y")
+
     def face(self, element: Element, at_end: bool) -> Face:
         """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a
         singular stress they are free."""
         rules = self.conditions(element)
         axes = [axis for axis in "XY" if "Displacement " + axis in rules]
-        halved = element.name == SYMMETRY and self.line in ("X", "Y")
+        halved = self.halved(element)
         if rules.get("Type") == "Dirichlet" or halved:
             ray = element.direction(at_end) * (-1 if at_end else 1)
             return Face(SYMMETRY if halved else "clamp", CLAMPED if len(axes) == 2 else held(
@@ -191,7 +195,7 @@ class Outlines:
 
     def places(self) -> list[Place]:
         def kind(element: Element) -> tuple[Any, bool]:
-            return self.conditions(element), any(
+            return self.conditions(element), self.halved(element) or any(
                 len(self.touching(element, name)) for name, *_ in self.contacts(element))
 
         kinds = {id(element): kind(element) for element in self.elements}

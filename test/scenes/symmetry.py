@@ -2,8 +2,12 @@
 
 Where solutions are smooth both resolve them to rounding, which the claims ask for; the half has
 elements on the line, which the whole has not, so that elsewhere they agree within estimates."""
+import copy
+import math
 import os
 import re
+
+from epafi import Run
 
 from runs import (WORK, claim, differ, epafi, fails, finish, fresh, goes_on, largest, rows, saved,
                   solved, write)
@@ -257,6 +261,76 @@ claim(all(abs(E[0][c] - E[1][c]) < close * E[1]["energy_strain"] for c in (
     "energy_strain", "energy_friction")) and differ(*(e["contact_length"] for e in E)) < close and
       E[0]["load_x"] == 0 and E[0]["slip_length"] > 0.1 and
       differ(E[0]["estimate"], E[1]["estimate"]) < 0.05, "history.csv has both pads")
+
+# a coarse line beside fine contact: Hertz' pressure at its end, on all levels
+P, RADIUS = 2 * 4.3153745e-4, 1000
+HERTZ = {"half": {"Material": STEEL, "Geometry": {
+    "Vertices": [[0, 0], [3, 0], [50, 0], [50, 50], [0, 50]],
+    "Edges": ["contact", "free", "side", "top", "any"]}, "Boundary Conditions": {
+        "contact": {"Type": "Contact", "Gap": "x^2/%d" % (2 * RADIUS)},
+        "top": {"Type": "Neumann", "Force Y": -P / 2}}}}
+peak = math.sqrt(P / (1 - 0.3**2) / (math.pi * RADIUS))
+for name, counts, *settings in (
+        ("Hertz", [120, 8, 4, 4, 4]),
+        ("Hertz, refined", [12, 8, 4, 4, 1], "Adaptivity->Strategy=Adaptive h",
+         "Adaptivity->Maximum Levels=7")):
+    folder = solved(name, saved(name, {
+        "Geometry": {"Symmetry": "X"}, "Bodies": HERTZ,
+        "Discretization": {"Elements per Edge": counts, "Degree": 2}}), *settings)[0]
+    first = min(rows(folder), key=lambda r: r["x"])
+    claim(abs(first["pressure"] / peak - 1) < 5e-3,
+          "%s: %.4f of Hertz' pressure at the end of the line" % (name, first["pressure"] / peak))
+
+
+# cracks on the line keep their conditions
+def cracked(names=("any", "crack"), crack=None):
+    """The upper half of a plate with a crack of length 2, pulled or pressed open."""
+    line, slit = names
+    rules = {"top": {"Type": "Neumann", "Traction Y": 1}} if crack is None else {"crack": crack}
+    return {"Material": STEEL, "Geometry": {
+        "Vertices": [[-10, 0], [-1, 0], [1, 0], [10, 0], [10, 10], [-10, 10]],
+        "Edges": [line, slit, line, "side", "top", "side"]},
+            "Boundary Conditions": rules, "Rigid Motions": {"Fix": ["X"]}}
+
+
+def pulled(name, whole, body, fine="1e-5"):
+    scene = {"Bodies": {"up": body}, "Discretization": {"Mesh Size": 2},
+             "Adaptivity": {"Tolerance": fine}}
+    if not whole:
+        scene["Geometry"] = {"Symmetry": "Y"}
+        return solved(name, saved(name, scene))[0]
+    down = copy.deepcopy(body)
+    down["Geometry"]["Vertices"] = [[x, -y] for x, y in body["Geometry"]["Vertices"][::-1]]
+    down["Geometry"]["Edges"] = [body["Geometry"]["Edges"][(4 - i) % 6] for i in range(6)]
+    for rules in down["Boundary Conditions"].values():
+        rules["Traction Y"] = -rules["Traction Y"]
+    body["Rigid Motions"] = {"Fix": ["X", "Y", "Rotation"]}
+    down["Rigid Motions"] = {}
+    scene["Bodies"]["down"] = down
+    scene["Contacts"] = {"joint": {"Between": ["up:joint", "down:joint"],
+                                   "Friction": {"Law": "Tied"}}}
+    return solved(name, saved(name, scene))[0]
+
+
+halves = pulled("half a crack", False, cracked())
+energies = [rows(f, "history.csv")[-1]["energy_strain"] for f in (
+    halves, pulled("a crack", True, cracked(("joint", "crack"))))]
+claim(differ(*energies) < 1e-9, "half a cracked plate and all of it: energies within %.1e" % differ(
+    *energies))
+# what a pressure inside the crack does is the same crack, under stresses that it takes away
+PRESSURE = {"Type": "Neumann", "Traction Y": 1}
+energies = [rows(f, "history.csv")[-1]["energy_strain"] for f in (
+    pulled("pressed open", False, cracked(crack=PRESSURE)),
+    pulled("named alone", False, cracked(("line", "crack"), PRESSURE)),
+    pulled("a crack pressed open", True, cracked(("joint", "crack"), PRESSURE)))]
+claim(max(differ(e, energies[-1]) for e in energies) < 1e-9,
+      "pressed open: energies within %.1e" % max(differ(e, energies[-1]) for e in energies))
+found = Run(halves).intensities()
+tips = found["k_normal"][abs(abs(found["x"]) - 1) < 1e-9]
+# [Feddersen 1966] for long strips; a square one has 1.0 % more
+exact = math.sqrt(math.pi / math.cos(math.pi / 20))
+claim(len(tips) == 2 and differ(*tips) < 1e-6 and all(exact < tip < 1.02 * exact for tip in tips),
+      "K_I %s of half a crack, %.4f in a long strip" % (list(tips), exact))
 
 # singular corners and the ends of contact, level by level
 GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=8",

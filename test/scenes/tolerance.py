@@ -2,7 +2,8 @@
 reached or what is missing."""
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, refused, rows, scene, solved, steps
+from runs import (WORK, claim, epafi, finish, fresh, refused, rows, saved, scene, solved,
+                  steps)
 from written import CLAMPED, block, body, condition, written
 
 NONE = ["Adaptivity->Strategy=", "Adaptivity->Maximum Levels=",
@@ -90,6 +91,60 @@ for name, *settings in (["missed"], ["missed in steps", "History->Times={1, 2}"]
     claim(len(levels) == 1 and levels[0]["estimate_relative"] == 0 and WARNING in text,
           "nothing strained: one level")
 
+# what a mesh holds exactly and what is not strained meets any tolerance, however large the loads
+WARM = {"Thermal Expansion": 1.2e-5}
+SIDES = ["bottom", "right", "top", "left"]
+ALL = ["X", "Y", "Rotation"]
+
+
+def unstrained(name, rules, fix=(), x=0, nu=0.3, **more):
+    return solved(name, saved(name, {"Bodies": {"block": {
+        "Material": {"Young's Modulus": 210000, "Poisson's Ratio": nu, **WARM},
+        "Geometry": {"Vertices": [[x, x], [x + 10, x], [x + 10, x + 5], [x, x + 5]],
+                     "Edges": SIDES},
+        "Rigid Motions": {"Fix": list(fix)}, "Boundary Conditions": rules, **more}},
+        "Discretization": {"Mesh Size": 2},
+        "Adaptivity": {"Tolerance": 1e-6, "Maximum Levels": 3}}))[0]
+
+
+def held(x, y):
+    return {"bottom": {"Type": "Dirichlet", "Displacement X": x, "Displacement Y": y}}
+
+
+CONDUCTED = {"left": {"Temperature": 20}, "right": {"Temperature": 100}}
+OPEN = {"bottom": {"Type": "Contact", "Gap": 1}}
+for name, *arguments in (
+        ("conducted heat", {}, ALL, {"Thermal Conditions": CONDUCTED}),
+        ("conducted heat, open", OPEN, ALL, {"Thermal Conditions": CONDUCTED}),
+        ("uniform heat", {}, ALL, {"Body Loads": {"Temperature": 100}}),
+        ("uniform heat, open", OPEN, ALL, {"Body Loads": {"Temperature": 100}}),
+        ("linear heat", {}, ALL, {"Body Loads": {"Temperature": "20 + 8*x"}}),
+        ("turned", held("0.3 - 0.01*y", "0.2 + 0.01*x"), (), {}),
+        ("turned far away", held("0.3 - 0.01*(y - 1e6)", "0.2 + 0.01*(x - 1e6)"), (), {"x": 1e6}),
+        ("open", {**OPEN, "top": {"Type": "Dirichlet", "Displacement X": 0.1,
+                                  "Displacement Y": -0.2}}, (), {}),
+        ("nothing", {}, ALL, {})):
+    levels = rows(unstrained(name, *arguments[:2], **arguments[2]), "history.csv")
+    claim(len(levels) == 1 and levels[0]["estimate_relative"] == 0,
+          "%s: level %d, error %.1e" % (name, len(levels) - 1, levels[-1]["estimate_relative"]))
+
+# elements whose places coordinates do not tell apart are not cut
+def clamped(x):
+    """A block on a clamp, with singular corners."""
+    return rows(solved("clamped at %g" % x, saved("clamped", {"Bodies": {"block": {
+        "Material": {"Young's Modulus": 1e3, "Poisson's Ratio": 0.3},
+        "Geometry": {"Vertices": [[x, x], [x + 2, x], [x + 2, x + 1], [x, x + 1]],
+                     "Edges": SIDES},
+        "Boundary Conditions": {**held("0", "0"), "top": {"Type": "Neumann", "Traction Y": -1}}}},
+        "Discretization": {"Mesh Size": 0.5}, "Adaptivity": {"Tolerance": 2e-6}}))[0],
+        "history.csv")
+
+
+near, far, farther = (clamped(x) for x in (0, 1e6, 1e9))
+claim(near[-1]["estimate_relative"] <= 2e-6 and far[-1]["size_min"] > 1e-9,
+      "at the origin down to %.0e, far away to %.0e" % (near[-1]["size_min"], far[-1]["size_min"]))
+claim(farther[-1]["size_min"] > 1e-6 and 2e-6 < farther[-1]["estimate_relative"] < 1e-2,
+      "farther away to %.0e, and the run ends" % farther[-1]["size_min"])
 refused("weights without the norm's unit", scene("two-blocks.xml"), "Adaptivity->Tolerance", "Energy",
         settings=["Adaptivity->Tolerance=0.02", "Adaptivity->Weights=Paper"])
 finish()

@@ -107,7 +107,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::Processes& processes) {
   bem::Vector numbers;
-  for (const Mark& mark : strategy.marks(level))
+  for (const Mark& mark : withoutShort(level.mesh, strategy.marks(level)))
     write(mark, numbers);
   const bem::Vector agreed = processes.broadcast(std::move(numbers));
   Marks marks;

@@ -61,7 +61,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const contact::MultiplierSpace& multiplier,
                               const std::vector<contact::ContactState>& states);
 
-/// The marks of the strategy on rank 0.  Collective.
+/// The marks of the strategy on rank 0, without those that cut short elements.  Collective.
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::Processes& processes);
 

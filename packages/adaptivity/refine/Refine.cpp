@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 namespace epafi::adaptivity {
 
@@ -58,6 +60,25 @@ Mark Mark::cut(std::vector<double> places, std::vector<int> degrees) {
 bool anyMarked(const Marks& marks) {
   return std::any_of(marks.begin(), marks.end(),
                      [](const Mark& mark) { return mark != Mark::None; });
+}
+
+double spacing(const bem::Outline& outline) {
+  const bem::Scaling& scaling = outline.scaling();
+  const double farthest =
+      std::max(std::abs(scaling.origin.x), std::abs(scaling.origin.y));
+  return std::numeric_limits<double>::epsilon() * (1 + farthest / scaling.length);
+}
+
+bool isShort(const bem::Mesh& mesh, int element) {
+  constexpr double places = 100;  // of which a cut in the ratio 0.1 leaves ten
+  return 2 * mesh[element].half < places * spacing(mesh.outline());
+}
+
+Marks withoutShort(const bem::Mesh& mesh, Marks marks) {
+  for (int e = 0; e < mesh.size(); ++e)
+    if ((marks[e] == Mark::Bisect || marks[e] == Mark::Cut) && isShort(mesh, e))
+      marks[e] = Mark::None;
+  return marks;
 }
 
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks) {

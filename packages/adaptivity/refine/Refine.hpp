@@ -40,6 +40,15 @@ using Marks = std::vector<Mark>;
 /// Is any mark not None?
 bool anyMarked(const Marks& marks);
 
+/// The distance of neighbouring numbers that hold the user's coordinates, in scaled coordinates.
+double spacing(const bem::Outline& outline);
+
+/// Is an element so short that coordinates would not tell places on parts of it apart?
+bool isShort(const bem::Mesh& mesh, int element);
+
+/// Without marks that cut short elements.
+Marks withoutShort(const bem::Mesh& mesh, Marks marks);
+
 /// The next mesh: Bisect gives two elements of equal length and the same degree, Cut
 /// those of Mark::cut, RaiseDegree one with the next degree.
 ///

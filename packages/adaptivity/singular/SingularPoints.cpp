@@ -14,13 +14,17 @@ bool isClamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditio
 Singularity fromConditions(const bem::Mesh& mesh, int e,
                            const contact::Conditions& conditions) {
   const int before = mesh[e].previous;
-  // where a line of symmetry begins or ends the side meets its image: smoothly at a right angle
+  // where a line of symmetry begins or ends the side meets its image: smoothly at a right angle,
+  // as the other face of a crack where it goes on
   const bool isImage = !conditions.isBoundary(mesh.boundary(e));
-  if (isImage != !conditions.isBoundary(mesh.boundary(before)))
+  if (isImage != !conditions.isBoundary(mesh.boundary(before))) {
+    if (bem::joinSmoothly(mesh[before].curve, mesh[e].curve))
+      return Singularity::Strong;
     return std::abs(dot(mesh[before].curve.tangent(1), mesh[e].curve.tangent(-1))) <
                    bem::smoothAngle / 2
                ? Singularity::None
                : Singularity::Weak;
+  }
   if (mesh.boundary(e) != mesh.boundary(before))
     return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
                ? Singularity::Strong
