@@ -20,7 +20,6 @@ struct Standing {
   contact::PathMemory memory;
   contact::Prediction prediction;
   std::vector<contact::LoadResponses> responses{};
-  std::vector<contact::Vector> reactions{};    ///< see contact::ContactSystem::reactBy
   std::shared_ptr<const SolvedPart> part{};    ///< the last one
   std::shared_ptr<const SolvedPart> before{};  ///< and the one before
   double t = 0;
@@ -50,7 +49,6 @@ class Follower {
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
               contact::Prediction(atZero),
-              {},
               {},
               std::make_shared<const SolvedPart>(spaces)},
         path_(path),
@@ -205,7 +203,7 @@ class Follower {
       system = std::make_shared<contact::ContactSystem>(
           atZero_.under({*conditions_, scene_.drivesAt(next), here_.memory.slip(),
                          here_.memory.defect(), here_.memory.largestLoad(),
-                         here_.responses, here_.memory.wear(), here_.reactions}));
+                         here_.responses, here_.memory.wear()}));
     });
     if (known) {
       const SolvedState& point = from_.path[points().size()];
@@ -231,17 +229,11 @@ class Follower {
                       : system->configuration(solved.state);
       if (!converged)
         return;
-      const bool reacts =
-          known &&
-          run_.processes.agreed(system->reactionChange(latestAt_.state.multiplier) > 0);
-      if (reacts)
-        system->reactBy(latestAt_.state.multiplier);
-      if (system->wearBy(latestAt_) > 0 || reacts)
+      if (system->wearBy(latestAt_) > 0)
         latestAt_ = system->configuration(latestAt_.state);
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);
       here_.responses = system->responses();
-      here_.reactions = system->reactions();
       here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
                                                    spaces_, conditions_, latestAt_));
     });

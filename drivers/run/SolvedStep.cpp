@@ -63,7 +63,8 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
   const std::size_t count = system->size();
   bodies.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
-    densities.push_back(system->body(b).density(at.bodies[b], at.displacements[b]));
+    densities.push_back(
+        system->body(b).density(at.bodies[b], at.displacements[b], at.contactForces[b]));
     contact::Solved& solved = bodies.emplace_back(contact::Solved{
         spaces.space(b), system->body(b), (*conditions)[b], spaces.scene().units(),
         at.bodies[b], at.displacements[b], at.contactForces[b]});

@@ -235,10 +235,8 @@ SolvedProblem settled(
   int idle = 0;
   for (int k = 0; solved.solution.report.converged(); ++k) {
     const contact::State& state = solved.solution.state;
-    const double reaction = system.reactionChange(state.multiplier);
-    const double wear =
+    const double change =
         system.wearsBySlip() ? system.wearBy(system.configuration(state)) : 0;
-    const double change = std::max(reaction, wear);
     idle = change <= halved / 2 ? 0 : idle + 1;
     if (idle == 0)
       halved = change;
@@ -246,25 +244,15 @@ SolvedProblem settled(
       break;
     if (k == most) {
       solved.solution.report.status = contact::Status::NotConverged;
-      solved.reason =
-          reaction > wear
-              ? message(
-                    "the reactions of Rigid Motions->Fix do not settle, the last "
-                    "change is ",
-                    reaction,
-                    " of the load; try a finer mesh, or Form 'None' with "
-                    "Multiplier 'Biorthogonal'")
-              : message(
-                    "what wears and the slip that it wears by do not settle, the last "
-                    "change is ",
-                    wear, "; shorten Wear->Cycle Jump",
-                    shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
-                                                "Friction->Compliance"
-                                              : "");
+      solved.reason = message(
+          "what wears and the slip that it wears by do not settle, the last "
+          "change is ",
+          change, "; shorten Wear->Cycle Jump",
+          shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
+                                      "Friction->Compliance"
+                                    : "");
       break;
     }
-    if (processes.agreed(reaction > 0))
-      system.reactBy(state.multiplier);
     SolvedProblem next = solveFrom(&state);
     next.solution.report =
         contact::joined(std::move(next.solution.report), solved.solution.report);

@@ -21,8 +21,8 @@ struct SolvedProblem {
 /// Why a solve did not converge and what in the scene might help; empty if it did.
 std::string reasonOf(const contact::Report& report, const Scene& scene);
 
-/// Solves again and again, each time from the state before, until neither the slip changes by which
-/// sides wear nor the tractions of what Fix holds, see ContactSystem::wearBy and reactBy.
+/// Solves again and again, each time from the state before, until the slip settles by which sides
+/// wear, see ContactSystem::wearBy.
 /// \param start  of the first solve, as solveFrom understands it
 SolvedProblem settled(
     contact::ContactSystem& system, const contact::State* start,

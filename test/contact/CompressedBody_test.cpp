@@ -107,7 +107,7 @@ struct Results {
         solution(test::solve(system.numbers())),
         force(body().contactForce(solution.state.multiplier)),
         displacement(body().displacement(solution.state, force)),
-        density(body().density(solution.state, displacement)) {}
+        density(body().density(solution.state, displacement, force)) {}
 
   const contact::ContactBody& body() const { return system.body(0); }
 };
@@ -302,7 +302,7 @@ struct Step {
             at.state.multiplier,
             u,
             body.clampForces(u, at.contactForces.front()),
-            body.density(at.state, u)};
+            body.density(at.state, u, at.contactForces.front())};
   }
 };
 

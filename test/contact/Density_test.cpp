@@ -1,5 +1,5 @@
 // Stabilisation by the density: what ContactSystem condenses is the saddle point of
-//   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
+//   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - <Σ ρ r,u> - 1/2 Σ γ |λ + ψ - Σ ρ r|²,
 // whose equations are asked for here, with forms integrated anew.
 #include "Largest.hpp"
 #include "Rectangle.hpp"
@@ -33,9 +33,12 @@ bem::Mesh squareMesh(const std::vector<int>& elements, int degree) {
                        degree);
 }
 
-contact::Conditions conditionsOf(const char* law) {
+contact::Conditions conditionsOf(const char* law, bool isFixed) {
   contact::Conditions conditions;
-  conditions.dirichlet["left"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
+  if (isFixed)
+    conditions.fix = {true, true, true};
+  else
+    conditions.dirichlet["left"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
   conditions.neumann["top"] = {[](Vec2) { return 0.01; },
                                [](Vec2 x) { return -0.1 * (1 + x.x); }};
   std::vector<bem::Function> fields;
@@ -55,6 +58,7 @@ struct Case {
   bool raised;
   double nu;
   double gamma0;
+  bool isFixed = false;
 };
 
 Stabilization stabilizationOf(const Case& c) {
@@ -109,8 +113,9 @@ void addWork(const bem::Space& space, int e, double t, Vec2 stress, Vector& forc
 }
 
 /// The equations of the saddle point
-///   W u + K' ψ + <λ, φ> - f = 0 of what is not held,   K u - V ψ - <γ (λ + ψ), P> = 0
-/// and what is left of the contact's, r = <χ, u - γ (λ + ψ)> - <χ, g>.
+///   W u + K' ψ + <λ - Σ ρ r, φ> - f = 0 of what is not held,   K u - V ψ - <γ (λ + ψ - Σ ρ r), P> = 0,
+///   <u, r> - <γ (λ + ψ - Σ ρ r), r> = 0 of what Fix holds
+/// and what is left of the contact's, r = <χ, u - γ (λ + ψ - Σ ρ r)> - <χ, g>.
 TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
   const Case cases[] = {
       {{3, 2, 3, 2}, 1, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.3, 0.5},
@@ -120,11 +125,14 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
       {{3, 2, 3, 2}, 2, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.5, 0.5},
       {{9, 4, 6, 5}, 1, "Gauss-Legendre-Lagrange", "Coulomb", true, 0.3, 0.5},
       {{2, 9, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", true, 0.5, 0.5},
+      {{3, 2, 3, 2}, 1, "Gauss-Legendre-Lagrange", "Coulomb", true, 0.3, 0.5, true},
+      {{2, 2, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "None", false, 0.3, 1e3, true},
+      {{9, 4, 6, 5}, 2, "Bernstein", "Tresca", true, 0.5, 0.1, true},
   };
   for (const Case& c : cases) {
     const test::BodyScene scene({squareMesh(c.elements, c.degree),
                                  {1, c.nu, false},
-                                 conditionsOf(c.law),
+                                 conditionsOf(c.law, c.isFixed),
                                  c.basis,
                                  stabilizationOf(c)});
     const bem::Space& space = scene.space;
@@ -135,13 +143,14 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
     const contact::ContactBody& body = system.body(0);
     const contact::State state = stateOf(numbers.size());
     const Vector u = body.displacement(state);
-    const Vector density = body.density(state, u);
+    const Vector density = body.density(state, u, body.contactForce(state.multiplier));
 
     const bem::Operators operators = bem::assembleOperators(space, scene.lame);
     Vector forces = bem::multiplySymmetric(operators.hypersingular, u);
     Vector gaps = bem::multiplySymmetric(operators.singleLayer, density);
     const double energy = 0.5 * (bem::dot(forces, u) + bem::dot(gaps, density));
-    TEST_FLOATING_EQUALITY(body.strainEnergy(state, u), energy, 1e-10);
+    TEST_FLOATING_EQUALITY(
+        body.strainEnergy(state, u, body.contactForce(state.multiplier)), energy, 1e-10);
     const Vector ku = bem::multiply(operators.doubleLayer, u);
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       gaps[i] = ku[i] - gaps[i];
@@ -149,6 +158,18 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
         forces[j] += operators.doubleLayer(static_cast<Index>(i), static_cast<Index>(j)) *
                      density[i];
     }
+
+    const bem::Vec2 centroid = body.holding().modes.centroid;
+    const Vector rho = body.fixedReactions(body.contactForce(state.multiplier));
+    const auto reactionAt = [&](int e, double t) {
+      return Vec2{rho[0], rho[1]} + rho[2] * turnLeft(mesh.scaledPoint(e, t) - centroid);
+    };
+    Vec2 means;  // of what Fix holds
+    double turn = 0;
+    const auto addMean = [&](int e, double t, Vec2 mean) {
+      means = means + mean;
+      turn += cross(mesh.scaledPoint(e, t) - centroid, mean);
+    };
 
     Vector residual = bem::multiply(numbers.flexibility.entries(), state.multiplier);
     bem::axpy(-1, numbers.offset, residual);  // -r, and then r by the fields
@@ -162,7 +183,9 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
       };
       const Vec2 stress = stressOf(state.multiplier);
       addWork(space, e, point.t, point.weight * stress, forces);
-      const Vec2 slack = point.gamma * (stress + space.densityAt(density, e, point.t));
+      const Vec2 slack = point.gamma * (stress + space.densityAt(density, e, point.t) -
+                                        reactionAt(e, point.t));
+      addMean(e, point.t, -point.weight * slack);
       for (int i = 0; i < mesh[e].densities; ++i)
         for (int d = 0; d < 2; ++d) {
           const Index row = space.density(e, i, d);
@@ -182,8 +205,17 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
         addWork(space, e, rule.points[q],
                 -mesh[e].half * rule.weights[q] * Vec2{0.01, -0.1 * (1 + x)}, forces);
       }
+    for (int e = 0; c.isFixed && e < mesh.size(); ++e)
+      for (int q = 0; q < rule.size(); ++q) {
+        const double t = rule.points[q];
+        const double weight = mesh[e].half * rule.weights[q];
+        addWork(space, e, t, -weight * reactionAt(e, t), forces);
+        addMean(e, t, weight * displacement.at(e, t));
+      }
+    if (c.isFixed)
+      TEST_COMPARE(norm(means) + std::abs(turn), <, 1e-12 * test::largest(u));
     for (const int e : mesh.elementsOf("left"))
-      for (int k = 0; k <= c.degree; ++k)
+      for (int k = 0; !c.isFixed && k <= c.degree; ++k)
         for (int d = 0; d < 2; ++d) {
           const Index row = space.displacement(e, k, d);
           TEST_EQUALITY(u[at(row)], 0);

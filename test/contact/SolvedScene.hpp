@@ -17,7 +17,9 @@ class SolvedScene {
         system_({scene_.input(stiffness_)}),
         solution_(test::solve(system_.numbers())),
         displacement_(system_.body(0).displacement(solution_.state)),
-        density_(system_.body(0).density(solution_.state, displacement_)) {}
+        density_(system_.body(0).density(
+            solution_.state, displacement_,
+            system_.body(0).contactForce(solution_.state.multiplier))) {}
 
   contact::Solved solved() const {
     return {scene_.space, system_.body(0), scene_.conditions,

@@ -293,7 +293,8 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   // with Form Density the mean m of V ψ - (K + 1/2) u, which is -γ (λ + ψ), adds ∫ m²/h to
   // h |mismatch|²
   const std::vector<Vec2> means = solved.problem.coupling().meanSlacks(
-      solved.state.multiplier, density, solved.problem.loads().residual.compliance);
+      solved.state.multiplier, density,
+      solved.problem.inResidual(solved.contactForce).compliance);
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
   for (Contributions& square : squares)
     multiply(square, factors);

@@ -65,20 +65,34 @@ class ElementCoupling {
 
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
+                  const std::vector<BoundaryTraction>& tested,
                   Loads::InResidual& moments) const {
     Vector parts(at(rows()));
+    Matrix testedParts(rows(), static_cast<Index>(tested.size()));
     forEachPointOf(
         contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
         [&](const SidePoint& point) {
+          const auto legendre = orthonormal(point.t);
           const Vec2 force = point.weight * traction(contact_.element, point.t);
-          addForce(force, orthonormal(point.t).data(), parts.data(), rows());
+          addForce(force, legendre.data(), parts.data(), rows());
+          for (std::size_t k = 0; k < tested.size(); ++k) {
+            const Vec2 r = tested[k](contact_.element, point.t);
+            addForce(point.weight * r, legendre.data(),
+                     testedParts.column(static_cast<Index>(k)), rows());
+            if (isWhole())
+              moments.means[k] += gamma * dot(force, r);
+          }
           for (Index i = 0; i < size() && isWhole(); ++i)
             moments.terms[at(numberOf(i))] -=
                 gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point));
         });
+    const auto timesParts = [&](const double* column) {
+      return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
+    };
     for (Index i = 0; i < size() && !isWhole(); ++i)
-      moments.terms[at(numberOf(i))] -=
-          gamma * std::inner_product(parts.begin(), parts.end(), parts_.column(i), 0.0);
+      moments.terms[at(numberOf(i))] -= timesParts(parts_.column(i));
+    for (Index k = 0; k < testedParts.columns() && !isWhole(); ++k)
+      moments.means[at(k)] += timesParts(testedParts.column(k));
     for (Index row = 0; row < rows(); ++row)
       moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
   }
@@ -201,16 +215,21 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
   return coupling;
 }
 
-void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
-                        const Coupling& coupling, const BoundaryTraction& traction,
-                        Loads::InResidual& moments) {
+Loads::InResidual tractionMoments(const bem::Space& space,
+                                  const MultiplierSpace& multiplier,
+                                  const Coupling& coupling,
+                                  const BoundaryTraction& traction,
+                                  const std::vector<BoundaryTraction>& tested) {
+  Loads::InResidual moments;
   moments.weights.assign(at(coupling.start.back()), 0.0);
   moments.terms.assign(at(multiplier.size()), 0.0);
+  moments.means.assign(tested.size(), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
       ElementCoupling(space, multiplier.basis(), coupling.stabilization,
                       multiplier.elements()[k])
-          .addMoments(coupling.gamma[k], coupling.start[k], traction, moments);
+          .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
+  return moments;
 }
 
 void Coupling::weaken(double newGamma0) {

@@ -66,9 +66,11 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
                       const Stabilization& stabilization, const bem::Lame& lame,
                       bem::Units units, std::vector<Index> start = {});
 
-/// Sets the `weights` and `terms` of a traction t_p.
-void setTractionMoments(const bem::Space& space, const MultiplierSpace& multiplier,
-                        const Coupling& coupling, const BoundaryTraction& traction,
-                        Loads::InResidual& moments);
+/// The `weights` and `terms` of a traction t, and <γ t, r> for the `tested` r.
+Loads::InResidual tractionMoments(const bem::Space& space,
+                                  const MultiplierSpace& multiplier,
+                                  const Coupling& coupling,
+                                  const BoundaryTraction& traction,
+                                  const std::vector<BoundaryTraction>& tested);
 
 }  // namespace epafi::contact

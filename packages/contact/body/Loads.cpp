@@ -299,11 +299,7 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
     for (Index k = 0; k < 3; ++k)
       rest[k] += addTraction(
           space, e, rule,
-          [&](double t, double) {
-            return k == 2   ? turnLeft(mesh.scaledPoint(e, t) - modes.centroid)
-                   : k == 1 ? Vec2{0, 1}
-                            : Vec2{1, 0};
-          },
+          [&](double t, double) { return modes.at(k, mesh.scaledPoint(e, t)); },
           modes.functionals.column(k));
   }
   if (space.rotation() != nullptr)

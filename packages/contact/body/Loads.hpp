@@ -32,14 +32,15 @@ struct Loads {
   } inside{};
   Vector given{};  ///< ∫ traction · φ_j ds of the given traction; empty: `load`
 
-  /// What t_p does in the residual λ + t_p + S u of the stabilisation, independent of u and λ, with
-  /// the tractions of what Fix holds, see ContactBody; empty: zero.   [doc/theory/body-loads.md]
+  /// What a traction t, that of body loads, does in the residual λ + t + S u of the stabilisation,
+  /// independent of u and λ; empty: zero.   [doc/theory/body-loads.md]
   struct InResidual {
-    Vector weights;     ///< by G's rows: <γ t_p, P> as G λ has <γ λ, P>
+    Vector weights;     ///< by G's rows: <γ t, P> as G λ has <γ λ, P>
     Vector force;       ///< to f
-    Vector terms;       ///< to C u - M λ, with -<γ t_p, χ_i>
+    Vector terms;       ///< to C u - M λ, with -<γ t, χ_i>
+    Vector means;       ///< to ∫ u·r of the motions r that Fix holds, with <γ t, r>
     Vector density;     ///< to ψ
-    Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
+    Vector compliance;  ///< g = <γ t, P_i> of all densities, K u - (V + G) ψ - N λ = g
   } residual{};
 
   /// What deforms or presses, however far the body moves.
@@ -61,6 +62,11 @@ struct RigidModes {
   Matrix motions;      ///< displacements x 3: (1,0), (0,1), rotation about the centroid
   Matrix functionals;  ///< displacements x 3: column k pairs u to ∫ u · r_k ds
   bem::Vec2 centroid;  ///< in scaled coordinates
+
+  /// r_k at a point, in scaled coordinates.
+  bem::Vec2 at(Index k, bem::Vec2 x) const {
+    return k == 2 ? turnLeft(x - centroid) : k == 1 ? bem::Vec2{0, 1} : bem::Vec2{1, 0};
+  }
 };
 
 RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions = {});

@@ -40,7 +40,8 @@ class CompressedFlexibility::Reduced final : public Factor {
 };
 
 CompressedFlexibility::CompressedFlexibility(
-    std::vector<std::shared_ptr<const CompressedBody>> bodies, Index normals)
+    std::vector<std::shared_ptr<const CompressedBody>> bodies, Index normals,
+    const std::vector<std::vector<Vector>>& reactions)
     : bodies_(std::move(bodies)), normals_(normals) {
   takeCoupling();
   restrictAll();
@@ -49,7 +50,7 @@ CompressedFlexibility::CompressedFlexibility(
   else  // what is asked of one of them all the time is narrowed, see eliminated
     for (const auto& body : bodies_)
       own_.push_back({body->factor(), body->factor().activePaths(leaves_)});
-  addMotions();
+  addMotions(reactions);
 }
 
 // Of the entries that Z has beside the boundary operators.
@@ -128,21 +129,25 @@ CompressedFlexibility::Along CompressedFlexibility::along(
   return {std::move(narrow), std::move(paths)};
 }
 
-void CompressedFlexibility::addMotions() {
+void CompressedFlexibility::addMotions(
+    const std::vector<std::vector<Vector>>& reactions) {
   Index count = 0;
   for (const auto& body : bodies_)
     count += body->motions().columns();
   Matrix u(size(), 2 * count);
   Matrix kappa(count, count);
   Index first = 0;  // of the body's
-  for (const auto& body : bodies_) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& body = bodies_[b];
     const Matrix moved = body->motions();
     const Matrix forces = body->functionals();
     const Index own = moved.columns();
     const Matrix answers = own > 0 ? body->factor().solve(forces) : Matrix();
     for (Index k = 0; k < own; ++k) {
       const Vector g = apply(moved.column(k));
-      const Vector w = apply(answers.column(k));
+      Vector w = apply(answers.column(k));
+      if (b < reactions.size() && at(k) < reactions[b].size())
+        bem::axpy(1, reactions[b][at(k)], w);
       std::copy(g.begin(), g.end(), u.column(first + k));
       std::copy(w.begin(), w.end(), u.column(count + first + k));
       for (Index l = 0; l < own; ++l)

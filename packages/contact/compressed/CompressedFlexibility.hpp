@@ -12,8 +12,9 @@ namespace epafi::contact {
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
   /// \param normals number of pressures, the first coefficients
+  /// \param reactions  of each body, w_k of the first motions; D has G wᵀ + w Gᵀ of them less
   CompressedFlexibility(std::vector<std::shared_ptr<const CompressedBody>> bodies,
-                        Index normals);
+                        Index normals, const std::vector<std::vector<Vector>>& reactions);
 
   Index size() const override { return operators().size() - operators().further(); }
   Vector times(const Vector& x) const override;
@@ -51,7 +52,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   void takeCoupling();
   void restrictAll();
   Along along(const bem::CompressedFactor& factor) const;
-  void addMotions();
+  void addMotions(const std::vector<std::vector<Vector>>& reactions);
   void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
@@ -63,7 +64,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   bem::Restriction restriction_;  ///< of all bodies with all multipliers held
   std::vector<Along> own_;        ///< of each body
   /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
-  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
+  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c, with that of reactions,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
   bem::LowRank motions_;
   mutable Matrix rowSums_;  ///< over each kind, computed on first use
   // Kept between steps, so that only changed leaves and their ancestors are eliminated again.

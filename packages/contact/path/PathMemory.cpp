@@ -70,7 +70,7 @@ Vector motionsOf(const ContactSystem& step, const Configuration& at) {
   for (std::size_t b = 0; b < step.size(); ++b) {
     motions.push_back(at.displacements[b]);
     if (fixWorks(step, b))
-      motions.push_back(step.body(b).fixedMeans(at.displacements[b]));
+      motions.push_back(step.body(b).fixedMeans());
   }
   for (const RigidMotion& motion : at.rigid)
     motions.push_back({motion.slide.x, motion.slide.y, motion.turn});

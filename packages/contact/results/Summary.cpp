@@ -160,7 +160,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
     return {};
   const bem::Mesh& mesh = solved.space.mesh();
   const Vector& u = solved.displacement;
-  const Vector psi = solved.problem.density(solved.state, u);
+  const Vector psi = solved.problem.density(solved.state, u, solved.contactForce);
   double ofForces = 0;  // ∮ t_h·u_b
   double ofHeat = 0;    // ∮ t_T·u_h
   for (int e = 0; e < mesh.size(); ++e) {
@@ -188,7 +188,8 @@ Summary summarize(const Solved& solved) {
   const bool acts = solved.conditions.inside != nullptr;
   const Loads& loads = solved.problem.loads();
   const Vector& load = loads.given.empty() ? loads.load : loads.given;
-  summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
+  summary.energyStrain =
+      energy * solved.problem.strainEnergy(solved.state, u, solved.contactForce);
   summary.energyLoad = energy * bem::dot(load, u);
   if (acts) {
     const EnergiesOfInside more = energiesOfInside(solved);

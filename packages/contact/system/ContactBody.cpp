@@ -43,6 +43,42 @@ Vector withoutFixedMotions(const Holding& holding, const Vector& prescribed,
   return result;
 }
 
+Vector forceAgainst(Vector load, const Vector& contactForce) {
+  if (!contactForce.empty())
+    axpy(-1, contactForce, load);
+  return load;
+}
+
+/// x + y, where y may be empty.
+Vector sum(Vector x, const Vector& y) {
+  if (!y.empty())
+    axpy(1, y, x);
+  return x;
+}
+
+/// all += s more, both of which may be empty.
+void add(double s, const Loads::InResidual& more, Loads::InResidual& all) {
+  for (const auto part : {&Loads::InResidual::weights, &Loads::InResidual::force,
+                          &Loads::InResidual::terms, &Loads::InResidual::means,
+                          &Loads::InResidual::density, &Loads::InResidual::compliance})
+    if (!(more.*part).empty()) {
+      (all.*part).resize((more.*part).size());
+      axpy(s, more.*part, all.*part);
+    }
+}
+
+/// What densities have of <γ (t + ψ - Σ ρ r), r>.
+void completeMeans(const Coupling& coupling,
+                   const std::vector<ContactBody::Reaction>& reactions,
+                   Loads::InResidual& of) {
+  for (std::size_t k = 0; k < reactions.size() && coupling.hasCompliance(); ++k) {
+    const Vector& tested = reactions[k].residual.compliance;
+    of.means[k] -= dot(tested, of.density);
+    for (const auto& [i, value] : coupling.compliance.pinned)
+      of.means[k] -= tested[at(i)] * of.compliance[at(i)] / value;
+  }
+}
+
 /// \throws bem::InputError if the multiplier does not go with the form.
 std::shared_ptr<const ElasticBody> makeElastic(
     const BodyInput& input, const MultiplierSpace& multiplier,
@@ -68,6 +104,7 @@ ContactBody::ContactBody(const BodyInput& input)
                     : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
       elastic_(makeElastic(input, multiplier_, holding_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
+  reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();
 }
 
@@ -81,10 +118,10 @@ ContactBody ContactBody::under(const Conditions& conditions) const {
 }
 
 void ContactBody::setLoads() {
-  reactions_.assign(3, 0.0);
   if (const BodyLoadSolution& inside = multiplier_.conditions().inside) {
     loads_.residual = residualOf(
         [&](int e, double t) { return inside->traction(space_->mesh(), e, t); });
+    completeMeans(coupling(), *reactions_, loads_.residual);
     if (!loads_.residual.force.empty())
       axpy(1, loads_.residual.force, loads_.load);
   }
@@ -100,8 +137,8 @@ void ContactBody::setLoads() {
 }
 
 Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) const {
-  Loads::InResidual result;
-  setTractionMoments(*space_, multiplier_, coupling(), traction, result);
+  Loads::InResidual result =
+      tractionMoments(*space_, multiplier_, coupling(), traction, fixedTractions());
   if (coupling().hasCompliance()) {
     result.compliance = coupling().complianceOf(*space_, result.weights, traction);
     std::tie(result.density, result.force) = elastic_->answerTo(result.compliance);
@@ -113,25 +150,48 @@ Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) cons
   return result;
 }
 
-ContactBody::Response ContactBody::react(const Vector& change) {
-  const bem::Mesh& mesh = space_->mesh();
-  Loads::InResidual more = residualOf([&](int e, double t) {
-    const bem::Vec2 arm = mesh.scaledPoint(e, t) - holding_->modes.centroid;
-    return -bem::Vec2{change[0], change[1]} - change[2] * turnLeft(arm);
-  });
-  axpy(1, change, reactions_);
-  if (loads_.given.empty())
-    loads_.given = loads_.load;
-  Loads::InResidual& all = loads_.residual;
-  for (const auto part :
-       {&Loads::InResidual::weights, &Loads::InResidual::force, &Loads::InResidual::terms,
-        &Loads::InResidual::density, &Loads::InResidual::compliance}) {
-    (all.*part).resize((more.*part).size());
-    axpy(1, more.*part, all.*part);
+std::vector<BoundaryTraction> ContactBody::fixedTractions() const {
+  std::vector<BoundaryTraction> tractions;
+  for (Index k = 0; k < holding_->fixed(); ++k)
+    tractions.emplace_back([this, k](int e, double t) {
+      return holding_->scales[at(k)] *
+             holding_->modes.at(holding_->fixedModes[at(k)],
+                                space_->mesh().scaledPoint(e, t));
+    });
+  return tractions;
+}
+
+std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
+  std::vector<Reaction> reactions;
+  if (coupling().weights.empty() && !coupling().hasCompliance())
+    return reactions;
+  for (const BoundaryTraction& fixed : fixedTractions()) {
+    Loads::InResidual residual =
+        residualOf([&](int e, double t) { return -fixed(e, t); });
+    // rigid motions have no traction, whatever rounds
+    for (Index k = 0; k < holding_->allowed.columns(); ++k)
+      axpy(-dot(columnOf(holding_->allowed, k), residual.force),
+           columnOf(holding_->functionals, k), residual.force);
+    Vector displacement = elastic_->solve(residual.force);
+    reactions.push_back({std::move(residual), std::move(displacement)});
   }
-  axpy(1, more.force, loads_.load);
-  axpy(1, more.force, load_);
-  return {elastic_->solve(more.force), std::move(more.terms)};
+  for (Reaction& reaction : reactions)
+    completeMeans(coupling(), reactions, reaction.residual);
+  return reactions;
+}
+
+Loads::InResidual ContactBody::reactionsTo(const Vector& force) const {
+  Loads::InResidual all;
+  for (std::size_t k = 0; k < reactions().size(); ++k)
+    add(-dot(columnOf(holding_->allowed, static_cast<Index>(k)), force),
+        reactions()[k].residual, all);
+  return all;
+}
+
+Loads::InResidual ContactBody::inResidual(const Vector& contactForce) const {
+  Loads::InResidual all = reactionsTo(forceAgainst(load_, contactForce));
+  add(1, loads_.residual, all);
+  return all;
 }
 
 Vector ContactBody::apply(const Vector& u) const {
@@ -166,9 +226,30 @@ Vector ContactBody::pushing() const {
   return all;
 }
 
-Vector ContactBody::displacementOfLoads() const {
-  Vector u = elastic_->solve(load_);
+Vector ContactBody::heldDisplacement(const Vector& force) const {
+  Vector u = elastic_->solve(sum(force, reactionsTo(force).force));
   axpy(1, constant_, u);
+  return u;
+}
+
+// β = <γ (λ + t_p + S u - Σ ρ r), r>, S r = 0
+void ContactBody::addFixedMotions(const Vector& force, const Vector& multiplier,
+                                  Vector& u) const {
+  Vector beta = reactionsTo(force).means;
+  beta = sum(std::move(beta), loads_.residual.means);
+  for (std::size_t k = 0; k < beta.size(); ++k) {
+    const Loads::InResidual& one = reactions()[k].residual;
+    beta[k] -= dot(one.force, u);
+    if (!multiplier.empty())
+      beta[k] += dot(one.terms, multiplier);
+  }
+  for (std::size_t k = 0; k < beta.size(); ++k)
+    axpy(beta[k], columnOf(holding_->allowed, static_cast<Index>(k)), u);
+}
+
+Vector ContactBody::displacementOfLoads() const {
+  Vector u = heldDisplacement(load_);
+  addFixedMotions(load_, {}, u);
   return u;
 }
 
@@ -180,34 +261,48 @@ Vector ContactBody::rigidLoad() const {
 }
 
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
-  Vector force = load_;
-  axpy(-1, contactForce, force);
-  Vector u = elastic_->solve(force);
-  axpy(1, constant_, u);
+  const Vector force = forceAgainst(load_, contactForce);
+  Vector u = heldDisplacement(force);
   for (std::size_t k = 0; k < state.rigid.size(); ++k)
     axpy(state.rigid[k],
          columnOf(holding_->allowed, holding_->fixed() + static_cast<Index>(k)), u);
-  if (!elastic_->isFormed())
-    return u;
-  // What the factor leaves is ε |A| |u|.
-  Vector whole = loads_.load;
-  axpy(-1, contactForce, whole);
-  return refined(std::move(u), [&](const Vector& now) {
-    return elastic_->solve(elastic_->residual(whole, now));
-  });
+  if (elastic_->isFormed()) {
+    // What the factor leaves is ε |A| |u|.
+    const Vector whole = wholeForce(contactForce);
+    u = refined(std::move(u), [&](const Vector& now) {
+      return elastic_->solve(elastic_->residual(whole, now));
+    });
+  }
+  addFixedMotions(force, state.multiplier, u);
+  return u;
+}
+
+Vector ContactBody::wholeForce(const Vector& contactForce) const {
+  return sum(forceAgainst(loads_.load, contactForce),
+             reactionsTo(forceAgainst(load_, contactForce)).force);
+}
+
+Vector ContactBody::penetration(const Vector& displacement, const Vector& multiplier,
+                                const Vector& contactForce) const {
+  Vector r = apply(displacement);
+  if (!multiplier.empty())
+    axpy(-1, massTimes(multiplier), r);
+  return sum(std::move(r), reactionsTo(forceAgainst(load_, contactForce)).terms);
 }
 
 // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as
-// ν -> 1/2 while γ is there.  What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
-double ContactBody::strainEnergy(const State& state, const Vector& displacement) const {
+// ν -> 1/2 while γ is there.  What acts inside and what Fix holds add g to w in all places,
+// ψ_g = -(V + G)⁻¹ g.
+double ContactBody::strainEnergy(const State& state, const Vector& displacement,
+                                 const Vector& contactForce) const {
   double twice = elastic_->stiffnessWork(displacement);
   if (!coupling().hasCompliance())
     return 0.5 * twice;
-  const Loads::InResidual& residual = loads_.residual;
+  const Loads::InResidual residual = inResidual(contactForce);
   if (!residual.density.empty())
     twice -= 2 * dot(displacement, residual.force) +
              dot(residual.compliance, residual.density);
-  twice -= coupling().complianceWork(density(state, displacement));
+  twice -= coupling().complianceWork(density(state, displacement, contactForce));
   if (!coupling().byDensity() || state.multiplier.empty())
     return 0.5 * twice;
   const Vector w = coupling().weighted(state.multiplier);
@@ -217,22 +312,29 @@ double ContactBody::strainEnergy(const State& state, const Vector& displacement)
   return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
 
-double ContactBody::storedEnergy(const State& state, const Vector& displacement) const {
+double ContactBody::storedEnergy(const State& state, const Vector& displacement,
+                                 const Vector& contactForce) const {
   const Vector none(displacement.size(), 0.0);
   double twice = -dot(elastic_->residual(none, displacement), displacement);
   if (!state.multiplier.empty())
     twice += dot(state.multiplier, massTimes(state.multiplier));
+  const Vector force = forceAgainst(load_, contactForce);
+  const Loads::InResidual reactions = reactionsTo(force);
+  if (!state.multiplier.empty())
+    twice -= 2 * dot(reactions.terms, state.multiplier);
+  for (std::size_t k = 0; k < reactions.means.size(); ++k)
+    twice += dot(columnOf(holding_->allowed, static_cast<Index>(k)), force) *
+             reactions.means[k];
   return twice / 2;
 }
 
-Vector ContactBody::density(const State& state, const Vector& displacement) const {
-  Vector psi =
+Vector ContactBody::density(const State& state, const Vector& displacement,
+                            const Vector& contactForce) const {
+  const Vector psi =
       elastic_->density(displacement, coupling().byDensity() && !state.multiplier.empty()
                                           ? coupling().weighted(state.multiplier)
                                           : Vector());
-  if (!loads_.residual.density.empty())
-    axpy(1, loads_.residual.density, psi);
-  return psi;
+  return sum(psi, inResidual(contactForce).density);
 }
 
 Vector ContactBody::clampForces(const Vector& displacement,
@@ -241,9 +343,7 @@ Vector ContactBody::clampForces(const Vector& displacement,
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
-  Vector rest = loads_.load;
-  axpy(-1, contactForce, rest);
-  rest = elastic_->residual(rest, displacement);
+  Vector rest = elastic_->residual(wholeForce(contactForce), displacement);
   if (elastic_->isFormed())
     rest = elastic_->residual(rest, onlyRounding(elastic_->solve(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
@@ -265,8 +365,7 @@ Vector ContactBody::clampWork(const Vector& displacement,
 }
 
 Vector ContactBody::fixedReactions(const Vector& contactForce) const {
-  Vector force = load_;
-  axpy(-1, contactForce, force);
+  const Vector force = forceAgainst(load_, contactForce);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < holding_->fixed(); ++k)
     reactions[at(holding_->fixedModes[at(k)])] =
@@ -274,12 +373,16 @@ Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   return reactions;
 }
 
-Vector ContactBody::fixedMeans(const Vector& displacement) const {
-  Vector means(3, 0.0);
-  for (std::size_t i = 0; i < displacement.size(); ++i)
-    for (Index k = 0; holding_->clamped[i] == 0 && k < 3; ++k)
-      means[at(k)] +=
-          holding_->modes.functionals(static_cast<Index>(i), k) * displacement[i];
+Vector ContactBody::fixedMeans() const {
+  Vector means = bem::times(
+      -1, meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+  means.resize(3);
+  for (std::size_t i = 0; i < loads_.prescribed.size(); ++i)
+    for (Index k = 0; holding_->clamped[i] != 0 && k < 3; ++k)
+      means[at(k)] -=
+          holding_->modes.functionals(static_cast<Index>(i), k) * loads_.prescribed[i];
+  for (std::size_t k = 0; k < loads_.residual.means.size(); ++k)
+    means[at(holding_->fixedModes[k])] += loads_.residual.means[k] / holding_->scales[k];
   return means;
 }
 

@@ -16,6 +16,10 @@ namespace epafi::contact {
 ///
 ///   A u = f - Bᵀ λ on what is neither clamped nor fixed,   u = u_D + A⁺ (f - Bᵀ λ) + R α.
 ///
+/// What Fix holds needs tractions Σ ρ r, ρ = R'(Bᵀ λ - f), which the residual of the stabilisation
+/// knows: they follow from λ, with a motion of what Fix holds, and are no further unknowns.
+///                                                 [doc/theory/contact.md, Reactions of Fix]
+///
 /// Of the mesh's operators it holds the factor of A and refers to S.
 class ContactBody {
  public:
@@ -56,17 +60,24 @@ class ContactBody {
   /// B u, and M λ.
   Vector apply(const Vector& u) const;
   Vector massTimes(const Vector& multiplier) const;
+  /// B u - M λ, with what reactions add.
+  Vector penetration(const Vector& displacement, const Vector& multiplier,
+                     const Vector& contactForce) const;
 
   /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
-  /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
-  Vector density(const State& state, const Vector& displacement) const;
+  /// Density (V + G)⁻¹ ((K + 1/2) u - N λ - g).
+  Vector density(const State& state, const Vector& displacement,
+                 const Vector& contactForce) const;
 
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
-  double strainEnergy(const State& state, const Vector& displacement) const;
+  double strainEnergy(const State& state, const Vector& displacement,
+                      const Vector& contactForce) const;
 
-  /// ½ uᵀ A u + ½ λᵀ M λ, dimensionless: the strain energy and what the stabilisation adds
-  /// to it.  What loads, clamps and friction do changes this by their work.
-  double storedEnergy(const State& state, const Vector& displacement) const;
+  /// ½ uᵀ A u + ½ λᵀ M λ, λ without the reactions' tractions, dimensionless: the strain energy and
+  /// what the stabilisation adds to it.  What loads, clamps and friction do changes this by their
+  /// work.
+  double storedEnergy(const State& state, const Vector& displacement,
+                      const Vector& contactForce) const;
 
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
@@ -84,20 +95,20 @@ class ContactBody {
   /// rotation about the boundary's centroid); zero for those not fixed.
   Vector fixedReactions(const Vector& contactForce) const;
 
-  /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
-  /// for clamps and for what acts inside.
-  Vector fixedMeans(const Vector& displacement) const;
+  /// What is given of ∫ u · r_k ds over what is not prescribed, on which these tractions do work:
+  /// zero but for clamps and for what acts inside.
+  Vector fixedMeans() const;
 
-  /// Has the residual of the stabilisation a part by tractions of what Fix holds?
-  bool reacts() const { return holding_->fixed() > 0 && !coupling().weights.empty(); }
-  /// Amplitudes ρ whose tractions Σ ρ r the residual λ + t_p - Σ ρ r + S u is without: zero at first.
-  const Vector& reactions() const { return reactions_; }
-  /// What a change of them adds to displacementOfLoads() and to B u - M λ.
-  struct Response {
+  /// What the traction -r of a fixed motion does in the residual λ + t_p - Σ ρ r + S u, with the
+  /// displacement that its force causes.
+  struct Reaction {
+    Loads::InResidual residual;
     Vector displacement;
-    Vector terms;
   };
-  Response react(const Vector& change);
+  /// By fixed motions; empty where no residual knows them.
+  const std::vector<Reaction>& reactions() const { return *reactions_; }
+  /// What t_p and all reactions to a contact force do there.
+  Loads::InResidual inResidual(const Vector& contactForce) const;
 
   /// u for λ = 0 and α = 0, the loads that it is linear in (forces, then displacements given), and
   /// Rᵀ f of the free motions.
@@ -107,8 +118,18 @@ class ContactBody {
 
  private:
   void setLoads();
-  /// What a traction in the place of t_p does through the stabilisation.
+  std::vector<Reaction> makeReactions() const;
+  /// What a traction in the place of t_p does through the stabilisation; `means` without densities.
   Loads::InResidual residualOf(const BoundaryTraction& traction) const;
+  std::vector<BoundaryTraction> fixedTractions() const;
+  /// What reactions to a force f - A u_D - Bᵀ λ do in the residual.
+  Loads::InResidual reactionsTo(const Vector& force) const;
+  /// f - Bᵀ λ with what reactions add.
+  Vector wholeForce(const Vector& contactForce) const;
+  /// u_D + A⁺ of such a force with what reactions add.
+  Vector heldDisplacement(const Vector& force) const;
+  /// u += R β, β = ∫ u·r of what Fix holds.
+  void addFixedMotions(const Vector& force, const Vector& multiplier, Vector& u) const;
 
   const bem::Space* space_;
   bem::Units units_;
@@ -120,7 +141,7 @@ class ContactBody {
   Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
-  Vector reactions_{};
+  std::shared_ptr<const std::vector<Reaction>> reactions_;
   double stress_ = 1;
 };
 

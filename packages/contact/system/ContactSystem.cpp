@@ -14,6 +14,7 @@
 namespace epafi::contact {
 
 using bem::axpy;
+using bem::dot;
 
 namespace {
 
@@ -94,9 +95,6 @@ ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
   assert(step.rigid.size() == atZero.drives().size());
   numbers_.tangentials.clear();
   numbers_.rigidLoad.clear();
-  for (std::size_t b = 0; b < step.reactionsBefore.size(); ++b)
-    if (bem::largestEntry(step.reactionsBefore[b]) > 0)
-      (*bodies_)[b].react(step.reactionsBefore[b]);
   respond();
   wear_.setSlips({}, numbers_.surface);
   setScale(std::max(loadSize(), step.largestLoad));
@@ -121,19 +119,22 @@ std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
 
 namespace {
 
-/// D - v vᵀ
-void subtractSquare(const Vector& v, Matrix& d) {
+/// D - v wᵀ - w vᵀ
+void subtractProducts(const Vector& v, const Vector& w, Matrix& d) {
   for (Index j = 0; j < d.columns(); ++j)
     for (Index i = 0; i < d.rows(); ++i)
-      d(i, j) -= v[at(i)] * v[at(j)];
+      d(i, j) -= v[at(i)] * w[at(j)] + w[at(i)] * v[at(j)];
 }
 
 }  // namespace
 
-///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b
+///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b,
+///
+/// less  Σ_k s_k (C r_k)ᵀ + C r_k s_kᵀ  of what Fix holds, see reactionColumns.
 void ContactSystem::condense(Index formedUpTo) {
   Matrix d;
   std::vector<Vector> columns;  // of G
+  std::vector<std::vector<Vector>> reactions;
   for (std::size_t b = 0; b < size(); ++b) {
     const auto* dense = dynamic_cast<const DenseBody*>(body(b).elastic().get());
     Matrix forward;
@@ -145,8 +146,13 @@ void ContactSystem::condense(Index formedUpTo) {
     }
     std::vector<Vector> motions = motionsOnContacts(
         body(b).holding(), 0, numbering_, b, body(b).coupling().trace, (*opposite_)[b]);
-    for (const Vector& moved : motions)
-      subtractSquare(moved, d);
+    reactions.push_back(reactionColumns(b, motions));
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      Vector w = bem::times(0.5, motions[k]);
+      if (k < reactions.back().size())
+        axpy(1, reactions.back()[k], w);
+      subtractProducts(motions[k], w, d);
+    }
     std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
               std::back_inserter(columns));
     if (dense != nullptr)
@@ -155,18 +161,40 @@ void ContactSystem::condense(Index formedUpTo) {
   for (Index j = 0; j < d.columns(); ++j)
     for (Index i = j + 1; i < d.rows(); ++i)
       d(j, i) = d(i, j);
-  numbers_.flexibility = isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo);
+  numbers_.flexibility =
+      isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo, reactions);
   numbers_.normals = numbering_.normals();
   respond();
   rigid_.setMotions(std::move(columns), numbers_);
 }
 
-Flexibility ContactSystem::compressed(Index formedUpTo) const {
+// With N = B R and the reactions' terms m, forces φ, displacements h = A⁺ φ, means -κ:
+//   ρ = Nᵀ λ,   u = -A⁺ Bᵀ λ + h ρ + R β,   β = mᵀ λ - κ ρ - φᵀ u,
+//   B u - M λ + m ρ = -(D - s Nᵀ - N sᵀ) λ,   s = m + B h - ½ N (κ + φᵀ h)
+std::vector<Vector> ContactSystem::reactionColumns(
+    std::size_t b, const std::vector<Vector>& motions) const {
+  std::vector<Vector> columns;
+  for (const ContactBody::Reaction& reaction : body(b).reactions()) {
+    Vector own = body(b).apply(reaction.displacement);
+    axpy(1, reaction.residual.terms, own);
+    Vector all =
+        onAllMultipliers(numbering_, b, own, (*opposite_)[b], reaction.displacement);
+    for (std::size_t l = 0; l < body(b).reactions().size(); ++l)
+      axpy(0.5 * (reaction.residual.means[l] -
+                  dot(body(b).reactions()[l].residual.force, reaction.displacement)),
+           motions[l], all);
+    columns.push_back(std::move(all));
+  }
+  return columns;
+}
+
+Flexibility ContactSystem::compressed(
+    Index formedUpTo, const std::vector<std::vector<Vector>>& reactions) const {
   std::vector<std::shared_ptr<const CompressedBody>> forms;
   for (const ContactBody& body : *bodies_)
     forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.elastic()));
   const auto flexibility = std::make_shared<const CompressedFlexibility>(
-      std::move(forms), numbering_.normals());
+      std::move(forms), numbering_.normals(), reactions);
   return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
                                            : Flexibility(flexibility);
 }
@@ -175,13 +203,13 @@ void ContactSystem::respond() {
   numbers_.offset.assign(at(numbering_.size()), 0.0);
   responses_.resize(size());
   for (std::size_t b = 0; b < size(); ++b) {
-    const auto displacementOfLoads = [&] {
-      return apply(b, body(b).displacementOfLoads());
+    const auto ofLoads = [&] {
+      const Vector u = body(b).displacementOfLoads();
+      return onAllMultipliers(numbering_, b, body(b).penetration(u, {}, {}),
+                              (*opposite_)[b], u);
     };
     // with a factored matrix a solution costs as little
-    axpy(1,
-         isFormed() ? displacementOfLoads()
-                    : responses_[b].of(body(b).pushing(), displacementOfLoads),
+    axpy(1, isFormed() ? ofLoads() : responses_[b].of(body(b).pushing(), ofLoads),
          numbers_.offset);
     const Vector load = body(b).rigidLoad();
     numbers_.rigidLoad.insert(numbers_.rigidLoad.end(), load.begin(), load.end());
@@ -251,8 +279,8 @@ double ContactSystem::loadSize() const {
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(numbering().size());
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).apply(at.displacements[b]);
-    axpy(-1, body(b).massTimes(at.bodies[b].multiplier), own);
+    const Vector own = body(b).penetration(at.displacements[b], at.bodies[b].multiplier,
+                                           at.contactForces[b]);
     axpy(1, onAllMultipliers(numbering_, b, own, (*opposite_)[b], at.displacements[b]),
          r);
   }
@@ -305,53 +333,6 @@ double ContactSystem::wearBy(const Configuration& at) {
   axpy(-1, worn, change);
   const double all = bem::largestEntry(worn);
   return all > 0 ? bem::largestEntry(change) / (std::min(share, 1.0) * all) : 0;
-}
-
-std::vector<Vector> ContactSystem::reactionChanges(const Vector& multiplier) const {
-  std::vector<Vector> changes(size());
-  for (std::size_t b = 0; b < size(); ++b)
-    if (body(b).reacts()) {
-      changes[b] = body(b).fixedReactions(contactForce(b, multiplier));
-      axpy(-1, body(b).reactions(), changes[b]);
-    }
-  return changes;
-}
-
-double ContactSystem::reactionChange(const Vector& multiplier) const {
-  constexpr double rounding = 1e-12;
-  double largest = 0;
-  for (const Vector& change : reactionChanges(multiplier))
-    largest = std::max(largest, bem::largestEntry(change));
-  return largest > rounding * numbers_.stress ? largest / numbers_.stress : 0;
-}
-
-void ContactSystem::reactBy(const Vector& multiplier) {
-  std::vector<Vector> changes = reactionChanges(multiplier);
-  Vector all;
-  for (const Vector& change : changes)
-    all.insert(all.end(), change.begin(), change.end());
-  all = anderson_.stepBy(std::move(all));
-  auto step = all.begin();
-  for (std::size_t b = 0; b < size(); ++b) {
-    if (changes[b].empty())
-      continue;
-    const auto next = step + static_cast<std::ptrdiff_t>(changes[b].size());
-    const ContactBody::Response response = (*bodies_)[b].react({step, next});
-    step = next;
-    axpy(1, apply(b, response.displacement), numbers_.offset);
-    for (std::size_t i = 0; i < response.terms.size(); ++i) {
-      const auto k = bem::at(numbering_(b, static_cast<Index>(i)));
-      given_[k] += response.terms[i];
-      numbers_.offset[k] += response.terms[i];
-    }
-  }
-}
-
-std::vector<Vector> ContactSystem::reactions() const {
-  std::vector<Vector> all;
-  for (const ContactBody& body : *bodies_)
-    all.push_back(body.reactions());
-  return all;
 }
 
 State ContactSystem::joined(const std::vector<State>& states,
@@ -407,14 +388,14 @@ Configuration ContactSystem::configuration(State state) const {
 double ContactSystem::strainEnergy(const Configuration& at) const {
   double sum = 0;
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).strainEnergy(at.bodies[b], at.displacements[b]);
+    sum += body(b).strainEnergy(at.bodies[b], at.displacements[b], at.contactForces[b]);
   return sum;
 }
 
 double ContactSystem::storedEnergy(const Configuration& at) const {
   double sum = 0;
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).storedEnergy(at.bodies[b], at.displacements[b]);
+    sum += body(b).storedEnergy(at.bodies[b], at.displacements[b], at.contactForces[b]);
   return sum;
 }
 

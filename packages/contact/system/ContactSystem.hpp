@@ -2,7 +2,6 @@
 
 #include "contact/opposite/RigidDrives.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
-#include "contact/system/Anderson.hpp"
 #include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
 #include "contact/system/LoadSize.hpp"
@@ -52,7 +51,6 @@ class ContactSystem {
     std::vector<LoadResponses>
         responses{};                 ///< of the previous step, by body; empty: none known
     std::vector<Wear> wearBefore{};  ///< likewise; empty: no wear so far
-    std::vector<Vector> reactionsBefore{};  ///< likewise, see reactBy; empty: zero
   };
   /// The same bodies on the same meshes at another time.  Kinds of conditions on boundaries and
   /// free motions stay the same; friction uses slipBefore.  Shares factors, D and couplings, so
@@ -82,8 +80,7 @@ class ContactSystem {
   const Vector& gap() const { return gap_; }
   /// The prescribed part of r, one number per coefficient: -g, less the jumps of bonded sides and
   /// the prescribed sliding, and with body loads what their displacement u_p of the sides and,
-  /// through the stabilisation, their traction t_p and those of what Fix holds add.  Without wear and
-  /// rigid bodies.
+  /// through the stabilisation, their traction t_p add.  Without wear and rigid bodies.
   const Vector& given() const { return given_; }
 
   /// Does the wear of this step depend on slips of its solution?  Until wearBy is called it is
@@ -93,14 +90,6 @@ class ContactSystem {
   /// worn depth under its pressure.
   double wearBy(const Configuration& at);
   const StepWear& wear() const { return wear_; }
-
-  /// What Fix holds needs tractions that the residual of the stabilisation has to know; they are those
-  /// of reactBy, at first zero.  Returns by how much those of a multiplier differ from them, of the
-  /// load; zero where that is rounding or no residual depends on them.      [doc/theory/contact.md, In numbers]
-  double reactionChange(const Vector& multiplier) const;
-  void reactBy(const Vector& multiplier);
-  /// Those of each body, for the next step.
-  std::vector<Vector> reactions() const;
 
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
@@ -135,13 +124,13 @@ class ContactSystem {
   std::vector<ContactSide> sides() const;
 
   bool isFormed() const { return body(0).elastic()->isFormed(); }
-  /// C_b u
-  Vector apply(std::size_t b, const Vector& u) const {
-    return onAllMultipliers(numbering_, b, body(b).apply(u), (*opposite_)[b], u);
-  }
   /// Computes D and G.
   void condense(Index formedUpTo);
-  Flexibility compressed(Index formedUpTo) const;
+  Flexibility compressed(Index formedUpTo,
+                         const std::vector<std::vector<Vector>>& reactions) const;
+  /// s_k of the reactions of a body, see condense.  `motions`: C r of those that it allows
+  std::vector<Vector> reactionColumns(std::size_t b,
+                                      const std::vector<Vector>& motions) const;
   /// Sets d₀ = Σ_b C_b u_b and q = (R_bᵀ f_b)_b by the loads, then calls finish().
   void respond();
   /// Adds gaps, jumps, given motions and forces of rigid bodies, bounds and scales.
@@ -152,11 +141,6 @@ class ContactSystem {
   Vector penetration(const Configuration& at) const;
   /// Bᵀ λ of a body's own multiplier, which is a part of the whole one, and of those against it.
   Vector contactForce(std::size_t b, const Vector& multiplier) const;
-  /// Of ρ of each body; empty where no residual depends on it.
-  std::vector<Vector> reactionChanges(const Vector& multiplier) const;
-
-  /// Beyond this many reactions of Fix steps toward them take longer.
-  static constexpr std::size_t allReactions = 24;
 
   std::shared_ptr<std::vector<ContactBody>> bodies_;
   Numbering numbering_;
@@ -169,7 +153,6 @@ class ContactSystem {
   Vector slipBefore_{};
   Vector defectBefore_{};
   std::vector<LoadResponses> responses_{};
-  Anderson anderson_{allReactions};
 };
 
 }  // namespace epafi::contact
