@@ -63,9 +63,9 @@ NewtonSystem::NewtonSystem(const Equation& equation, const Evaluation& at)
 }
 
 std::pair<Index, double> NewtonSystem::followed(Index i) const {
-  if (i < problem_.normals)
-    return {0, 0.0};
   const std::size_t t = at(i - problem_.normals);
+  if (i < problem_.normals || problem_.tangentials[t].isTied())
+    return {0, 0.0};
   return {problem_.tangentials[t].normal(),
           -rows_.rows[at(i)].bound * rows_.stepBounds[t].slope};
 }
