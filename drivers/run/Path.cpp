@@ -1,5 +1,6 @@
 #include "drivers/run/Path.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
@@ -34,6 +35,15 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
     for (const auto& [boundary, contact] : ofBody.contact)
       most = std::max(most, contact.cycles);
   return most;
+}
+
+/// Is there a reaction of Fix that the residual of the stabilisation has to know?
+bool reacts(const contact::ContactSystem& system, const contact::State& state) {
+  const std::vector<contact::Vector> known = system.reactions();
+  return system.reactionChange(state.multiplier) > 0 ||
+         std::any_of(known.begin(), known.end(), [](const contact::Vector& reaction) {
+           return bem::largestEntry(reaction) > 0;
+         });
 }
 
 class Follower {
@@ -231,12 +241,13 @@ class Follower {
                       : system->configuration(solved.state);
       if (!converged)
         return;
-      const bool reacts =
-          known &&
-          run_.processes.agreed(system->reactionChange(latestAt_.state.multiplier) > 0);
-      if (reacts)
+      // the state's own, to the last digit: so a restart finds them
+      system->forgetIterations();
+      if (run_.processes.agreed(reacts(*system, latestAt_.state))) {
         system->reactBy(latestAt_.state.multiplier);
-      if (system->wearBy(latestAt_) > 0 || reacts)
+        latestAt_ = system->configuration(latestAt_.state);  // by whose slips sides wear
+      }
+      if (system->wearBy(latestAt_) > 0)
         latestAt_ = system->configuration(latestAt_.state);
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);

@@ -101,6 +101,12 @@ class ContactSystem {
   void reactBy(const Vector& multiplier);
   /// Those of each body, for the next step.
   std::vector<Vector> reactions() const;
+  /// What wearBy and reactBy take next is what a state has, without a share of what it was before:
+  /// of a step's last state they are then the same in a run that has read it.
+  void forgetIterations() {
+    wear_.forgetIterations();
+    anderson_ = Anderson(allReactions);
+  }
 
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
