@@ -134,8 +134,10 @@ def drawn(seed):
         ("Density", "Projected", "Density" if wears else "None")), 0.06, 1, history([1, 4], [1, 40]))
 
 
-for seed in range(40 if sys.argv[4:] == ["all"] else 8):
-    goes_on("drawn %d" % seed, drawn(seed), [], 10 + 2 * seed % 20)
+# of forty, Ruiz' second parameter of one is apart by 8e-11, of another by 1.4e-12
+COUNT, WITHIN = (40, 1e-10) if sys.argv[4:] == ["all"] else (8, 1e-12)
+for seed in range(COUNT):
+    goes_on("drawn %d" % seed, drawn(seed), [], 10 + 2 * seed % 20, WITHIN)
 
 # Fix holds means of the whole boundary: where clamps that move are a part of it, it pulls at the rest
 beam = body("block", block(0, 0, 2, 1), 10.0, condition("bottom", "Contact") + condition(
