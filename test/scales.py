@@ -9,8 +9,8 @@ ASIDE = ("seconds_", "memory_")
 FAMILIES = ("energy_", "_length", "eta_")
 ROOTS = ("eta_", "estimate", "worst_step_estimate")
 FORCES = ("force_", "reaction_", "load_", "contact_x", "contact_y", "contact_moment")
-SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound"),
-          ("pressure", "shear"))
+SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound", "stress_t"),
+          ("pressure", "shear"), ("motion_x", "motion_y"))
 
 
 def numbers(rows, name):
@@ -27,7 +27,7 @@ def family(rows, name):
         return [other for other in rows[0] if other.startswith(FORCES)]
     for group in SHARED:
         if name in group:
-            return list(group)
+            return [other for other in group if other in rows[0]]
     for part in FAMILIES:
         if part in name:
             return [other for other in rows[0] if part in other]

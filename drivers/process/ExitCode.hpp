@@ -20,7 +20,7 @@ struct ExitMeaning {
 inline constexpr ExitMeaning exitCodes[] = {
     {Solved, "", "solved; also when a cap on levels or unknowns ends the run"},
     {BadInput, "", "bad input or usage, a file that is missing or cannot be written"},
-    {Breakdown, "", "the arithmetic broke down"},
+    {Breakdown, "", "the arithmetic broke down, or forces do not balance"},
     {NotConverged, "", "not converged: the state is written, the status says so"},
     {Signalled, " + signal", "interrupted; the levels that were solved are written"}};
 

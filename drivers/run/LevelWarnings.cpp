@@ -58,32 +58,6 @@ double largestMotion(const SolvedLevel& level, std::size_t b) {
   return largest;
 }
 
-/// Of all bodies, rigid ones as well, scaled.
-double largestMotion(const SolvedStep& step) {
-  double largest = step.largestDisplacement();
-  for (const contact::RigidMotion& motion : step.at.rigid)
-    largest = std::max({largest, norm(motion.slide), std::abs(motion.turn)});
-  return largest;
-}
-
-/// The forces on a body that do not balance, over the largest of them; where all cancel, over
-/// that which moves it by `motion` at its strain energy.  Zero but for rounding, see Summary; of
-/// a body without strain beside what moves `around` all is rounding, and balance says nothing.
-double imbalanceOf(const contact::Summary& body, double motion, double around,
-                   double youngsModulus) {
-  // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
-  constexpr double strained = 1e-24;
-  if (body.energyStrain <= strained * youngsModulus * around * around)
-    return 0;
-  double largest = 2 * body.energyStrain / motion;
-  bem::Vec2 sum;
-  for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
-    sum = sum + bem::Vec2{force->x, force->y};
-    largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
-  }
-  return norm(sum) / largest;
-}
-
 /// Digits that rounding has taken, of bodies too slender for double precision, or of small
 /// deformations beside large motions.
 void findLostDigits(const SolvedLevel& level, Warnings& warn) {
@@ -93,17 +67,14 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
   const char* const why =
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
       "1000, and where a motion is 1e10 times what deforms: look at units and loads";
-  // summaries of other steps are not known on one rank alone
-  const SolvedStep& last = level.last();
-  const Scene& scene = last.spaces.scene();
+  const Scene& scene = level.last().spaces.scene();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    const double imbalance = imbalanceOf(
-        wholeOf(scene.symmetry, *body.outline, last.summaries()[b]),
-        largestMotion(last.bodies[b], *body.outline) * body.outline->diameter(),
-        scene.units().length * largestMotion(last), body.material.youngsModulus);
-    if (imbalance > smallImbalance)
-      warn("Bodies->", body.name, ": its forces are out of balance by ", imbalance,
+    double worst = 0;
+    for (const auto& step : level.steps)
+      if (const contact::Imbalance& own = step->imbalances[b]; own.size > 0)
+        worst = std::max(worst, own.size / own.largest);
+    if (worst > smallImbalance)
+      warn("Bodies->", scene.bodies[b].name, ": its forces are out of balance by ", worst,
            " of the largest; ", why);
   }
   double missed = 0;

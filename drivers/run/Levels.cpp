@@ -43,18 +43,18 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       linearMethods().at(scene.solver.linear.method).solver(ranks, scene.solver.linear);
   bool advised = false;  // once
   double allowed = 0;    // memory, as it was found
-  std::string missing = earlier ? missingTo(scene, *earlier) : "";
+  Outcome last = earlier ? ended(scene, *earlier, "") : Outcome();
   auto next = earlier ? levelAfterRestart(scene, *earlier, processes) : firstLevel(scene);
   while (const auto* from = std::get_if<Level>(&next)) {
     const BodySpaces spaces(scene, *from);
     std::string reason = aboveCap(from->number, spaces.levelRow(), scene);
     if (!reason.empty())
-      return {contact::Status::Converged, reason + missing};
+      return {last.status, reason + last.reason};
     LevelRow planned = planOf(spaces, ranks, allowed);
     allowed = planned.memoryAllowed;
     reason = tooLarge(from->number, planned, spaces, ranks);
     if (!reason.empty())
-      return {contact::Status::Converged, reason + missing};
+      return {last.status, reason + last.reason};
     if (advised)
       planned.note.clear();
     advised = advised || !planned.note.empty();
@@ -72,7 +72,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     const Level level = solveAnyhow(
         spaces, *from, planned, {processes, timer, krylov.get(), handOut, handOutNew});
     timer.endLevel();
-    missing = missingTo(scene, level);
+    last = ended(scene, level, "");
     next = nextLevel(scene, level, processes);
   }
   return std::get<Outcome>(next);

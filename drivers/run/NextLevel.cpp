@@ -331,14 +331,20 @@ bool isReached(const Scene& scene, const Level& level) {
   return tolerance && level.relativeEstimate <= *tolerance;
 }
 
-/// What is reached of Adaptivity->Tolerance.
+/// Under Weights "Paper" squares of different units are added, which tell no error.
+bool isNoResult(const Scene& scene, const Level& level) {
+  return scene.adaptivity.estimator.weights != "Paper" && level.relativeEstimate > 1;
+}
+
+/// The error, and what is reached of Adaptivity->Tolerance.
 std::string reached(const Scene& scene, const Level& level) {
   std::ostringstream text;
   text << std::setprecision(3) << "the estimated error is "
        << 100 * level.relativeEstimate << " % of the energy norm"
-       << (scene.history ? " in the worst step" : "")
-       << (isReached(scene, level) ? ", within" : ", above")
-       << " Adaptivity->Tolerance = " << *scene.adaptivity.limits.tolerance;
+       << (scene.history ? " in the worst step" : "");
+  if (const auto& tolerance = scene.adaptivity.limits.tolerance)
+    text << (isReached(scene, level) ? ", within" : ", above")
+         << " Adaptivity->Tolerance = " << *tolerance;
   return text.str();
 }
 
@@ -363,40 +369,47 @@ SolvedState carryFirst(const BodySpaces& spaces, const Level& level, const Level
 }  // namespace
 
 std::string missingTo(const Scene& scene, const Level& level) {
+  if (isNoResult(scene, level))
+    return "; this is no result: " + reached(scene, level);
   return scene.adaptivity.limits.tolerance && !isReached(scene, level)
              ? "; " + reached(scene, level)
              : "";
 }
 
+Outcome ended(const Scene& scene, const Level& level, const std::string& reason) {
+  return {isNoResult(scene, level) && scene.adaptivity.limits.tolerance
+              ? contact::Status::NotConverged
+              : contact::Status::Converged,
+          reason + missingTo(scene, level)};
+}
+
 std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
                                        const bem::Processes& processes) {
-  const auto converged = [&](const std::string& reason) {
-    return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
-  };
   if (level.status != contact::Status::Converged)
     return Outcome{level.status, bem::message("level ", level.number,
                                               " is not converged: ", level.reason)};
   if (isReached(scene, level))
-    return converged(reached(scene, level));
+    return ended(scene, level, reached(scene, level));
   if (level.estimate() < scene.adaptivity.limits.estimate)
-    return converged("the estimate is below the target");
+    return ended(scene, level, "the estimate is below the target");
   if (level.number + 1 >= scene.adaptivity.limits.levels)
-    return converged("all levels that the scene allows are computed");
+    return ended(scene, level, "all levels that the scene allows are computed");
 
   const BodySpaces spaces(scene, level);
   const double untold = shareOfShort(spaces, level) * level.relativeEstimate;
   if (const auto& tolerance = scene.adaptivity.limits.tolerance;
       tolerance && untold > *tolerance)
-    return converged(
+    return ended(
+        scene, level,
         bem::message("elements as short as the digits of coordinates allow carry an "
                      "estimated error of ",
                      100 * untold, " %"));
   const std::vector<adaptivity::Marks> marks = marksOf(spaces, level, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
-    return converged(
+    return ended(
+        scene, level,
         "there is nothing to refine: what carries the estimate are elements as short as "
-        "the "
-        "digits of coordinates allow, or of the highest degree");
+        "the digits of coordinates allow, or of the highest degree");
 
   Level next{level.number + 1};
   for (std::size_t b = 0; b < spaces.size(); ++b)

@@ -21,9 +21,13 @@ struct Outcome {
 /// \throws bem::InputError see checkRoom
 Level firstLevel(const Scene& scene);
 
-/// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance;
-/// empty if it is reached or not given.
+/// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance, and whether it
+/// is no result, since the error is estimated larger than the solution (by Weights that tell);
+/// empty if it is neither.
 std::string missingTo(const Scene& scene, const Level& level);
+
+/// The end of a run behind a level: not converged where that is no result and a Tolerance was asked for.
+Outcome ended(const Scene& scene, const Level& level, const std::string& reason);
 
 /// The level to solve after a solved one, or the end of the run.  Depends on the scene and the
 /// numbers of the level only, so that restarts give the same levels.  Collective.

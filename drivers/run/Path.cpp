@@ -4,6 +4,7 @@
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
 #include "contact/solve/DefectCorrection.hpp"
+#include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/Solver.hpp"
 
 #include <algorithm>
@@ -229,6 +230,8 @@ class Follower {
                       : system->configuration(solved.state);
       if (!converged)
         return;
+      // the state's own, to the last digit: so a restart finds them
+      system->forgetIterations();
       if (system->wearBy(latestAt_) > 0)
         latestAt_ = system->configuration(latestAt_.state);
       here_.memory.add(*system, latestAt_);
@@ -262,11 +265,8 @@ class Follower {
     for (const contact::Solved& solved : step.bodies)
       ofInside += contact::energiesOfInside(solved).strain;
     const double strain =
-        !scene_.tellsBodies()
-            ? system.strainEnergy(step.at)
-            : wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain /
-                      energy -
-                  ofInside;
+        wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain / energy -
+        ofInside;
     const double stored = system.storedEnergy(step.at);
     row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
@@ -293,6 +293,11 @@ class Follower {
     row_.energyOutside += row_.energySprings;
     row_.energyStored += row_.energySprings;
     step.addRigid(row_);
+    step.row = row_;
+    if (row_.converged) {
+      checkBalance(balance_, run_, step, path_);
+      row_.converged = path_.unbalanced.empty();
+    }
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {
       step.frictionWork.push_back(
@@ -319,6 +324,7 @@ class Follower {
   const Run& run_;
   const std::size_t known_;
   Standing here_;
+  contact::Balance balance_{};
   // since the last point, of what failed or was left, too
   int newtonIterations_ = 0;
   int coulombIterations_ = 0;

@@ -1,9 +1,11 @@
 #include "drivers/run/SolveLevel.hpp"
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Solver.hpp"
@@ -210,6 +212,9 @@ void solveOnce(const BodySpaces& spaces,
   row.energyDissipated = solved->frictionWorkOfStep();
   solved->addRigid(row);
   level.steps.push_back(solved);
+  contact::Balance balance;
+  if (converged)
+    checkBalance(balance, run, *solved, level);
 }
 
 }  // namespace
@@ -250,7 +255,11 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
     solveOnce(spaces, first, system, from, run, solved);
   if (planned.memoryOfDense && !solved.row.report.converged())
     return solved.level.reason;
-  return finish(run, std::move(solved));
+  const std::string unbalanced = solved.unbalanced;
+  Level level = finish(run, std::move(solved));
+  if (!unbalanced.empty())
+    throw bem::NumericalError(unbalanced);
+  return level;
 }
 
 }  // namespace epafi::drivers

@@ -2,6 +2,7 @@
 
 #include "bem/base/Processes.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
+#include "contact/results/Balance.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
@@ -69,6 +70,8 @@ struct SolvedStep : SolvedPart {
   StepRow row;
   /// So far on a path, one per body's tangential coefficient, dimensionless.
   std::vector<bem::Vector> frictionWork;
+  std::vector<contact::Imbalance>
+      imbalances;  ///< see contact::Balance; empty: not asked for
 
  private:
   mutable std::vector<contact::Summary> summaries_;
@@ -80,6 +83,8 @@ struct SolvedLevel {
   Level level;
   LevelRow row{};  ///< of a path that is not at its end: its report and times only
   std::vector<std::shared_ptr<const SolvedStep>> steps{};  ///< one without a History
+  std::string
+      unbalanced{};  ///< what ends the run, see checkBalance; empty: all is in balance
 
   const SolvedStep& last() const { return *steps.back(); }
 };

@@ -107,6 +107,14 @@ class Run:
     def converged(self) -> bool:
         return str(self.history["status"][-1]) == "converged"
 
+    @property
+    def no_result(self) -> str:
+        """Why the last level is none: its error is estimated larger than the solution.  Else empty."""
+        error = float(self.history["estimate_relative"][-1])
+        if not error > 1 or self.scene["Adaptivity"]["Weights"] == "Paper":  # which tells no error
+            return ""
+        return "this is no result: the estimated error is %.3g %% of the energy norm" % (100 * error)
+
     def fields(self, points: Optional[Sequence[Sequence[float]] | np.ndarray] = None, *,
                grid: Optional[tuple[int, int]] = None, window: Optional[Window] = None,
                along: Optional[str] = None, depth: Optional[float] = None,
@@ -229,7 +237,8 @@ class Run:
         return os.path.join(self.folder, "report.html")
 
     def __repr__(self) -> str:
-        return "Run: %d levels, %s" % (self.history.size, self.history["status"][-1])
+        return "; ".join(filter(None, ["Run: %d levels, %s" % (
+            self.history.size, self.history["status"][-1]), self.no_result]))
 
     def _repr_html_(self) -> str:
         """For notebooks: the levels, and a picture where matplotlib is installed."""

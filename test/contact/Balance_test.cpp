@@ -1,11 +1,13 @@
 // Forces and moments balance where rounding of the stiffness is far larger than the load,
 // on any number of ranks.
+#include "contact/results/Balance.hpp"
+
 #include "Largest.hpp"
 #include "Rectangle.hpp"
 #include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
+#include "contact/SolvedScene.hpp"
 #include "contact/body/DenseBody.hpp"
-#include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
 namespace epafi {
 
@@ -72,6 +75,86 @@ TEUCHOS_UNIT_TEST(Balance, slenderAndNearlyIncompressibleBodiesAreInEquilibrium)
                <, 1e-13);
   TEST_COMPARE(worstImbalance(body(2, 0.4999999, {8, 4, 8, 4}, 1e-3, test::projected())),
                <, 1e-13);
+}
+
+/// A block that its top presses onto a floor.
+contact::Conditions pressed() {
+  contact::Conditions conditions;
+  conditions.dirichlet["top"] = {zero, [](bem::Vec2) { return -1e-3; }};
+  conditions.contact["bottom"] = {zero, nullptr, {}};
+  return conditions;
+}
+
+/// What of a state is said to be broken: 'b' the body, 'c' the contact forces.
+std::string broken(const test::SolvedScene& scene, const contact::State& state,
+                   const std::vector<contact::Summary>& summaries,
+                   contact::Balance balance = {}) {
+  std::string result;
+  for (const contact::Imbalance& imbalance :
+       balance.of(scene.system(), scene.system().configuration(state), {scene.solved()},
+                  summaries))
+    if (imbalance.isBroken())
+      result += imbalance.body ? 'b' : 'c';
+  return result;
+}
+
+TEUCHOS_UNIT_TEST(Balance, whatBreaksItIsSeen) {
+  const test::SolvedScene scene(
+      {bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, 1, 1)), {4, 4, 4, 4}, 1),
+       {1, 0.3, false},
+       pressed(),
+       "Gauss-Lobatto-Lagrange",
+       test::projected()});
+  const contact::Solved solved = scene.solved();
+  const contact::Summary summary = contact::summarize(solved);
+  TEST_EQUALITY(broken(scene, solved.state, {summary}), "");
+  const double force = summary.contact.y;
+  TEST_COMPARE(force, >, 1e-4);
+  // a pressure that the displacement does not know
+  contact::State other = solved.state;
+  for (double& pressure : other.multiplier)
+    pressure *= 1 + 1e-7;
+  const contact::Solved wrong{solved.space,       solved.problem, solved.conditions,
+                              solved.units,       other,          solved.displacement,
+                              solved.contactForce};
+  TEST_EQUALITY(broken(scene, solved.state, {contact::summarize(wrong)}).front(), 'b');
+  for (const double share : {1e-10, 1e-8}) {
+    contact::Summary turned = summary;
+    turned.reaction.moment += share * force;
+    TEST_EQUALITY(broken(scene, solved.state, {turned}), share > 1e-9 ? "b" : "");
+    contact::Summary off = summary;  // in balance, and pressed by nobody
+    off.contact.x += share * force;
+    off.reaction.x -= share * force;
+    TEST_EQUALITY(broken(scene, solved.state, {off}), share > 1e-9 ? "c" : "");
+  }
+}
+
+/// What is rounding beside the largest force of a path is not told of an unloaded step.
+TEUCHOS_UNIT_TEST(Balance, ofAPathIsMeasuredByItsLargestForce) {
+  const test::SolvedScene scene(
+      {bem::makeMesh(test::outlineOf(test::rectangle({0, 0}, 1, 1)), {4, 4, 4, 4}, 1),
+       {1, 0.3, false},
+       pressed(),
+       "Gauss-Lobatto-Lagrange",
+       test::projected()});
+  const contact::Solved solved = scene.solved();
+  contact::Balance balance;
+  balance.of(scene.system(), scene.system().configuration(solved.state), {solved},
+             {contact::summarize(solved)});
+  contact::State none;
+  none.multiplier.assign(solved.state.multiplier.size(), 0.0);
+  const Vector still(solved.displacement.size(), 0.0);
+  const contact::Solved unloaded{solved.space, solved.problem, solved.conditions,
+                                 solved.units, none,           still};
+  contact::Summary rounding;
+  rounding.reaction.y = 1e-13;
+  const auto told = [&](contact::Balance of) {
+    contact::Configuration at = scene.system().configuration(none);
+    at.displacements = {still};
+    return of.of(scene.system(), at, {unloaded}, {rounding}).front().isBroken();
+  };
+  TEST_ASSERT(!told(balance));
+  TEST_ASSERT(told({}));
 }
 
 TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {

@@ -1,12 +1,16 @@
 """Load paths of several bodies: Cattaneo's loop of two equal ones, for any Poisson's ratio, and
-of two that differ; an interference and a rigid body that move; energies, balance, restart.
+of two that differ; an interference and a rigid body that move; energies, balance, restart of paths
+that are drawn: eight, with the fourth argument "all" forty.
 
 Two blocks 80 half-widths of the contact wide, pressed by P and pushed by Q: their outer sides
 carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a = E* = 1."""
+import random
+import sys
+
 from halves import COARSE, F, FINE, P, P0, PRESS, TO_AND_FRO, half, remembers
 from runs import balanced, claim, finish, goes_on, largest, never_falls, points, solved, steps
 from written import (CLAMPED, NONE, block, body, condition, contact, friction, history, keys,
-                     listed, rigid, written)
+                     listed, rigid, wear, written)
 
 
 LARGE = "Adaptivity->Maximum Degrees of Freedom=10000"
@@ -100,6 +104,41 @@ balanced(moved)
 goes_on("a path of two bodies", written("two levels", UNLIKE, PAIR, "Density", more=history([1, 2], [1, 3])),
         ["Adaptivity->Strategy=Adaptive h", "Adaptivity->Maximum Levels=2", LARGE],
         ["Adaptivity->Maximum Levels=1"], 0)
+
+
+def drawn(seed):
+    """A pad that rubs on a slab or on a plane, pressed by a load or by a punch on a spring: what Fix
+    holds, the law, wear and how often each step of it happens, the form, the first side."""
+    draw = random.Random("path %d" % seed)
+    slab, clamped, punch, wears = (draw.random() < 0.5 for _ in range(4))
+    rubbing = friction("%.3g + 0.1*sin(3*x)" % draw.uniform(0.2, 0.6)) + keys(
+        Sliding="0.02*sin(pi/2*max(0, t - 1))") + (
+            wear(draw.uniform(0.5, 3), draw.choice((1, 5))) if wears else NONE)
+    conditions = NONE if slab else condition("bottom", "Contact", rubbing, Gap=0)
+    bodies, contacts = [], NONE
+    if slab:
+        bodies.append(body("slab", block(-1, -1, 1, 0), draw.uniform(0.5, 5), condition(
+            "bottom", "Dirichlet", CLAMPED) if clamped else NONE, "" if clamped else "X, Y, Rotation"))
+        contacts += contact("rub", *draw.sample(["pad:bottom", "slab:top"], 2), rubbing)
+    if punch:
+        bodies.append(rigid("punch", block(-0.4, 0.5, 0.4, 1), listed("Motion", {
+            "Displacement X": "0.03*sin(2*max(0, t - 1))", "Stiffness X": draw.uniform(0.05, 1),
+            "Force Y": "-0.02*min(t, 1)"})))
+        contacts += contact("push", "pad:top", "punch:bottom", friction(0.5))
+    else:
+        conditions += condition("top", "Neumann", Traction_Y="-0.02*min(t, 1)",
+                                Traction_X="0.005*sin(pi/2*max(0, t - 1))")
+    pad = body("pad", block(-0.5, 0, 0.5, 0.5), 1.0, conditions,
+               draw.choice(("X", "X, Rotation")) if slab and clamped else "X")
+    return written("drawn", [pad, *bodies], contacts, draw.choice(
+        ("Density", "Projected", "Density" if wears else "None")), 0.06, 1, history([1, 4], [1, 40]))
+
+
+# of forty, Ruiz' second parameter of one is apart by 8e-11, of another by 1.4e-12
+COUNT, WITHIN = (40, 1e-10) if sys.argv[4:] == ["all"] else (8, 1e-12)
+for seed in range(COUNT):
+    goes_on("drawn %d" % seed, drawn(seed), [], 10 + 2 * seed % 20, WITHIN)
+
 # Fix holds means of the whole boundary: where clamps that move are a part of it, it pulls at the rest
 beam = body("block", block(0, 0, 2, 1), 10.0, condition("bottom", "Contact") + condition(
     "left", "Dirichlet", Displacement_Y="-0.02*t") + condition("top", "Neumann", Traction_Y="-1*t"),

@@ -39,6 +39,16 @@ def stopped(ready, *arguments, how=signal.SIGKILL):
     return process.wait()
 
 
+def interrupted(behind, *arguments):
+    """Starts the program, interrupts it as soon as it tells of so many steps of a path."""
+    with subprocess.Popen([EPAFI, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          universal_newlines=True) as process:
+        for line in process.stdout:
+            behind -= line.startswith("        step ")
+            if behind == 0:
+                process.send_signal(signal.SIGINT)
+
+
 def scene(name):
     return os.path.join(SCENES, name)
 
@@ -84,22 +94,37 @@ def run(file, name, settings=(), expect=0):
     return rows(folder, "history.csv"), rows(folder) if contact else []
 
 
-def goes_on(name, file, settings, before, within=1e-10):
+def results(folder):
+    """The tables of a folder by name; those of a path's steps as one, for what has not begun to
+    wear is rounding."""
+    found = {name: rows(folder, name) for name in (
+        "steps.csv", "history.csv", "bodies.csv", "contact.csv", "boundary.csv")
+        if os.path.exists(os.path.join(folder, name))}
+    count = max((row["step"] for row in found.get("steps.csv", ())), default=0)
+    of_steps = [row for k in range(1, round(count) + 1) for row in points(folder, k)
+                if "contact.csv" in found]
+    return {**found, "steps/*/contact.csv": of_steps} if of_steps else found
+
+
+def goes_on(name, file, settings, before, within=1e-12):
     """Claims that a run which stops and goes on leaves the tables of one which does not.  It stops
-    by further settings, or is killed as soon as something is so.  Its folder, what both said."""
+    by further settings, is interrupted behind so many steps, or is killed as soon as something is so.
+    Its folder, what both said."""
     (whole, told), part = solved(name + ", at once", file, *settings), fresh(name)
-    names = [table for table in ("steps.csv", "history.csv", "bodies.csv", "contact.csv")
-             if os.path.exists(os.path.join(whole, table))]
-    if callable(before):
+    if isinstance(before, int):
+        interrupted(before, "run", file, *options(settings), "--output", part)
+    elif callable(before):
         stopped(lambda: os.path.exists(os.path.join(part, "solution.hdf")) and before(part),
                 "run", file, *options(settings), "--output", part)
     else:
         solved(name, file, *settings, *before)
-    known, all_of_it = (len(rows(folder, names[0])) for folder in (part, whole))
+    first = "steps.csv" if os.path.exists(os.path.join(whole, "steps.csv")) else "history.csv"
+    known, all_of_it = (len(rows(folder, first)) for folder in (part, whole))
     code, text = epafi("run", file, "--restart", part, settings=settings)
-    off = max(worst(rows(whole, table), rows(part, table)) for table in names)
-    claim(code == 0 and off[0] <= within and 0 < known < all_of_it,
-          "%s: stopped behind %d of %d rows, gone on with to the same tables: %.1e in %s%s" % (
+    one, other = results(whole), results(part)
+    off = max((*worst(one[table], other[table]), table) for table in one)
+    claim(code == 0 and one.keys() == other.keys() and off[0] <= within and 0 < known < all_of_it,
+          "%s: stopped behind %d of %d rows, gone on with to the same tables: %.1e of %s in %s%s" % (
               name, known, all_of_it, *off, text[-300:] if code else ""))
     return part, told, text
 

@@ -2,6 +2,7 @@
 reached or what is missing."""
 import os
 
+from epafi import Run
 from runs import (WORK, claim, epafi, finish, fresh, refused, rows, saved, scene, solved,
                   steps)
 from written import CLAMPED, block, body, condition, written
@@ -10,8 +11,9 @@ NONE = ["Adaptivity->Strategy=", "Adaptivity->Maximum Levels=",
         "Adaptivity->Maximum Degrees of Freedom="]
 
 
-def solve(file, name, tolerance, *settings):
-    folder, text = solved(name, scene(file), "Adaptivity->Tolerance=%g" % tolerance, *settings)
+def solve(file, name, tolerance, *settings, expect=0):
+    folder, text = solved(name, scene(file), "Adaptivity->Tolerance=%g" % tolerance, *settings,
+                          expect=expect)
     return rows(folder, "history.csv"), text
 
 
@@ -70,12 +72,12 @@ claim(code == 0 and "ended" in text and
       rows("no more", "history.csv") == later, "what is reached is not refined")
 
 # Hertz' contact between the points of the first mesh; every motion of an open block is no error
-def pressed(name, count, *settings, gap="x^2/200"):
+def pressed(name, count, *settings, gap="x^2/200", expect=0):
     block = "Bodies->block->Boundary Conditions->"
     return solve("hertz.xml", name, 0.02, *NONE, block + "contact->Gap=" + gap, *settings,
                  "Bodies->block->Rigid Motions=", block +
                  "top={Type=Dirichlet, Displacement X=0.002, Displacement Y=-0.0001}",
-                 "Discretization->Elements per Edge={1, 1, %d, 1, 1, 2, 2, 2}" % count)
+                 "Discretization->Elements per Edge={1, 1, %d, 1, 1, 2, 2, 2}" % count, expect=expect)
 
 
 WARNING = "contact never closes"
@@ -85,7 +87,7 @@ for name, *settings in (["missed"], ["missed in steps", "History->Times={1, 2}"]
     claim(levels[0]["contact_length"] == 0 and levels[0]["estimate_relative"] > 1 and
           WARNING not in text and abs(levels[-1]["force_normal"] / known - 1) < 0.02,
           "%s at first, it is found: %g, %g" % (name, levels[-1]["force_normal"], known))
-    levels, text = pressed(name, 3, *settings, "Adaptivity->Maximum Levels=1")
+    levels, text = pressed(name, 3, *settings, "Adaptivity->Maximum Levels=1", expect=3)
     claim("between the points" in text and WARNING not in text, "one mesh says what it misses")
     levels, text = pressed("open", 3, *settings, gap="5")
     claim(len(levels) == 1 and levels[0]["estimate_relative"] == 0 and WARNING in text,
@@ -145,6 +147,22 @@ claim(near[-1]["estimate_relative"] <= 2e-6 and far[-1]["size_min"] > 1e-9,
       "at the origin down to %.0e, far away to %.0e" % (near[-1]["size_min"], far[-1]["size_min"]))
 claim(farther[-1]["size_min"] > 1e-6 and 2e-6 < farther[-1]["estimate_relative"] < 1e-2,
       "farther away to %.0e, and the run ends" % farther[-1]["size_min"])
+# a load between the nodes of two elements: the error is larger than the solution, which is no result
+sharp = written("sharp", [body("block", block(0, 0, 1, 1), 1.0, condition(
+    "bottom", "Dirichlet", CLAMPED) + condition("top", "Neumann", Traction_Y="-0.001*cos(40*pi*x)"))],
+    form="Density", size=0.5, degree=1)
+NO_RESULT = "this is no result: the estimated error is 250 %"
+folder, text = solved("sharp", sharp)
+claim("epafi: warning: a limit ends the run; " + NO_RESULT in text and
+      NO_RESULT in text.split("ended")[-1], "what is none is told as no result")
+claim(repr(Run(folder)).endswith("converged; " + NO_RESULT + " of the energy norm"), repr(Run(folder)))
+folder, text = solved("sharp asked", sharp, "Adaptivity->Tolerance=0.1",
+                      "Adaptivity->Maximum Levels=1", expect=3)
+claim("epafi: all levels that the scene allows are computed; " + NO_RESULT in text,
+      "and with a Tolerance not converged")
+folder, text = solved("sharp done", sharp, "Adaptivity->Tolerance=0.1")
+claim("no result" not in text and Run(folder).no_result == "", "unless that is met")
+
 refused("weights without the norm's unit", scene("two-blocks.xml"), "Adaptivity->Tolerance", "Energy",
         settings=["Adaptivity->Tolerance=0.02", "Adaptivity->Weights=Paper"])
 finish()

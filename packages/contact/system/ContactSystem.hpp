@@ -91,6 +91,10 @@ class ContactSystem {
   double wearBy(const Configuration& at);
   const StepWear& wear() const { return wear_; }
 
+  /// What wearBy takes next is what a state has, without a share of what it was before: of a step's
+  /// last state it is then the same in a run that has read it.
+  void forgetIterations() { wear_.forgetIterations(); }
+
   /// The state of all bodies from the states of each; what is empty in all of them stays empty.
   /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
   State joined(const std::vector<State>& states,

@@ -37,6 +37,8 @@ class StepWear {
   /// the third time on |Δs| takes a share ω of its change, since slips may jump to and fro or
   /// settle slowly.  Returns ω.
   double setSlips(const Vector& slip, Surface& surface);
+  /// |Δs| are next those of the slips, whatever they were.
+  void forgetIterations() { known_ = false; }
 
   /// Of each body behind the step, `states` their own.
   std::vector<Wear> behind(const std::vector<State>& states) const;

@@ -97,7 +97,8 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
     status = str(history["status"][-1])
     parts = ["<h1>%s</h1>" % html.escape(title), "<p>%d levels, the last one %s.</p>" % (
         history.size, status)]
-    parts += ['<p class="warning">%s</p>' % html.escape(warning) for warning in warnings]
+    parts += ['<p class="warning">%s</p>' % html.escape(warning) for warning in (
+        *filter(None, [Run(folder).no_result]), *warnings)]
     scene = os.path.join(folder, "scene.png")
     parts += section("Scene", *([from_file(scene, "the scene")] if os.path.isfile(scene) else []))
     with open(os.path.join(folder, "used.xml"), encoding="utf-8") as stream:

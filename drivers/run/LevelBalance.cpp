@@ -1,0 +1,78 @@
+#include "drivers/run/LevelBalance.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::message;
+using contact::Imbalance;
+using contact::Resultant;
+
+std::string pairOf(const Resultant& force) {
+  return message("(", force.x, ", ", force.y, ")");
+}
+
+/// "on Bodies->disc (0, 31.4), on Bodies->block (0, -19.9)", the largest first, at most six.
+std::string contactForces(const SolvedStep& step) {
+  constexpr std::size_t shown = 6;
+  const Scene& scene = step.spaces.scene();
+  std::vector<std::pair<std::string, Resultant>> forces;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    forces.emplace_back(scene.bodies[b].name, step.summaries()[b].contact);
+  for (std::size_t k = 0; k < scene.rigid.size(); ++k)
+    forces.emplace_back(scene.rigid[k].name, step.row.rigid[k].second.contact);
+  const auto size = [](const Resultant& force) { return std::hypot(force.x, force.y); };
+  std::stable_sort(forces.begin(), forces.end(), [&](const auto& a, const auto& b) {
+    return size(a.second) > size(b.second);
+  });
+  std::string text;
+  for (std::size_t k = 0; k < std::min(forces.size(), shown); ++k)
+    text += message(k == 0 ? "" : ", ", "on Bodies->", forces[k].first, " ",
+                    pairOf(forces[k].second));
+  return forces.size() > shown ? text + " and others" : text;
+}
+
+std::string told(const Imbalance& imbalance, const SolvedStep& step) {
+  const std::string rest = message(", where the largest force is ", imbalance.largest,
+                                   " and rounding may leave ", imbalance.bound);
+  if (!imbalance.body)
+    return message(
+        "contact forces on all bodies do not add up to zero: ", pairOf(imbalance.missing),
+        " is missing", rest, ": ", contactForces(step));
+  const Scene& scene = step.spaces.scene();
+  const std::size_t b = *imbalance.body;
+  const std::string& name = b < scene.bodies.size()
+                                ? scene.bodies[b].name
+                                : scene.rigid[b - scene.bodies.size()].name;
+  return message("Bodies->", name, " is not in balance: a force of ",
+                 pairOf(imbalance.missing), " and a moment of ", imbalance.missing.moment,
+                 " about its middle are missing", rest);
+}
+
+}  // namespace
+
+void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
+                  SolvedLevel& level) {
+  step.imbalances = balance.of(*step.system, step.at, step.bodies, step.summaries());
+  const auto broken = std::find_if(step.imbalances.begin(), step.imbalances.end(),
+                                   [](const Imbalance& one) { return one.isBroken(); });
+  if (!run.processes.agreed(broken != step.imbalances.end()))
+    return;
+  level.unbalanced =
+      message("level ", level.level.number,
+              step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
+              // what rank 0 says is told
+              broken != step.imbalances.end() ? told(*broken, step) : "",
+              ".  Nothing of this level can be relied on: look at what lies opposite to "
+              "sides in contact, at units and loads, and at bodies slender by more than "
+              "1 : 1000");
+  level.row.report.status = contact::Status::NotConverged;
+  level.level.reason = level.unbalanced;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "drivers/run/SolvedStep.hpp"
+
+namespace epafi::drivers {
+
+/// Sets the imbalances of a step that has converged.  Where one is larger than rounding, the level is
+/// not converged, and its reason, which is in `unbalanced` too, says which body lacks what.
+/// Collective.
+void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
+                  SolvedLevel& level);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,160 @@
+#include "contact/results/Balance.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/SidePoints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+
+constexpr double ofForces = 1e-9;
+constexpr double ofNumbers = 1e-14;
+constexpr double ofProducts = 5e-12;  // with compressed operators
+constexpr double farAway = 1e-6;      // moments of a body there lose digits
+
+double forceOf(const Resultant& r) { return std::hypot(r.x, r.y); }
+
+void add(const Resultant& more, Resultant& sum) {
+  sum.x += more.x;
+  sum.y += more.y;
+  sum.moment += more.moment;
+}
+
+/// Of a body's own multiplier [stress length].
+struct ContactForces {
+  double all = 0;    ///< ∫ |λ|
+  Vec2 ofObstacles;  ///< on the body, where no other body is in contact
+};
+
+ContactForces contactForces(const Solved& solved) {
+  ContactForces forces;
+  const ContactFields fields(solved);
+  const bem::Mesh& mesh = solved.space.mesh();
+  for (const auto& element : fields.elements()) {
+    const bem::Curve& side = mesh[element.element].curve;
+    forEachPointOf(
+        element, mesh, solved.problem.multiplier().basis(),
+        bem::gaussLegendre(element.degree + std::max(2, side.pointsOfTurning())),
+        [&](const SidePoint& point) {
+          const auto stress = fields.stress(element, point.t);
+          const double length = solved.units.length * point.weight;
+          forces.all += length * std::hypot(stress.normal, stress.tangential);
+          if (element.condition->name.empty())
+            forces.ofObstacles =
+                forces.ofObstacles - length * (stress.normal * point.normal +
+                                               stress.tangential * point.tangent);
+        });
+  }
+  return forces;
+}
+
+/// The force of a spring by its length, and what rounding leaves of that: where there is none, what
+/// holds the component.
+std::pair<double, double> heldBy(const Drive::Component& drive, double motion,
+                                 double reaction) {
+  constexpr double rounding = 1e-14;
+  if (drive.stiffness == 0)
+    return {reaction, 0};
+  return {drive.stiffness * (drive.end - motion),
+          rounding * drive.stiffness * (std::abs(drive.end) + std::abs(motion))};
+}
+
+/// Without what the forces of all say of it.  Where forces cancel they are as large as what moves the
+/// body by |u| at its strain energy; of a body without strain all is rounding, as large as `rounding`.
+Imbalance ofElastic(const Solved& solved, const Summary& summary, double around,
+                    double rounding) {
+  constexpr double strained =
+      1e-24;  // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
+  Imbalance imbalance;
+  const double energy = summary.energyStrain;
+  const double motion = solved.units.length * bem::largestEntry(solved.displacement);
+  imbalance.largest =
+      motion > 0 && energy > strained * rounding * solved.units.length * around
+          ? 2 * energy / motion
+          : rounding;
+  for (const auto member :
+       {&Summary::load, &Summary::inside, &Summary::contact, &Summary::reaction}) {
+    add(summary.*member, imbalance.missing);
+    imbalance.largest = std::max(imbalance.largest, forceOf(summary.*member));
+  }
+  const bem::Outline& outline = solved.space.mesh().outline();
+  const Vec2 middle = outline.physical({0, 0});
+  imbalance.missing.moment -= cross(middle, {imbalance.missing.x, imbalance.missing.y});
+  imbalance.size = std::max(
+      forceOf(imbalance.missing),
+      std::abs(imbalance.missing.moment) / (outline.diameter() + farAway * norm(middle)));
+  return imbalance;
+}
+
+Imbalance ofRigid(const Drive& drive, const RigidMotion& motion,
+                  const std::array<double, 3>& contact, const bem::Units& units) {
+  const double force = units.stress * units.length;
+  const double motions[] = {motion.slide.x, motion.slide.y, motion.turn};
+  Imbalance imbalance;
+  double missing[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Drive::Component& one = drive.components[c];
+    const double acts = contact[c] + one.inside + (one.free ? one.value : 0);
+    const auto [held, rounding] = heldBy(one, motions[c], one.free ? 0 : -acts);
+    missing[c] = force * (acts + held);
+    imbalance.bound = std::max(imbalance.bound, force * rounding);
+    for (const double x : {contact[c], one.inside, held})
+      imbalance.largest = std::max(imbalance.largest, force * std::abs(x));
+  }
+  imbalance.missing = {missing[0], missing[1], units.length * missing[2]};
+  imbalance.size = std::max(forceOf(imbalance.missing), std::abs(missing[2]));
+  return imbalance;
+}
+
+}  // namespace
+
+std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configuration& at,
+                                   const std::vector<Solved>& bodies,
+                                   const std::vector<Summary>& summaries) {
+  const bem::Units units = bodies.front().units;
+  const double force = units.stress * units.length;
+  for (const RigidMotion& motion : at.rigid)
+    motion_ = std::max({motion_, norm(motion.slide), std::abs(motion.turn)});
+  double modulus = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    motion_ = std::max(motion_, bem::largestEntry(at.displacements[b]));
+    modulus = std::max(
+        modulus, bodies[b].motions != nullptr ? bodies[b].motions->shearModuli[b] : 1);
+  }
+  const double rounding = force * modulus * motion_;
+  std::vector<Imbalance> all;
+  Imbalance contact;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    all.push_back(ofElastic(bodies[b], summaries[b], motion_, rounding));
+    const ContactForces own = contactForces(bodies[b]);
+    contact.largest = std::max(contact.largest, own.all);
+    contact.missing.x += summaries[b].contact.x - own.ofObstacles.x;
+    contact.missing.y += summaries[b].contact.y - own.ofObstacles.y;
+  }
+  const auto forces = system.rigidForces(at.state);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    all.push_back(ofRigid(system.drives()[k], at.rigid[k], forces[k], units));
+    contact.missing.x += force * forces[k][0];
+    contact.missing.y += force * forces[k][1];
+  }
+  contact.size = forceOf(contact.missing);
+  all.push_back(contact);
+  const double share = system.body(0).elastic()->isFormed() ? ofNumbers : ofProducts;
+  largest_.resize(all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k + 1 < all.size())
+      all[k].body = k;
+    largest_[k] = std::max({largest_[k], all[k].largest, contact.largest});
+    all[k].largest = largest_[k];
+    all[k].bound += ofForces * all[k].largest + share * rounding;
+  }
+  return all;
+}
+
+}  // namespace epafi::contact
