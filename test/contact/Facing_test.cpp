@@ -1,211 +1,22 @@
-// What lies opposite to a contact side, along its normals: single curves, and whole bodies.
+// What lies opposite to the contact sides of whole bodies.
+#include "bem/base/Error.hpp"
 #include "bem/mesh/Mesh.hpp"
 #include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace epafi {
 
 namespace {
 
-using bem::crossing;
 using bem::Curve;
 using bem::CurveTree;
-using bem::facing;
 using bem::Vec2;
-using bem::Visibility;
 
 const double pi = std::acos(-1.0);
-
-/// Of a circle about the origin between two angles; inwards: the edge of a hole, run through
-/// clockwise, whose normals lead to the centre.
-Curve arc(double radius, double from, double to) {
-  const auto point = [&](double angle) {
-    return Vec2{radius * std::cos(angle), radius * std::sin(angle)};
-  };
-  return {point(from), point(to), std::tan((to - from) / 4)};
-}
-
-/// The foot of what a normal meets is where the normal begins.
-TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginnings) {
-  const Curve sides[] = {Curve({-0.4, 0}, {0.5, 0.1}), Curve({-0.4, 0}, {0.5, 0.1}, 0.3),
-                         Curve({-0.4, 0}, {0.5, 0.1}, -0.2)};
-  const Curve met[] = {Curve({2, -0.5}, {-2, -0.75}), Curve({2, -0.5}, {-2, -0.75}, 0.1),
-                       Curve({2, -0.5}, {-2, -0.75}, -0.15)};
-  for (const Curve& side : sides)
-    for (const Curve& other : met)
-      for (const double t : {-1.0, -0.35, 0.2, 1.0}) {
-        const auto found = crossing(side.point(t), side.normal(t), other);
-        TEST_ASSERT(found && isOn(*found));
-        TEST_COMPARE(norm(side.point(t) + found->distance * side.normal(t) -
-                          other.point(found->t)),
-                     <, 1e-14);
-        const auto feet = feetOn(side, other.point(found->t));
-        TEST_COMPARE(std::abs(feet.front() - t), <, 1e-13);
-      }
-}
-
-/// Also beyond the centre of an arc whose normals lead there.
-TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginningsAcrossTheCentre) {
-  const Curve side = arc(1, 2.2, 1.1);
-  const Curve other({2, -0.5}, {-2, -0.75});
-  for (const double t : {-0.9, 0.1, 0.8}) {
-    const auto found = crossing(side.point(t), side.normal(t), other);
-    TEST_ASSERT(found && found->distance > 1);
-    const auto feet = feetOn(side, side.point(t) + found->distance * side.normal(t));
-    TEST_COMPARE(std::abs(feet.back() - t), <, 1e-13);
-  }
-}
-
-TEUCHOS_UNIT_TEST(NormalRay, stretchesEndOppositeToEnds) {
-  const Curve side({-1, 0}, {1, 0});
-  const CurveTree below(
-      {Curve({0.5, -0.1}, {0.25, -0.1}), Curve({0.25, -0.1}, {-0.5, -0.1})});
-  const auto found = facing(side, below, {});
-  TEST_EQUALITY(found.size(), 2u);
-  TEST_FLOATING_EQUALITY(found[0].begin, -0.5, 1e-15);
-  TEST_FLOATING_EQUALITY(found[0].end, 0.25, 1e-15);
-  TEST_EQUALITY(found[0].curve, 1);
-  TEST_FLOATING_EQUALITY(found[1].end, 0.5, 1e-15);
-  TEST_EQUALITY(found[1].curve, 0);
-}
-
-/// A circle turns away where the side's normals touch it.
-TEUCHOS_UNIT_TEST(NormalRay, stretchesEndWhereACircleTurnsAway) {
-  const Curve side({-1, 0.5}, {1, 0.5});
-  const double shrink = 0.25;
-  const Curve circle({shrink, 0}, {-shrink, 0}, 1);
-  const auto found = facing(side, CurveTree({circle}), {});
-  TEST_EQUALITY(found.size(), 1u);
-  TEST_COMPARE(std::abs(found[0].begin + shrink), <, 1e-14);
-  TEST_COMPARE(std::abs(found[0].end - shrink), <, 1e-14);
-}
-
-/// Of two curves behind each other it is the nearer one.
-TEUCHOS_UNIT_TEST(NormalRay, facesTheNearer) {
-  const Curve side({-1, 0}, {1, 0});
-  const auto found = facing(
-      side, CurveTree({Curve({2, -0.5}, {-2, -0.5}), Curve({0.5, -0.1}, {-0.5, -0.1})}),
-      {});
-  TEST_EQUALITY(found.size(), 3u);
-  TEST_EQUALITY(found[0].curve, 0);
-  TEST_EQUALITY(found[1].curve, 1);
-  TEST_EQUALITY(found[2].curve, 0);
-}
-
-/// A closed polygon, counter-clockwise.
-std::vector<Curve> polygon(const std::vector<Vec2>& corners) {
-  std::vector<Curve> edges;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    edges.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
-  return edges;
-}
-
-std::vector<Curve> box(double left, double bottom, double right, double top) {
-  return polygon({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
-}
-
-std::vector<Curve> wholeCircle(Vec2 centre, double radius) {
-  const Vec2 arm{radius, 0};
-  return {Curve(centre - arm, centre + arm, 1), Curve(centre + arm, centre - arm, 1)};
-}
-
-/// The parts of the edges of one body that face another one: edge, from, to.
-std::vector<std::array<double, 3>> faces(const std::vector<Curve>& own,
-                                         const std::vector<Curve>& other) {
-  const Visibility visibility(own, other, 1e-9);
-  std::vector<std::array<double, 3>> found;
-  for (std::size_t e = 0; e < own.size(); ++e) {
-    const auto edge = static_cast<double>(e);
-    for (const bem::Facing& stretch : facing(own[e], CurveTree(other), visibility))
-      if (!found.empty() && found.back()[0] == edge && found.back()[2] == stretch.begin)
-        found.back()[2] = stretch.end;
-      else
-        found.push_back({edge, stretch.begin, stretch.end});
-  }
-  return found;
-}
-
-using Faces = std::vector<std::array<double, 3>>;
-
-bool near(const Faces& a, const Faces& b) {
-  bool all = a.size() == b.size();
-  for (std::size_t k = 0; all && k < a.size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i)
-      all = all && std::abs(a[k][i] - b[k][i]) < 1e-12;
-  return all;
-}
-
-/// A box on a wider one, with a gap, flush or drawn into it, faces it from below and from nowhere else,
-/// in either order.
-TEUCHOS_UNIT_TEST(Visibility, backsOfBodiesFaceNothing) {
-  for (const double gap : {0.5, 0.0, -0.01}) {
-    const auto lower = box(-2, -1, 2, 0);
-    const auto upper = box(-1, gap, 1, 2);
-    TEST_ASSERT(near(faces(upper, lower), {{0, -1, 1}}));
-    TEST_ASSERT(near(faces(lower, upper), {{2, -0.5, 0.5}}));
-    const auto asWide = box(-2, gap, 2, 2);
-    TEST_ASSERT(near(faces(asWide, lower), {{0, -1, 1}}));
-    TEST_ASSERT(near(faces(lower, asWide), {{2, -1, 1}}));
-  }
-}
-
-/// The lower half of a disc above a block faces what of it lies below; nothing lies opposite to the
-/// upper half, not through the disc either.
-TEUCHOS_UNIT_TEST(Visibility, aDiscFacesABlockFromBelow) {
-  const auto block = box(-2, -1, 2, 0);
-  for (const double height : {1.2, 1.0, 0.99}) {
-    const auto disc = wholeCircle({0, height}, 1);
-    // the normal through a corner of the block
-    const double angle = std::atan2(2, height) / (pi / 2);
-    TEST_ASSERT(near(faces(disc, block), {{0, -angle, angle}}));
-    TEST_ASSERT(near(faces(block, disc), {{2, -0.5, 0.5}}));
-  }
-}
-
-/// What is behind the own body is hidden, as is what is behind the other one.
-TEUCHOS_UNIT_TEST(Visibility, bodiesHide) {
-  // a C whose slot is 0 < y < 1, and a box below its lower arm
-  const auto slotted =
-      polygon({{0, -1}, {4, -1}, {4, 0}, {1, 0}, {1, 1}, {4, 1}, {4, 2}, {0, 2}});
-  TEST_ASSERT(near(faces(slotted, box(-9, -3, 9, -2)), {{0, -1, 1}}));
-  // a tongue in the slot
-  const auto tongue = box(2.5, 0.1, 5, 0.9);
-  TEST_ASSERT(near(faces(slotted, tongue), {{2, -1, 0}, {3, -0.8, 0.8}, {4, 0, 1}}));
-  TEST_ASSERT(near(faces(tongue, slotted), {{0, -1, 0.2}, {2, -0.2, 1}, {3, -1, 1}}));
-  // from below its lower arm alone is seen, even if the upper one is asked for
-  const auto below = box(-9, -3, 9, -2);
-  const Visibility fromBelow(below, slotted, 1e-9);
-  TEST_EQUALITY(facing(below[2], CurveTree({slotted[0]}), fromBelow).size(), 1u);
-  TEST_EQUALITY(facing(below[2], CurveTree({slotted[4]}), fromBelow).size(), 0u);
-}
-
-/// Of a ring of radii 4 and 5 all of a disc inside sees the hole, wherever it lies, and what the disc
-/// hides no point of the hole sees.
-TEUCHOS_UNIT_TEST(Visibility, aDiscInARingFacesTheHole) {
-  std::vector<Curve> ring = wholeCircle({0, 0}, 5);
-  ring.push_back(arc(4, 2 * pi, pi));
-  ring.push_back(arc(4, pi, 0));
-  for (const double y : {-3.0, -3.01, -1.0, 0.0}) {
-    const auto disc = wholeCircle({0, y}, 1);
-    const Visibility visibility(disc, ring, 1e-9);
-    for (const Curve& side : disc) {
-      double covered = 0;
-      for (const bem::Facing& stretch : facing(side, CurveTree(ring), visibility)) {
-        TEST_ASSERT(stretch.curve >= 2);
-        covered += stretch.end - stretch.begin;
-      }
-      TEST_FLOATING_EQUALITY(covered, 2.0, 1e-12);
-    }
-  }
-  // normals of the hole lead through the centre, and beyond it the way to a disc at (0, -3) is free
-  const double half = std::asin(1.0 / 3) / (pi / 2);
-  TEST_ASSERT(
-      near(faces(ring, wholeCircle({0, -3}, 1)), {{2, -half, half}, {3, -half, half}}));
-}
 
 bem::Loop circle(double radius, double turn) {
   bem::Loop loop;
@@ -348,13 +159,13 @@ TEUCHOS_UNIT_TEST(Opposite, elementsOfContactAreCovered) {
       conditions.contact["face"] = contact;
       const contact::MultiplierSpace multiplier(
           side, contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-      std::vector<Curve> plate;
-      for (const Curve& edge : box(from, 0, to, 1))
-        plate.emplace_back(0.1 * edge.from(), 0.1 * edge.to());
+      const bem::Outline plate(
+          {{{from, 0}, {to, 0}, {to, 1}, {from, 1}}, {"s", "s", "s", "s"}}, {}, tenth);
       contact::OppositeSide opposite;
       opposite.rigid = 0;
-      opposite.curves = CurveTree({plate[2]});
-      opposite.visibility = {side.outline().curves().curves(), plate, 1e-10};
+      opposite.curves = CurveTree({plate.edge(2).curve});
+      opposite.visibility = {side.outline().curves().curves(), plate.curves().curves(),
+                             1e-10};
       const auto make = [&] {
         contact::Opposite(side, multiplier, tenth.length, {{"c", opposite}});
       };

@@ -73,9 +73,40 @@ class Shape:
         return min(x for x, _ in points), max(x for x, _ in points)
 
 
+class Race:
+    """A ring whose hole stands on (0, 0), for a disc of this radius in it."""
+
+    kind = "race"
+    names = ["far"] * 4 + ["face"] * 4
+
+    def __init__(self, draw, disc):
+        self.disc = disc
+        self.radius = disc * 10 ** draw.uniform(0.01, 1.1)
+        self.outer = self.radius * draw.uniform(1.1, 1.5)
+
+    def span(self):
+        return -self.outer, self.outer
+
+    @staticmethod
+    def circle(radius, middle, name):
+        corners = [(radius, 0), (0, radius), (-radius, 0), (0, -radius)]
+        return {"Vertices": [(x, y + middle) for x, y in corners], "Edges": [name] * 4,
+                "Bulges": [QUARTER] * 4}
+
+    def geometry(self, far, face):
+        hole = self.circle(self.radius, self.radius, face)
+        return {**self.circle(self.outer, self.radius, far),
+                **{"Hole 1 " + key: value for key, value in hole.items()}}
+
+    def height(self, offset):
+        """Of the disc's lowest point, when it touches beside the middle."""
+        play = self.radius - self.disc
+        return play - math.sqrt(play ** 2 - offset ** 2)
+
+
 class Pairs:
-    """One body on another: shapes, widths 1 : 6 and 6 : 1, one beside the middle of the other, drawn
-    touching, with a gap or an overlap of what the load moves; all edges of a body under one name or not;
+    """One body on another, or in it: shapes, widths 1 : 6 and 6 : 1, one beside the middle of the other,
+    drawn touching, with a gap or an overlap of what the load moves; all edges of a body under one name or not;
     the lower one clamped, held in the mean or rigid; pressed by weight, by a force, or moved."""
 
     def __init__(self, seed):
@@ -85,8 +116,12 @@ class Pairs:
         self.modulus = 10 ** draw.uniform(0, 11)
         self.energy = self.modulus * self.size ** 2
         self.stress = self.modulus * 10 ** draw.uniform(-6, -3)
-        self.upper = Shape(draw, draw.choice(Shape.KINDS), self.size)
-        self.lower = Shape(draw, draw.choice(Shape.KINDS), self.size * 6 ** draw.uniform(-1, 1))
+        if draw.random() < 0.15:
+            self.upper = Shape(draw, "disc", self.size)
+            self.lower = Race(draw, self.size / 2)
+        else:
+            self.upper = Shape(draw, draw.choice(Shape.KINDS), self.size)
+            self.lower = Shape(draw, draw.choice(Shape.KINDS), self.size * 6 ** draw.uniform(-1, 1))
         self.whole = {name: draw.random() < 0.4 for name in ("upper", "lower")}  # under one name
         self.held = draw.choice(("clamp", "mean", "rigid"))
         if self.whole["lower"] and self.held == "clamp":
@@ -99,7 +134,10 @@ class Pairs:
         self.basis = "Gauss-Legendre-Lagrange"
         self.graded = draw.random() < 0.3
         self.move = self.size * self.stress / self.modulus
-        self.offset = draw.choice((0, draw.uniform(-0.3, 0.3))) * min(self.width(self.upper), self.width(self.lower))
+        room = min(self.width(self.upper), self.width(self.lower))
+        if self.lower.kind == "race":
+            room = self.lower.radius - self.lower.disc
+        self.offset = draw.choice((0, draw.uniform(-0.3, 0.3))) * room
         self.gap = draw.choice((0, 0, self.move, -self.move)) * draw.uniform(0, 1)
         self.height = self.touching() + self.gap
         self.weight = self.stress * self.size
@@ -112,6 +150,8 @@ class Pairs:
 
     def touching(self):
         """How high the upper one stands on the lower one, turned over."""
+        if self.lower.kind == "race":
+            return self.lower.height(self.offset)
         left, right = self.upper.span()
         first, last = self.lower.span()
         left, right = max(left, first - self.offset), min(right, last - self.offset)
@@ -123,27 +163,33 @@ class Pairs:
                 most = max(most, -below - above)
         return most
 
-    def names(self, name):
-        return ["all" if self.whole[name] else edge for edge in getattr(self, name).names]
+    def named(self, name, edge):
+        return "all" if self.whole[name] else edge
 
-    def face(self, name):
-        return "%s:%s" % (name, "all" if self.whole[name] else "face")
+    def geometry(self, name):
+        shape = getattr(self, name)
+        if shape.kind == "race":
+            return shape.geometry(self.named(name, "far"), self.named(name, "face"))
+        place = ((lambda x, y: (x + self.offset, y + self.height)) if name == "upper"
+                 else (lambda x, y: (-x, -y)))
+        return {"Vertices": [place(*corner) for corner in shape.corners], "Bulges": shape.bulges,
+                "Edges": [self.named(name, edge) for edge in shape.names]}
 
     def body(self, name):
         draw, shape = self.draw, getattr(self, name)
-        place = ((lambda x, y: (x + self.offset, y + self.height)) if name == "upper"
-                 else (lambda x, y: (-x, -y)))
-        body = {"Geometry": {"Vertices": [place(*corner) for corner in shape.corners],
-                             "Edges": self.names(name), "Bulges": shape.bulges}}
+        body = {"Geometry": self.geometry(name)}
         if name == "lower" and self.held == "rigid":
             return {"Material": {"Rigid": True}, **body}
         softness = 10 ** draw.uniform(-1.5, 1.5) if name == "lower" else 1
         body["Material"] = {"Young's Modulus": self.modulus * softness,
                             "Poisson's Ratio": draw.uniform(0, 0.45)}
-        contact = 16 if shape.kind in ("disc", "pad", "dome") else 8
-        body["Mesh"] = {"Degree": draw.randint(1, 3), "Elements per Edge": [
-            draw.randint(contact // 4, contact) if edge == "face" else draw.randint(1, 4)
-            for edge in shape.names]}
+        contact = 8 if shape.kind in ("box", "stadium") else 16
+        elements = [draw.randint(contact // 4, contact) if edge == "face" else draw.randint(1, 4)
+                    for edge in shape.names]
+        body["Mesh"] = {"Degree": draw.randint(1, 3), "Elements per Edge": elements}
+        if shape.kind == "race":
+            body["Mesh"].update({"Elements per Edge": elements[:4],
+                                 "Hole 1 Elements per Edge": elements[4:]})
         if name == "lower":
             return {**body, **self.foot()}
         return {**body, **self.pushed()}
@@ -169,7 +215,7 @@ class Pairs:
     def scene(self):
         draw = self.draw
         bodies = {"upper": self.body("upper"), "lower": self.body("lower")}
-        contact = {"Between": [self.face("upper"), self.face("lower")],
+        contact = {"Between": [name + ":" + self.named(name, "face") for name in bodies],
                    "Friction": {"Law": self.law}}
         if self.law == "Coulomb":
             contact["Friction"]["Coefficient"] = draw.uniform(0, 0.8)

@@ -3,33 +3,28 @@
 #include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <utility>
 
 namespace epafi::bem {
 
 namespace {
 
-/// The parameter of the point of an arc in a direction from its centre.
-double parameterOf(const Curve& arc, Vec2 direction) {
-  // from the centre to y(0) it is the normal, inward where the arc turns right
-  const Vec2 middle = (arc.curvature() > 0 ? 1 : -1) * turnRight(arc.frame().tangent);
-  return std::atan2(cross(middle, direction), dot(middle, direction)) /
-         (0.5 * arc.angle());
-}
-
 /// Can a normal line of the side meet a curve in the disc?  True for any that does.
 bool mayFace(const Curve& side, const Disc& disc) {
   constexpr double rounding = 1 + 1e-9;
+  constexpr double ofAngles = 1e-14;
   const double radius = rounding * disc.radius;
   const Vec2 way = disc.middle - side.frame().middle;
   if (side.isStraight())
     return std::abs(dot(way, side.frame().tangent)) <= rounding * side.half() + radius;
   const Vec2 ray = disc.middle - side.centre();
   const double distance = norm(ray);
-  return distance <= radius ||
-         std::atan2(std::abs(dot(side.frame().tangent, ray)),
-                    std::abs(dot(side.frame().normal, ray))) <=
-             rounding * 0.5 * std::abs(side.angle()) + std::asin(radius / distance);
+  return distance <= radius || std::atan2(std::abs(dot(side.frame().tangent, ray)),
+                                          std::abs(dot(side.frame().normal, ray))) <=
+                                   rounding * 0.5 * std::abs(side.angle()) +
+                                       std::asin(radius / distance) + ofAngles;
 }
 
 bool isBetter(const Crossing& a, const Crossing& b) {
@@ -40,34 +35,29 @@ bool isBetter(const Crossing& a, const Crossing& b) {
 }
 
 /// Calls visit(crossing, n · n(t)) for those of the line x + s n with the full line or circle of a
-/// curve.
+/// curve of curvature κ, normal m and middle y₀.  With w = x - y₀ they are
+///
+///   n · n(t) = o = ±√(1 - k²),  k = n × m + κ n × w,   κ s = o - h,  h = n · m + κ n · w,
+///
+/// and s = -g / (o + h),  g = 2 w · m + κ w · w, which holds for a line, too, and does not cancel.
 template <class Visit>
 void forEachCrossing(Vec2 x, Vec2 n, const Curve& curve, const Visit& visit) {
   constexpr double grazing = 1e-12;
-  if (curve.isStraight()) {
-    const double outward = dot(n, curve.frame().normal);
-    if (!(std::abs(outward) > grazing))
-      return;
-    const Vec2 way = curve.frame().middle - x;
-    const double s = dot(way, curve.frame().normal) / outward;
-    visit(Crossing{s, dot(s * n - way, curve.frame().tangent) / curve.half()}, outward);
+  const double curvature = curve.curvature();
+  const Vec2 normal = curve.frame().normal;
+  const Vec2 w = x - curve.frame().middle;
+  const double k = std::abs(cross(n, normal) + curvature * cross(n, w));
+  const double h = dot(n, normal) + curvature * dot(n, w);
+  const double g = 2 * dot(w, normal) + curvature * dot(w, w);
+  const double root =
+      curve.isStraight() ? h : std::sqrt(std::max(0.0, (1 - k) * (1 + k)));
+  if (!(std::abs(root) > grazing))
     return;
-  }
-  const Vec2 centre = curve.centre();
-  const double radius = 1 / std::abs(curve.curvature());
-  const Vec2 from = x - centre;
-  const double half = dot(n, from);
-  // (half + s)² = radius² - (the line's distance from the centre)²
-  const double aside = cross(n, from);
-  const double square = (radius - std::abs(aside)) * (radius + std::abs(aside));
-  if (!(square > 0))
-    return;
-  for (const double root : {-std::sqrt(square), std::sqrt(square)}) {
-    const double s = root - half;
-    const Vec2 direction = from + s * n;
-    const double outward = (curve.curvature() > 0 ? 1 : -1) * dot(n, direction) / radius;
-    if (std::abs(outward) > grazing)
-      visit(Crossing{s, parameterOf(curve, direction)}, outward);
+  for (const double outward : {-root, root}) {
+    if (curve.isStraight() && outward != h)
+      continue;
+    const double s = outward * h > 0 ? -g / (outward + h) : (outward - h) / curvature;
+    visit(Crossing{s, curve.seen(x + s * n).z.real()}, outward);
   }
 }
 
@@ -136,15 +126,23 @@ std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve) {
 }
 
 std::vector<double> feetOn(const Curve& side, Vec2 y) {
-  if (side.isStraight()) {
-    const Vec2 fromStart = y - side.from();
-    const Vec2 fromEnd = y - side.to();
-    const double before = dot(fromStart, side.frame().tangent) / side.half();
-    const double behind = dot(fromEnd, side.frame().tangent) / side.half();
-    return {std::abs(before) < std::abs(behind) ? before - 1 : behind + 1};
-  }
-  const Vec2 ray = y - side.centre();
-  return {parameterOf(side, ray), parameterOf(side, -ray)};
+  const double foot = side.seen(y).z.real();
+  if (side.isStraight())
+    return {foot};
+  const double halfACircle =
+      2 * boost::math::constants::pi<double>() / std::abs(side.angle());
+  return {foot, foot > 0 ? foot - halfACircle : foot + halfACircle};
+}
+
+Visibility::Visibility(std::vector<Curve> own, std::vector<Curve> opposite,
+                       double touching)
+    : own_(std::move(own)), opposite_(std::move(opposite)), touching_(touching) {
+  for (const Curve& curve : own_.curves())
+    opposite_.search([&](const Disc& disc) { return disc.isNear(discOf(curve)); },
+                     [&](std::size_t k) {
+                       for (const Vec2 y : crossings(curve, opposite_.curves()[k]))
+                         crossings_.push_back(y);
+                     });
 }
 
 bool Visibility::sees(Vec2 x, Vec2 n, double s) const {
@@ -161,13 +159,10 @@ void Visibility::addChanges(const Curve& side, Vector& places) const {
   for (const CurveTree* body : {&own_, &opposite_})
     body->search([&](const Disc& disc) { return mayFace(side, disc); },
                  [&](std::size_t k) { addEnds(side, body->curves()[k], places); });
-  // where the side comes into the opposite body, or leaves it
-  const Disc own = discOf(side);
-  opposite_.search([&](const Disc& disc) { return disc.isNear(own); },
-                   [&](std::size_t k) {
-                     for (const Vec2 y : crossings(side, opposite_.curves()[k]))
-                       places.push_back(feetOn(side, y).front());
-                   });
+  for (const Vec2 y : crossings_)
+    if (mayFace(side, {y, 0}))
+      for (const double t : feetOn(side, y))
+        places.push_back(t);
 }
 
 std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& opposite,

@@ -4,7 +4,6 @@
 #include "bem/geometry/CurveTree.hpp"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace epafi::bem {
@@ -39,8 +38,7 @@ class Visibility {
   Visibility() = default;
   /// \param own of the body whose points look, \param opposite of the other one; all their curves
   /// \param touching points that are closer than this touch
-  Visibility(std::vector<Curve> own, std::vector<Curve> opposite, double touching)
-      : own_(std::move(own)), opposite_(std::move(opposite)), touching_(touching) {}
+  Visibility(std::vector<Curve> own, std::vector<Curve> opposite, double touching);
 
   /// Does a point x of the own body with the normal n see the point x + s n of the opposite one?
   bool sees(Vec2 x, Vec2 n, double s) const;
@@ -51,6 +49,7 @@ class Visibility {
  private:
   CurveTree own_;
   CurveTree opposite_;
+  std::vector<Vec2> crossings_;  ///< of both boundaries
   double touching_ = 0;
 };
 

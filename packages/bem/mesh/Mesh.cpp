@@ -50,9 +50,7 @@ void check(const Outline& outline, const Element& element) {
 }  // namespace
 
 Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces)
-    : outline_(std::move(outline)) {
-  std::vector<int> first(outline_->edges().size(), -1);
-  std::vector<int> last(outline_->edges().size(), -1);
+    : outline_(std::move(outline)), onEdges_(outline_->edges().size()) {
   for (const Piece& piece : pieces) {
     const int e = size();
     if (e > 0 && piece.edge < pieces[e - 1].edge)
@@ -61,24 +59,25 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
                        "'; pieces come in the order of the edges");
     elements_.push_back(makeElement(outline_->edge(piece.edge), piece));
     check(*outline_, elements_.back());
-    if (first[piece.edge] < 0)
-      first[piece.edge] = e;
-    else if (last[piece.edge] != e - 1 ||
-             pieces[e - 1].end.fromStart != piece.start.fromStart)
+    OnEdge& on = onEdges_[piece.edge];
+    if (on.first < 0)
+      on.first = e;
+    else if (on.last != e - 1 || pieces[e - 1].end.fromStart != piece.start.fromStart)
       throw InputError("the mesh leaves a gap on boundary '",
                        outline_->edge(piece.edge).boundary, "'");
-    last[piece.edge] = e;
+    on.last = e;
   }
-  for (std::size_t k = 0; k < first.size(); ++k)
-    if (first[k] < 0 || pieces[first[k]].start.fromStart != 0 ||
-        pieces[last[k]].end.toEnd != 0)
+  for (std::size_t k = 0; k < onEdges_.size(); ++k)
+    if (onEdges_[k].first < 0 || pieces[onEdges_[k].first].start.fromStart != 0 ||
+        pieces[onEdges_[k].last].end.toEnd != 0)
       throw InputError("the mesh does not cover edge ", k, " of boundary '",
                        outline_->edges()[k].boundary, "'");
   for (int e = 0; e < size(); ++e) {
     Element& element = elements_[e];
-    const int edge = element.piece.edge;
-    element.previous = e == first[edge] ? last[outline_->edge(edge).previous] : e - 1;
-    element.next = e == last[edge] ? first[outline_->edge(edge).next] : e + 1;
+    const Edge& edge = outline_->edge(element.piece.edge);
+    const OnEdge& on = onEdge(element.piece.edge);
+    element.previous = e == on.first ? onEdge(edge.previous).last : e - 1;
+    element.next = e == on.last ? onEdge(edge.next).first : e + 1;
     element.startNode = e;  // one node an element: the one it starts with
   }
   for (Element& element : elements_)

@@ -71,6 +71,13 @@ class Mesh {
   /// Elements of a named boundary, in the direction of the outline.
   std::vector<int> elementsOf(const std::string& boundary) const;
 
+  /// Elements of an edge of the outline, from its start to its end: first, ..., last.
+  struct OnEdge {
+    int first = -1;
+    int last = -1;
+  };
+  const OnEdge& onEdge(int edge) const { return onEdges_[edge]; }
+
   /// Number of the straight edge of e; -1 if e is an arc.
   int lineOf(int e) const { return outline_->lineOf((*this)[e].piece.edge); }
   bool hasArcs() const;
@@ -95,6 +102,7 @@ class Mesh {
  private:
   std::shared_ptr<const Outline> outline_;
   std::vector<Element> elements_;
+  std::vector<OnEdge> onEdges_;
 };
 
 /// Divides edge k of the outline into elementsPerEdge[k] elements of equal length and degree.

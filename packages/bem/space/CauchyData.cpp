@@ -14,15 +14,6 @@ bool same(Position a, Position b) {
   return std::abs(distanceAlong(a, b)) <= tolerance * std::min(a.fromStart, a.toEnd);
 }
 
-/// The elements of an edge, from its start to its end.
-std::vector<int> elementsOf(const Mesh& mesh, int edge) {
-  std::vector<int> result;
-  for (int e = 0; e < mesh.size(); ++e)
-    if (mesh[e].piece.edge == edge)
-      result.push_back(e);
-  return result;
-}
-
 Origin originIn(const Mesh& mesh, int e, const Piece& part) {
   const Piece& whole = mesh[e].piece;
   const double length = 2 * mesh[e].half;
@@ -74,20 +65,19 @@ UnionMesh unite(const Mesh& first, const Mesh& second) {
   std::vector<Origin> inFirst;
   std::vector<Origin> inSecond;
   for (int edge = 0; edge < static_cast<int>(edges); ++edge) {
-    const std::vector<int> a = elementsOf(first, edge);
-    const std::vector<int> b = elementsOf(second, edge);
-    Position start = first[a.front()].piece.start;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-      const Position endA = first[a[i]].piece.end;
-      const Position endB = second[b[j]].piece.end;
-      const bool together = same(endA, endB);
-      const bool aEnds = together || distanceAlong(endA, endB) > 0;
-      const Position end = aEnds ? endA : endB;
-      const int degree = std::max(first[a[i]].degree, second[b[j]].degree);
-      pieces.push_back({edge, start, end, degree});
-      densities.push_back(std::max(first[a[i]].densities, second[b[j]].densities));
-      inFirst.push_back(originIn(first, a[i], pieces.back()));
-      inSecond.push_back(originIn(second, b[j], pieces.back()));
+    int i = first.onEdge(edge).first;
+    int j = second.onEdge(edge).first;
+    Position start = first[i].piece.start;
+    while (i <= first.onEdge(edge).last && j <= second.onEdge(edge).last) {
+      const Element& a = first[i];
+      const Element& b = second[j];
+      const bool together = same(a.piece.end, b.piece.end);
+      const bool aEnds = together || distanceAlong(a.piece.end, b.piece.end) > 0;
+      const Position end = aEnds ? a.piece.end : b.piece.end;
+      pieces.push_back({edge, start, end, std::max(a.degree, b.degree)});
+      densities.push_back(std::max(a.densities, b.densities));
+      inFirst.push_back(originIn(first, i, pieces.back()));
+      inSecond.push_back(originIn(second, j, pieces.back()));
       start = end;
       i += aEnds ? 1 : 0;
       j += together || !aEnds ? 1 : 0;
