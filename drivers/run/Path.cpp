@@ -99,6 +99,9 @@ class Follower {
     const double shortest = history.shortest(whole);
     double step = inSteps(time, whole, shortest);
     contact::PathMemory::Difference last;
+    double lastSum = 0;
+    // kinks of single coefficients add up to less than they are, to nothing only by chance
+    constexpr double leastShare = 0.1;
     while (history.tolerance > 0 && here_.t == time &&
            0.5 * step >= (1 - 1e-9) * shortest) {
       const Standing there = std::exchange(here_, before);
@@ -107,13 +110,13 @@ class Follower {
       step = inSteps(time, longest, shortest);
       if (here_.t < time)
         break;
-      // of what is of first order half as much is left as before; where nothing is, both may
-      // have missed what happens in between
       const contact::PathMemory::Difference now = here_.memory.apart(there.memory);
+      const double sum = std::abs(here_.memory.friction() - there.memory.friction());
       const contact::PathMemory::Difference error{
-          std::max(now.work, 0.5 * last.work), std::max(now.slip, 0.5 * last.slip),
-          std::max(now.volume, 0.5 * last.volume)};
+          std::max(left(sum, lastSum), leastShare * left(now.work, last.work)),
+          left(now.slip, last.slip), left(now.volume, last.volume)};
       last = now;
+      lastSum = sum;
       points().back().workError = error.work;
       points().back().volumeError = error.volume;
       const double work = workOf(before, whole);
@@ -126,6 +129,14 @@ class Follower {
                                     history.tolerance * volumeOf(before, whole)))
         break;
     }
+  }
+
+  /// The error of a solution from its difference to that in steps twice as long and from the one
+  /// before: all of it where that falls to a half, as of first order, a third where to a quarter, as
+  /// of second.  Where it falls further both may have missed what happens in between.
+  static double left(double difference, double before) {
+    const double now = std::max(difference, 0.25 * before);
+    return now > 0 ? now / (std::clamp(before / now, 2.0, 4.0) - 1) : 0;
   }
 
   /// All but the first ones; what they cost stays.

@@ -48,6 +48,7 @@ for tolerance in (1e-2, 2e-3):
         claim(error < tolerance,
               "tolerance %g: work up to t = %g in %d steps off by %.1e, told %.1e" %
               (tolerance, row["t"], row["parts"], error, told))
+        claim(error / 6 < told < 6 * error, "what is told is that large")
     claim(8 < max(row["parts"] for row in rows) < 320, "their number is chosen")
     claim("error in time" not in text, "no warning")
 
