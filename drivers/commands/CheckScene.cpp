@@ -123,8 +123,8 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
 /// Condition, traction and gap at a point x of a boundary; if x is not `inside`, it may
 /// be a corner, where loads and gaps need not exist.
 std::vector<std::string> conditionAt(const contact::Conditions& conditions,
-                                     const std::string& boundary, bem::Vec2 x,
-                                     bool inside) {
+                                     const std::string& boundary,
+                                     const bem::SurfacePoint& x, bool inside) {
   const auto value = [&](const bem::Function& f) {
     return inside ? f ? exactly(f(x)) : "0" : "";
   };
@@ -180,7 +180,7 @@ std::string sceneCsv(const Scene& scene) {
       for (int k = 0; k <= lines; ++k) {
         const std::string& boundary = mesh.boundary(e);
         const double t = -1 + 2.0 * k / lines;
-        const bem::Vec2 x = mesh.physicalPoint(e, t);
+        const bem::SurfacePoint x = mesh.physicalPoint(e, t);
         row(x, mesh[e].curve.normal(t), scene.bodies[b].name, boundary, e,
             conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines),
             contactOf(scene, {false, b, boundary}));

@@ -4,6 +4,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/Inside.hpp"
+#include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -54,7 +55,7 @@ class SavedRun {
 
  private:
   static std::string fileIn(const std::string& folder) {
-    return folder + "/solution.hdf";
+    return ownFile(folder, "solution.hdf");
   }
   static Checkpoint read(const std::string& folder) {
     std::error_code ignored;
@@ -247,15 +248,20 @@ std::string summary(const std::string& file, const Points& points,
 }
 
 /// steps/<k>/fields.vtu of all steps and fields.pvd.
+/// What is not asked for elsewhere is written into the run's folder.
+std::string outputOf(const Given& given, const std::string& name) {
+  return given.has("--output") ? given.value("--output") : ownFile(given.argument, name);
+}
+
 void writeSeries(const std::string& folder, std::ostream& out) {
   const SavedRun run(folder);
   const std::vector<double> times = run.times();
   for (std::size_t k = 1; k <= times.size(); ++k) {
-    const std::string file = folder + "/" + stepFile(k, "fields.vtu");
+    const std::string file = ownFile(folder, stepFile(k, "fields.vtu"));
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
     write(file, vtuFile(fill(run.insides(std::to_string(k)))));
   }
-  write(folder + "/fields.pvd", stepsPvd(times, "fields.vtu"));
+  write(ownFile(folder, "fields.pvd"), stepsPvd(times, "fields.vtu"));
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
 }
 
@@ -286,7 +292,7 @@ int fieldsCommand(const Given& given, std::ostream& out) {
   const SavedRun run(folder);
   const BodyInsides insides = run.insides(step);
   if (given.has("--vtk")) {
-    const std::string file = given.value("--output", folder + "/fields.vtu");
+    const std::string file = outputOf(given, "fields.vtu");
     const FilledBodies filled = fill(insides);
     deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, insides),
             out);
@@ -300,7 +306,7 @@ int fieldsCommand(const Given& given, std::ostream& out) {
                      "--grid")
         : InputError("fields: --grid: none of its points lies inside a body; take more");
   const std::vector<InsideValue> values = insides.at(points);
-  const std::string file = given.value("--output", folder + "/fields.csv");
+  const std::string file = outputOf(given, "fields.csv");
   deliver(file, insides.csv(points, values), summary(file, points, values, insides), out);
   return 0;
 }

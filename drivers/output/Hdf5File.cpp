@@ -85,17 +85,26 @@ Hdf5Reader::Hdf5Reader(const std::string& path) {
   bytes_ = std::filesystem::file_size(path);
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                   "is damaged or not complete");
+  within_ = checked(H5Pcreate(H5P_LINK_ACCESS), H5Pclose);
+  const H5L_elink_traverse_t refuse = [](const char*, const char*, const char*,
+                                         const char*, unsigned*, hid_t,
+                                         void*) -> herr_t { return -1; };
+  check(H5Pset_elink_cb(within_.id(), refuse, nullptr) >= 0);
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-  const htri_t exists = H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT);
+  const htri_t exists = H5Lexists(file_.id(), name.c_str(), within_.id());
   check(exists >= 0, "is damaged");
   return exists > 0;
 }
 
 Hdf5Handle Hdf5Reader::dataset(const std::string& name) const {
-  return checked(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose,
-                 name + " is missing");
+  Hdf5Handle found = checked(H5Oopen(file_.id(), name.c_str(), within_.id()), H5Oclose,
+                             name + " is missing");
+  const Hdf5Handle how = checked(H5Dget_create_plist(found.id()), H5Pclose, name);
+  if (H5Pget_external_count(how.id()) != 0 || H5Pget_layout(how.id()) == H5D_VIRTUAL)
+    throw InputError(name + " is in another file");
+  return found;
 }
 
 Hdf5Handle Hdf5Reader::spaceOf(const std::string& name) const {
@@ -139,7 +148,7 @@ void Hdf5Reader::readAttribute(const std::string& group, const std::string& name
                                hid_t type, void* value) const {
   const std::string what = bem::message(group, "/", name);
   const Hdf5Handle owner =
-      checked(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), H5Gclose, group);
+      checked(H5Oopen(file_.id(), group.c_str(), within_.id()), H5Oclose, group);
   const Hdf5Handle attribute = checked(H5Aopen(owner.id(), name.c_str(), H5P_DEFAULT),
                                        H5Aclose, what + " is missing");
   const Hdf5Handle space =

@@ -130,7 +130,8 @@ class Hdf5Writer {
   Hdf5Handle file_;
 };
 
-/// Reads an HDF5 file, which may be damaged: all methods throw bem::InputError with what
+/// Reads an HDF5 file, which may be damaged or somebody else's, and nothing that it has in
+/// other files (external links, external and virtual datasets): all methods throw bem::InputError with what
 /// is missing or damaged, without the name of the file.
 class Hdf5Reader {
  public:
@@ -167,6 +168,7 @@ class Hdf5Reader {
   QuietHdf5 quiet_;
   unsigned long long bytes_ = 0;  ///< of the file
   Hdf5Handle file_;
+  Hdf5Handle within_;  ///< follows no link into another file
 };
 
 }  // namespace epafi::drivers

@@ -139,7 +139,7 @@ bool holdsSolvedLevel(const fs::path& path) {
 void deleteSteps(const fs::path& path, std::size_t last) {
   std::error_code ignored;
   std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(path / "steps", ignored))
+  for (const auto& entry : fs::directory_iterator(ownFile(path, "steps"), ignored))
     folders.push_back(entry.path());
   for (const fs::path& folder : folders) {
     const std::string name = folder.filename().string();
@@ -147,7 +147,7 @@ void deleteSteps(const fs::path& path, std::size_t last) {
         std::strtoul(name.c_str(), nullptr, 10) <= last)
       continue;
     for (const char* file : {"contact.csv", "boundary.vtu", "fields.vtu"}) {
-      deleteQuietly(folder / file);
+      deleteQuietly(ownFile(path, "steps/" + name + "/" + file));
       deleteQuietly(temporaryFile(folder, file));
     }
     deleteQuietly(folder);
@@ -200,13 +200,27 @@ std::shared_ptr<const void> locked(const std::string& path) {
 
 }  // namespace
 
+std::string ownFile(const std::string& folder, const std::string& name) {
+  const fs::path file = fs::path(folder) / name;
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(file, ignored);
+  const fs::path inside = real.lexically_relative(fs::weakly_canonical(folder, ignored));
+  const bool dangles = fs::is_symlink(file, ignored) && !fs::exists(file, ignored);
+  if (inside.empty() || *inside.begin() == ".." || dangles)
+    throw bem::InputError(
+        "'", file.string(), "' is a link out of its folder, to '",
+        dangles ? fs::read_symlink(file, ignored).string() : real.string(),
+        "'; what is read and written is in the folder itself");
+  return file.string();
+}
+
 OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
     : path_(std::move(path)) {
   makeFolder(path_);
   lock_ = locked(path_);
   deleteEarlierRun(path_, earlier);
   // Fail now rather than after hours of computing.
-  const fs::path probe = fs::path(path_) / ".epafi.probe";
+  const fs::path probe = ownFile(path_, ".epafi.probe");
   errno = 0;
   if (!std::ofstream(probe))
     refuse(probe.parent_path(), std::strerror(errno));
@@ -216,9 +230,10 @@ OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
 OutputFolder::~OutputFolder() { discard(); }
 
 void OutputFolder::stage(const std::string& name, const std::string& text) {
-  staged_.push_back(name);
   if (const fs::path inside = fs::path(name).parent_path(); !inside.empty())
-    makeFolder(fs::path(path_) / inside);
+    makeFolder(ownFile(path_, inside));
+  deleteQuietly(temporaryFile(path_, name));  // a link there would be followed
+  staged_.push_back(name);
   errno = 0;
   std::ofstream stream(temporaryFile(path_, name), std::ios::binary | std::ios::trunc);
   stream << text;

@@ -9,6 +9,10 @@ namespace epafi::drivers {
 /// What to do with the files of an earlier run in the same folder.
 enum class EarlierRun { Refuse, Delete, Continue };
 
+/// The path of a file in a folder, which may be somebody else's.
+/// \throws bem::InputError where a link leads out of the folder.
+std::string ownFile(const std::string& folder, const std::string& name);
+
 /// The folder into which a run writes its files.
 ///
 /// Files are replaced as a whole: stage() writes all of them under temporary names,

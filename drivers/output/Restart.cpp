@@ -1,6 +1,7 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/OutputFolder.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
@@ -149,8 +150,8 @@ void checkLevel(const Level& level, const Scene& scene) {
 }
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
-  const std::string path = folder + "/solution.hdf";
   return within("--restart: ", [&] {
+    const std::string path = ownFile(folder, "solution.hdf");
     Checkpoint checkpoint = readSolution(path);
     within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);

@@ -19,6 +19,10 @@ bool areAlike(double a, double b, double size, const Body& body) {
   return std::abs(a - b) <= 1e-6 * size + 1e-12 * body.outline->diameter();
 }
 
+bem::SurfacePoint pointOf(const Body& body, const bem::Edge& edge, double t) {
+  return {body.outline->physical(edge.curve.point(t)), edge.curve.normal(t)};
+}
+
 /// Calls at(edge, next, corner) for each corner of a body, in the user's coordinates.
 template <class At>
 void forEachCorner(const Body& body, const At& at) {
@@ -39,8 +43,8 @@ void findJumps(const Body& body, const contact::Conditions& conditions, Warnings
     const auto differ = [&](const bem::Function& one, const bem::Function& other) {
       if (!one || !other)
         return false;
-      const double a = one(corner);
-      const double b = other(corner);
+      const double a = one(pointOf(body, edge, 1));
+      const double b = other(pointOf(body, next, -1));
       return !areAlike(a, b, std::max(std::abs(a), std::abs(b)), body);
     };
     if (differ(before->second.x, behind->second.x) ||
@@ -54,7 +58,8 @@ void findJumps(const Body& body, const contact::Conditions& conditions, Warnings
 }
 
 /// A function need not exist where no run looks at it.
-std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
+std::optional<double> valueAt(const bem::Function& function,
+                              const bem::SurfacePoint& place) {
   try {
     return function(place);
   } catch (const bem::InputError&) {
@@ -66,24 +71,23 @@ std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
 /// image slides against it.
 void findSlidingAcross(const Body& body, const contact::Conditions& conditions,
                        Warnings& warn) {
-  const auto compare = [&](const bem::Edge& line, const bem::Edge& side,
-                           bem::Vec2 corner) {
+  const auto compare = [&](const bem::Edge& line, const bem::Edge& side, double end) {
     const auto contact = conditions.contact.find(side.boundary);
     if (conditions.isBoundary(line.boundary) || contact == conditions.contact.end() ||
         !contact->second.sliding || contact->second.friction.law == nullptr)
       return;
-    const std::optional<double> slid = valueAt(contact->second.sliding, corner);
+    const std::optional<double> slid =
+        valueAt(contact->second.sliding, pointOf(body, side, end));
     if (slid && !areAlike(*slid, 0, 0, body))
       warn.once(
           "slid " + contact->second.path, contact->second.path, ": Sliding is ", *slid,
           " on the line of symmetry, where the mirror image slides the other way: it "
           "jumps there; let it be zero on the line, or draw the whole");
   };
-  forEachCorner(body,
-                [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2 corner) {
-                  compare(edge, next, corner);
-                  compare(next, edge, corner);
-                });
+  forEachCorner(body, [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2) {
+    compare(edge, next, -1);
+    compare(next, edge, 1);
+  });
 }
 
 /// The half of an interval with the larger difference, and again of that.
@@ -109,8 +113,7 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
     if (!given || edge.boundary != boundary)
       continue;
     const auto at = [&](double t) {
-      return valueAt(given, body.outline->physical(edge.curve.point(t)))
-          .value_or(std::nan(""));
+      return valueAt(given, pointOf(body, edge, t)).value_or(std::nan(""));
     };
     const auto place = [](int k) { return -1 + 2.0 * k / samples; };
     const auto step = [&](int k) { return at(place(k + 1)) - at(place(k)); };
@@ -126,7 +129,7 @@ void findJump(const Body& body, const std::string& boundary, const char* axis,
       const auto [low, high] = steepest(place(k), place(k + 1), at);
       const double before = at(low);
       const double jump = at(high) - before;
-      const bem::Vec2 x = body.outline->physical(edge.curve.point(low));
+      const bem::Vec2 x = pointOf(body, edge, low);
       if (std::abs(jump) > share * excess && !areAlike(jump, 0, std::abs(before), body))
         warn.once(
             message("jump ", body.name, boundary, axis), "Bodies->", body.name,
@@ -143,7 +146,7 @@ std::optional<double> gapAtEnd(const bem::Function& gap, const Body& body,
                                const bem::Edge& side, double end) {
   constexpr double aside = 1e-9;  // of the side
   const auto gapAt = [&](double distance) {
-    return valueAt(gap, body.outline->physical(side.curve.point(end * (1 - distance))));
+    return valueAt(gap, pointOf(body, side, end * (1 - distance)));
   };
   const auto near = gapAt(aside);
   const auto farther = gapAt(2 * aside);
@@ -169,7 +172,8 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
     const bem::Vec2 n = side.curve.normal(end);
     if ((!x && std::abs(n.x) > same) || (!y && std::abs(n.y) > same))
       return;
-    const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
+    const bem::SurfacePoint there = pointOf(body, given, -end);
+    const bem::Vec2 moved{x ? x(there) : 0, y ? y(there) : 0};
     const double closing = dot(moved, n);
     const auto gap = gapAtEnd(contact->second.gap, body, side, end);
     if (gap && closing > *gap &&
@@ -200,7 +204,7 @@ Force forceOf(const contact::Conditions::Neumann& traction, const bem::Mesh& mes
   Force force;
   for (const int e : elements)
     for (int q = 0; q < rule.size(); ++q) {
-      const bem::Vec2 x = mesh.physicalPoint(e, rule.points[q]);
+      const bem::SurfacePoint x = mesh.physicalPoint(e, rule.points[q]);
       const bem::Vec2 part = rule.weights[q] * mesh[e].half *
                              mesh.outline().scaling().length * traction.at(x);
       force.sum = force.sum + part;

@@ -273,12 +273,11 @@ Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
       room.isLimited = false;
     else
       for (std::size_t q = 0; q < rule.points.size() && room.isLimited; ++q) {
-        const bem::Vec2 x = mesh.physicalPoint(e, rule.points[q]);
-        const bem::Vec2 n = mesh[e].curve.normal(rule.points[q]);
+        const bem::SurfacePoint x = mesh.physicalPoint(e, rule.points[q]);
         double outwards = meets && contact->second.gap ? contact->second.gap(x) : 0;
         if (!meets)
-          for (const auto& [given, along] :
-               {std::pair(&clamp->second.x, n.x), std::pair(&clamp->second.y, n.y)})
+          for (const auto& [given, along] : {std::pair(&clamp->second.x, x.normal.x),
+                                             std::pair(&clamp->second.y, x.normal.y)})
             if (*given)
               outwards += (*given)(x)*along;
             else if (std::abs(along) > 1e-12)

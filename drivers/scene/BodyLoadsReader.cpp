@@ -193,14 +193,14 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   std::vector<double> values;
   double largest = 0;
   for (const Complex y : points) {
-    values.push_back(given(outline.physical(asVector(y))));
+    values.push_back(given({outline.physical(asVector(y)), {}}));
     largest = std::max(largest, std::abs(values.back()));
   }
   contact::BodyLoads::Terms terms = fit(points, values);
   const contact::ParticularSolution fitted({{}, {}, terms}, bem::Lame(bem::Material{}));
   double deviation = 0;
   for (const Complex y : latticeOf(9, 0.4))
-    deviation = std::max(deviation, std::abs(given(outline.physical(asVector(y))) -
+    deviation = std::max(deviation, std::abs(given({outline.physical(asVector(y)), {}}) -
                                              fitted.temperature(asVector(y))));
   // in powers of z cancellation leaves eight digits on a body of aspect ratio 1 : 100
   if (deviation > 1e-7 * largest)
@@ -247,7 +247,7 @@ std::shared_ptr<const contact::ThermalConditions> BodyLoadsReader::heat(
   for (const auto& item : *thermal_.list) {
     Part part = thermal_.sub(item.first);
     checkNamed(item.first, part.place.path, outline);
-    part.names.normal = normalOn(outline, item.first);
+    part.names.onBoundary = true;
     const bool isHeld = part.has("Temperature");
     if (isHeld == part.has("Heat Flux"))
       throw InputError(part.place.path, ": has ", isHeld ? "both" : "none",

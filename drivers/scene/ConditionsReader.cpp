@@ -45,7 +45,9 @@ contact::Conditions::Contact readSurface(const Part& part) {
   if (part.has("Sliding")) {
     const bem::Function now = part.function("Sliding");
     const bem::Function before = part.then(0).function("Sliding");
-    condition.sliding = [now, before](bem::Vec2 x) { return now(x) - before(x); };
+    condition.sliding = [now, before](const bem::SurfacePoint& x) {
+      return now(x) - before(x);
+    };
   }
   readWear(part.sub("Wear"), condition);
   const Part normal = part.sub("Normal");
@@ -59,9 +61,8 @@ contact::Conditions::Contact readSurface(const Part& part) {
 
 contact::Conditions::Contact readContactOfBodies(const Part& part) {
   contact::Conditions::Contact condition = readSurface(part);
-  condition.gap = [interference = part.function("Interference")](bem::Vec2 x) {
-    return -interference(x);
-  };
+  condition.gap = [interference = part.function("Interference")](
+                      const bem::SurfacePoint& x) { return -interference(x); };
   return condition;
 }
 
@@ -70,22 +71,6 @@ void checkNamed(const std::string& boundary, const std::string& path,
   const std::vector<std::string> names = boundaryNames(outline);
   if (std::find(names.begin(), names.end(), boundary) == names.end())
     throw InputError(path, ": no edge has this name", bem::suggestion(boundary, names));
-}
-
-std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
-                                             const std::string& boundary) {
-  std::vector<bem::Curve> curves;
-  for (const bem::Edge& edge : outline.edges())
-    if (edge.boundary == boundary)
-      curves.push_back(edge.curve);
-  return [curves, scaling = outline.scaling()](bem::Vec2 physical) {
-    const bem::Vec2 x = (1 / scaling.length) * (physical - scaling.origin);
-    const auto nearest = std::min_element(curves.begin(), curves.end(),
-                                          [x](const bem::Curve& a, const bem::Curve& b) {
-                                            return a.distance(x) < b.distance(x);
-                                          });
-    return nearest->normal(std::clamp(nearest->seen(x).z.real(), -1.0, 1.0));
-  };
 }
 
 namespace {
@@ -100,7 +85,7 @@ double lengthOf(const bem::Outline& outline, const std::string& boundary) {
 }
 
 bem::Function sum(const bem::Function& a, const bem::Function& b) {
-  return a ? [a, b](bem::Vec2 x) { return a(x) + b(x); } : b;
+  return a ? [a, b](const bem::SurfacePoint& x) { return a(x) + b(x); } : b;
 }
 
 /// Adds the traction M/I J(x - c), J a rotation by 90°, I = ∫ |x - c|², c the centroid.
@@ -174,7 +159,7 @@ contact::Conditions readConditions(const Part& body, const bem::Outline& outline
   for (const auto& item : *all.list) {
     Part part = all.sub(item.first);
     checkNamed(item.first, part.place.path, outline);
-    part.names.normal = normalOn(outline, item.first);
+    part.names.onBoundary = true;
     readBoundary(part, item.first, outline, conditions);
   }
   const Part rigid = body.sub("Rigid Motions");

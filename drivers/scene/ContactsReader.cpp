@@ -175,7 +175,7 @@ void readContacts(Scene& scene) {
     checkFree(pair.opposite, path, scene);
     checkNotOpposite(pair.side, path, scene);
     checkModuli(pair, path, scene);
-    part.names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
+    part.names.onBoundary = true;
     contact::Conditions::Contact condition = readContactOfBodies(part);
     condition.name = pair.name;
     condition.parts = meet(pair, scene);

@@ -65,7 +65,7 @@ struct Source {
     const std::string known = form == Form::Constant      ? "constants before it"
                               : form == Form::OfConstants ? "constants"
                               : form == Form::OfTime      ? "t"
-                              : names.normal              ? "x, y, t, nx and ny"
+                              : names.onBoundary          ? "x, y, t, nx and ny"
                                                           : "x, y and t";
     return known +
            namesIn(names.constants, form < Form::OfTime ? ": " : " and the constants ") +
@@ -100,12 +100,9 @@ class Parser {
         parser_.DefineVar("x", &point_.x);
         parser_.DefineVar("y", &point_.y);
       }
-      if (atPoint && names.normal) {
-        parser_.DefineVar("nx", &normal_.x);
-        parser_.DefineVar("ny", &normal_.y);
-        if (source.text.find("nx") != std::string::npos ||
-            source.text.find("ny") != std::string::npos)
-          normalAt_ = names.normal;
+      if (atPoint && names.onBoundary) {
+        parser_.DefineVar("nx", &point_.normal.x);
+        parser_.DefineVar("ny", &point_.normal.y);
       }
       parser_.SetExpr(source.text);
     } catch (const mu::Parser::exception_type& error) {
@@ -119,10 +116,8 @@ class Parser {
   Parser& operator=(const Parser&) = delete;
 
   /// \throws InputError with the message of muParser, or if there are several values.
-  double operator()(bem::Vec2 point) {
+  double operator()(const bem::SurfacePoint& point) {
     point_ = point;
-    if (normalAt_)
-      normal_ = normalAt_(point);
     try {
       int values = 0;
       const double* value = parser_.Eval(values);
@@ -160,9 +155,7 @@ class Parser {
   }
 
   const Source& source_;
-  std::function<bem::Vec2(bem::Vec2)> normalAt_;
-  bem::Vec2 point_;
-  bem::Vec2 normal_;
+  bem::SurfacePoint point_;
   mu::Parser parser_;
 };
 
@@ -175,7 +168,7 @@ class Expression {
     if (loneEqualSign(source_.text) != std::string::npos)
       source_.fail("assigns with '='; nothing can be assigned, equality is '=='");
     const double value =
-        evaluate({0, 0});  // checks the syntax; the value at the origin may be undefined
+        evaluate({});  // checks the syntax; the value at the origin may be undefined
     if (idle_.front()->isConstant())
       constant_ = value;
   }
@@ -183,7 +176,7 @@ class Expression {
   /// Its value, if this is the same at all points.
   std::optional<double> constant() const { return constant_; }
 
-  double operator()(bem::Vec2 point) const {
+  double operator()(const bem::SurfacePoint& point) const {
     const double t = source_.names.t;
     double value = evaluate(point);
     if (std::isnan(value))
@@ -201,7 +194,7 @@ class Expression {
   }
 
  private:
-  double evaluate(bem::Vec2 point) const {
+  double evaluate(const bem::SurfacePoint& point) const {
     if (constant_)
       return *constant_;
     std::unique_ptr<Parser> parser = take();
@@ -248,7 +241,7 @@ bem::Function makeExpression(const std::string& text, const Place& place,
                              const Names& names, Form form) {
   const auto expression =
       std::make_shared<const Expression>(Source{text, place, names, form});
-  return [expression](bem::Vec2 point) { return (*expression)(point); };
+  return [expression](const bem::SurfacePoint& point) { return (*expression)(point); };
 }
 
 std::optional<double> constantIn(const std::string& text, const Place& place,

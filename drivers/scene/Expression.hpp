@@ -3,7 +3,6 @@
 #include "bem/base/Function.hpp"
 #include "drivers/scene/Interpolant.hpp"
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,9 +22,8 @@ using Constants = std::map<std::string, double>;
 struct Names {
   Constants constants = {};
   double t = 1;
-  /// The outward unit normal (nx, ny) at a point; empty: not on a boundary.
-  std::function<bem::Vec2(bem::Vec2)> normal = {};
   Tables tables = {};
+  bool onBoundary = false;  ///< nx and ny: the outward unit normal at the point
 };
 
 /// The names that an expression may use; each form includes those before it.

@@ -92,7 +92,7 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
       throw InputError(path, "->", item.first, ": give this or File, not both");
   const auto name = geometry.get<std::string>("File");
   const std::string file =
-      (std::filesystem::path(sceneFile).parent_path() / name).string();
+      within(path + "->File: ", [&] { return namedFile(name, sceneFile); });
   const std::string where = file == name ? "" : " (" + file + ")";
   within(message(path, "->File = '", name, "'", where, ": "), [&] {
     const auto extension = std::filesystem::path(name).extension();

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <boost/math/interpolators/cubic_hermite.hpp>
 #include <boost/math/interpolators/makima.hpp>
-#include <filesystem>
 #include <limits>
 
 namespace epafi::drivers {
@@ -107,8 +106,7 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   if (!list.isParameter("File"))
     return;
   const auto name = list.get<std::string>("File");
-  const std::string file =
-      (std::filesystem::path(sceneFile).parent_path() / name).string();
+  const std::string file = within("File: ", [&] { return namedFile(name, sceneFile); });
   within(bem::message("File = '", name, "' (", file, "): "),
          [&] { bem::setPoints(list, "Points", pairsIn(readText(file), true)); });
   list.remove("File");

@@ -21,7 +21,8 @@ bem::Function Part::function(const std::string& key) const {
 }
 
 bem::Function Part::nonNegative(const std::string& key, bool orZero) const {
-  return [function = function(key), place = at(key), t = names.t, orZero](bem::Vec2 x) {
+  return [function = function(key), place = at(key), t = names.t,
+          orZero](const bem::SurfacePoint& x) {
     const double value = function(x);
     if (value < 0 || (value == 0 && !orZero))
       throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (", x.x,

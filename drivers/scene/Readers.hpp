@@ -77,9 +77,4 @@ void checkNamed(const std::string& boundary, const std::string& path,
 /// normal.
 contact::Conditions::Contact readContactOfBodies(const Part& part);
 
-/// The outward normal at a point of a boundary, in the user's coordinates: that of the
-/// nearest edge with this name.
-std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
-                                             const std::string& boundary);
-
 }  // namespace epafi::drivers

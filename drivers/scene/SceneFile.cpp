@@ -293,6 +293,13 @@ std::string readText(const std::string& file) {
   return withoutMark(text.str());
 }
 
+std::string namedFile(const std::string& name, const std::string& scene) {
+  const std::filesystem::path path(scene);
+  if (path.filename() == "used.xml")
+    throw InputError("the used.xml of a run names no other file; give what is in it");
+  return (path.parent_path() / name).string();
+}
+
 RawScene rawScene(const std::string& text, const std::string& file) {
   checkEncoding(text);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)

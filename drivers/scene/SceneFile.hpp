@@ -38,6 +38,11 @@ void checkReadable(const std::string& file);
 /// The content of a file without a byte order mark.  \throws as checkReadable, and for UTF-16.
 std::string readText(const std::string& file);
 
+/// The path of a file that a scene names, relative to the scene's own.
+/// \throws bem::InputError in the used.xml of a run, which may be somebody else's: all of
+///   its scene stands in it.
+std::string namedFile(const std::string& name, const std::string& scene);
+
 /// Reads XML, or YAML if the name of the file ends in .yaml or .yml.  The title is the
 /// name of the root list, by default the name of the file without extension.
 /// \throws bem::InputError for an empty or malformed text and for values that do not fit

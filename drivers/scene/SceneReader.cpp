@@ -167,7 +167,7 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
           Part part = now.sub("Contacts").sub(contact.name);
-          part.names.normal = normalOn(*body.outline, boundary);
+          part.names.onBoundary = true;
           contact::Conditions::Contact condition = readContactOfBodies(part);
           condition.name = contact.name;
           condition.parts = contact.parts;
@@ -289,9 +289,7 @@ std::string usedXml(const Scene& scene) {
 
 std::string numbersXml(const Scene& scene) {
   Part root = scene.root().then(scene.endOfPath());
-  root.names.normal = [](bem::Vec2) {
-    return bem::Vec2();
-  };  // nx and ny: those of no point
+  root.names.onBoundary = true;
   ParameterList list(*scene.used);
   putNumbers(root, list);
   return toXml(list, scene.title);

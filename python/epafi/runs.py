@@ -14,7 +14,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene, tree_of
-from epafi.tables import HISTORY, Table, html_table, loaded_step, nearest, read, title_of
+from epafi.tables import HISTORY, Table, html_table, loaded_step, nearest, own, read, title_of
 
 if TYPE_CHECKING:
     import h5py
@@ -94,14 +94,14 @@ class Run:
     @functools.cached_property
     def scene(self) -> Scene:
         """used.xml: the complete scene, defaults and versions included."""
-        return Scene.read(os.path.join(self.folder, "used.xml"))
+        return Scene.read(own(self.folder, "used.xml"))
 
     @functools.cached_property
     def numbers(self) -> dict[str, Any]:
         """The complete scene with the number of each expression that is the same everywhere, at the
         end of the path; other expressions are texts."""
         return tree_of(xml.fromstring(call(
-            ["check", os.path.join(self.folder, "used.xml"), "--numbers"])))
+            ["check", own(self.folder, "used.xml"), "--numbers"])))
 
     @property
     def converged(self) -> bool:
@@ -168,9 +168,7 @@ class Run:
     @property
     def solution(self) -> h5py.File:
         """solution.hdf, open for reading; doc/solution-file.md says what is in it."""
-        import h5py
-
-        return h5py.File(os.path.join(self.folder, "solution.hdf"), "r")
+        return opened(own(self.folder, "solution.hdf"))
 
     def plot(self, what: str = "contact", *, window: Optional[Window] = None,
              step: Optional[int] = None, axes: Any = None, **looks: Any) -> tuple[Figure, Any]:
@@ -249,6 +247,30 @@ class Run:
                 lambda: self.plot(what)[0], what)
 
 
+def opened(file: str) -> h5py.File:
+    """A solution.hdf for reading.  InputError where anything in it stands for what is in another
+    file, as HDF5's links and datasets may."""
+    import h5py
+
+    def check(group: h5py.Group) -> None:
+        for name in group:
+            link = group.get(name, getlink=True)
+            item = group[name] if isinstance(link, h5py.HardLink) else None
+            if isinstance(item, h5py.Group):
+                check(item)
+            elif item is None or isinstance(item, h5py.Dataset) and (
+                    item.external or item.is_virtual):
+                raise InputError("'%s': %s/%s is not in the file" % (file, group.name, name))
+
+    content = h5py.File(file, "r")
+    try:
+        check(content)
+    except InputError:
+        content.close()
+        raise
+    return content
+
+
 def pictured(draw: Callable[[], Figure], text: str) -> str:
     """A picture as HTML, where matplotlib is installed and there is something to draw."""
     try:
@@ -267,7 +289,7 @@ def field_file(folder: str, place: str, window: Optional[Window], step: Optional
         x, y = window[2] - window[0], window[3] - window[1]
         file, how = "fields-window.csv", ["--grid", "%d,%d" % tuple(
             max(1, round(CELLS * side / max(x, y))) for side in (x, y))]
-    file = os.path.join(place, file)
+    file = own(place, file)
     call(["fields", folder, *how, "--output", file, *_chosen(window, step)])
     return file
 

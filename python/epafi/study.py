@@ -25,7 +25,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path = [os.path.dirname(HERE), *(p for p in sys.path if p != HERE)]
 from epafi.program import EpafiError, InputError, NotConverged, call  # noqa: E402
 from epafi.scenes import entry, tree_of  # noqa: E402
-from epafi.tables import nearest  # noqa: E402
+from epafi.tables import nearest, own  # noqa: E402
 
 HEAD = "  level    dof  density   estimate      error  effectivity  steps   CPU s"
 # What `epafi run --reference` adds to history.csv; study.csv calls the last one worst_step.
@@ -187,7 +187,7 @@ class Study:
 
     def write(self) -> None:
         names = ["scene", "variant", *self.columns, *ERRORS, *OWN]
-        part = os.path.join(self.folder, ".study.csv.part")
+        part = own(self.folder, ".study.csv.part")
         with open(part, "w", newline="", encoding="utf-8") as stream:
             table = csv.writer(stream, lineterminator="\n")
             table.writerow("worst_step" if name == ERRORS[-1] else name for name in names)
@@ -206,7 +206,7 @@ class Study:
 
     def reference(self, variant: Variant) -> Optional[str]:
         """The solution.hdf, kept from before or computed now; None if it failed."""
-        name = os.path.join(self.folder, "reference-" + file_name(variant.scene))
+        name = own(self.folder, "reference-" + file_name(variant.scene) + ".hdf")[:-4]
         solution = name + ".hdf"
 
         def checksum() -> str:
@@ -249,7 +249,7 @@ class Study:
 
     def solve(self, variant: Variant, name: str, reference: Optional[str]) -> None:
         self.say("%s: %s" % (variant.scene, variant.name))
-        folder = os.path.join(self.folder, name)
+        folder = own(self.folder, name)
         shown = 0
 
         def look(said: str = "") -> None:

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Optional, Se
 
 import numpy as np
 
+from epafi.program import InputError
+
 if TYPE_CHECKING:
     import pandas
 
@@ -126,12 +128,25 @@ def html_table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
         [line(names, "th"), *(line(map(cell_text, row), "td") for row in rows)])
 
 
+def own(folder: str, name: str) -> str:
+    """The path of a file in a folder, which may be from somebody else.
+
+    InputError where the name or a link leads out of it.
+    """
+    file, root = os.path.join(folder, name), os.path.realpath(folder)
+    real = os.path.realpath(file)
+    if os.path.commonpath([root, real]) != root:
+        raise InputError("'%s' leads out of its folder, to '%s'; what is drawn and written is in the "
+                         "folder itself" % (file, real))
+    return file
+
+
 def read(folder: str, name: str) -> Optional[Table]:
     """The table of a file, or None without the file or without rows in it.
 
     ValueError for a file that is no table.
     """
-    file = os.path.join(folder, name)
+    file = own(folder, name)
     if not os.path.isfile(file):
         return None
     try:
@@ -154,14 +169,14 @@ def loaded_step(folder: str) -> Optional[int]:
     energy = steps["energy_strain"][here]
     step = int(steps["step"][here][np.argmax(energy)])
     loaded = energy[-1] > UNLOADED * energy.max() or not energy.max() > 0
-    written = os.path.isfile(os.path.join(folder, "steps", str(step), "boundary.vtu"))
+    written = os.path.isfile(own(folder, os.path.join("steps", str(step), "boundary.vtu")))
     return None if loaded or not written else step
 
 
 def title_of(folder: str) -> str:
     """The scene's title from used.xml, else the folder's name."""
     try:
-        name = xml.parse(os.path.join(folder, "used.xml")).getroot().get("name")
+        name = xml.parse(own(folder, "used.xml")).getroot().get("name")
     except (OSError, xml.ParseError):
         name = None
     return name or os.path.basename(os.path.abspath(folder))

@@ -1,4 +1,5 @@
 #include "SceneText.hpp"
+#include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Interpolant.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -184,12 +185,20 @@ TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
   for (const double angle : {0.1, 1.0, 2.0, 3.0}) {
     const bem::Vec2 n{std::cos(angle), std::sin(angle)};
     const bem::Vec2 at = bem::Vec2{1, 1} + n;
-    TEST_FLOATING_EQUALITY(loadOn(scene, "top").x(at), -3 * n.x, 1e-14);
-    TEST_FLOATING_EQUALITY(loadOn(scene, "top").y(at), -3 * n.y, 1e-14);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").x({at, n}), -3 * n.x, 1e-14);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").y({at, n}), -3 * n.y, 1e-14);
   }
-  TEST_FLOATING_EQUALITY(loadOn(scene, "side").x({2, 0.25}), 1.25, 1e-15);
-  TEST_FLOATING_EQUALITY(loadOn(scene, "side").x({0, 0.25}), -0.75, 1e-15);
-  TEST_EQUALITY(loadOn(scene, "side").y({0, 0.25}), 0.0);
+  const bem::Mesh mesh = drivers::firstMesh(scene.bodies[0]);
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const double t : {-1.0, 0.0, 1.0}) {
+      const bem::SurfacePoint x = mesh.physicalPoint(e, t);
+      if (mesh.boundary(e) == "side")  // at corners, too
+        TEST_EQUALITY(loadOn(scene, "side").x(x), (x.x > 1 ? 1 : -1) + x.y);
+      if (mesh.boundary(e) == "top") {
+        TEST_COMPARE(norm(x.normal - (x - bem::Vec2{1, 1})), <, 1e-14);
+        TEST_EQUALITY(loadOn(scene, "top").y(x), -3 * x.normal.y);
+      }
+    }
 }
 
 TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
@@ -247,7 +256,7 @@ TEUCHOS_UNIT_TEST(Forces, aMomentTurnsTheBoundaryAboutItsCentroid) {
     double length = 0;
     for (const bem::Edge& edge : outline.edges())
       for (int q = 0; edge.boundary == name && q < rule.size(); ++q) {
-        const bem::Vec2 x = outline.physical(edge.curve.point(rule.points[q]));
+        const bem::SurfacePoint x{outline.physical(edge.curve.point(rule.points[q])), {}};
         const double w =
             rule.weights[q] * 0.5 * edge.curve.length() * outline.scaling().length;
         const bem::Vec2 traction{loadOn(scene, name).x(x), loadOn(scene, name).y(x)};

@@ -155,7 +155,7 @@ TEUCHOS_UNIT_TEST(Scene, isTheSameFromXmlAndYaml) {
 }
 
 TEUCHOS_UNIT_TEST(Scene, yamlTakesExpressionsAndArraysWithoutQuotes) {
-  const auto gapAt = [](const std::string& gap, const bem::Vec2& x) {
+  const auto gapAt = [](const std::string& gap, const bem::SurfacePoint& x) {
     return readYaml(with(yaml, "'0.1*x^2'", gap))
         .bodies[0]
         .conditions.contact.at("base")

@@ -204,7 +204,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     const bem::Function earlier =
         then == nullptr ? bem::Function() : then->contact.at(*element.boundary).sliding;
     slip = [slip, &mesh, &condition, earlier, units, e](double t) {
-      const bem::Vec2 x = mesh.physicalPoint(e, t);
+      const bem::SurfacePoint x = mesh.physicalPoint(e, t);
       return slip(t) - (condition.sliding(x) - (earlier ? earlier(x) : 0)) / units.length;
     };
   }

@@ -25,7 +25,7 @@ double clampSquares(const contact::Solved& solved, int e,
   for (const bem::BoundaryValue& value : values) {
     const double t = value.place.t;
     const Vec2 u = solved.displacementAt(e, t);
-    const Vec2 x = mesh.physicalPoint(e, t);
+    const bem::SurfacePoint x = mesh.physicalPoint(e, t);
     const auto error = [&](const bem::Function& given, double own) {
       return given ? given(x) / solved.units.length - own : 0;
     };

@@ -6,8 +6,13 @@
 
 namespace epafi::bem {
 
+/// A point of a boundary in the user's coordinates, and the outward unit normal there.
+struct SurfacePoint : Vec2 {
+  Vec2 normal;
+};
+
 /// A scalar function of a point of the boundary, in the user's units: gap, load, friction
 /// bound.  Empty: not given.
-using Function = std::function<double(Vec2)>;
+using Function = std::function<double(const SurfacePoint&)>;
 
 }  // namespace epafi::bem

@@ -130,8 +130,8 @@ Vec2 Mesh::scaledPoint(int e, double t) const {
   return place(outline_->edge((*this)[e].piece.edge), at(e, t));
 }
 
-Vec2 Mesh::physicalPoint(int e, double t) const {
-  return outline_->physical(scaledPoint(e, t));
+SurfacePoint Mesh::physicalPoint(int e, double t) const {
+  return {outline_->physical(scaledPoint(e, t)), (*this)[e].curve.normal(t)};
 }
 
 Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Function.hpp"
 #include "bem/geometry/Outline.hpp"
 
 #include <memory>
@@ -88,8 +89,8 @@ class Mesh {
   /// The point with 1 + t = fromStart, 1 - t = toEnd, anchored at the nearer end of e.
   BoundaryPoint at(int e, double fromStart, double toEnd) const;
   Vec2 scaledPoint(int e, double t) const;
-  /// In the user's coordinates.
-  Vec2 physicalPoint(int e, double t) const;
+  /// In the user's coordinates, with the normal of e.
+  SurfacePoint physicalPoint(int e, double t) const;
 
   /// x - y, without the cancellation of a difference of coordinates.
   Vec2 difference(const BoundaryPoint& x, const BoundaryPoint& y) const;

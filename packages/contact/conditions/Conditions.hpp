@@ -35,7 +35,7 @@ struct Conditions {
     bem::Function x;
     bem::Function y;
 
-    bem::Vec2 at(bem::Vec2 place) const {
+    bem::Vec2 at(const bem::SurfacePoint& place) const {
       return {x ? x(place) : 0.0, y ? y(place) : 0.0};
     }
   };

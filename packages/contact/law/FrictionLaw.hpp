@@ -72,7 +72,7 @@ struct Friction : LawOnBoundary<FrictionLaw> {
   bem::Function compliance{};  ///< empty: zero
 
   bool ties() const { return law != nullptr && law->ties(); }
-  PointLaw at(bem::Vec2 place, double stress) const {
+  PointLaw at(const bem::SurfacePoint& place, double stress) const {
     return law == nullptr ? PointLaw() : PointLaw(law, fieldsAt(place), stress);
   }
 };

@@ -33,7 +33,7 @@ struct LawOnBoundary {
   std::vector<bem::Function> fields;
 
   explicit operator bool() const { return law != nullptr; }
-  Vector fieldsAt(bem::Vec2 place) const {
+  Vector fieldsAt(const bem::SurfacePoint& place) const {
     Vector values;
     for (const bem::Function& field : fields)
       values.push_back(field(place));

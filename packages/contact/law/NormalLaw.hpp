@@ -59,7 +59,7 @@ class PointClosing {
 /// Normal law of a boundary; null: rigid surfaces, φ = 0.
 struct Normal : LawOnBoundary<NormalLaw> {
   /// \pre there is a law
-  PointClosing at(bem::Vec2 place, bem::Units units) const {
+  PointClosing at(const bem::SurfacePoint& place, bem::Units units) const {
     assert(law != nullptr);
     return {law, fieldsAt(place), units};
   }

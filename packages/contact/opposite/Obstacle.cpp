@@ -16,7 +16,8 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 template <class Law>
 Vector fieldsAt(const LawOnBoundary<Law>& law, const char* kind,
-                const ContactElement& contact, Vec2 x, bool orZero = true) {
+                const ContactElement& contact, const bem::SurfacePoint& x,
+                bool orZero = true) {
   Vector fields = law.fieldsAt(x);
   for (const double value : fields)
     if (!(value > 0 || (orZero && value == 0)) || !std::isfinite(value))
@@ -51,7 +52,8 @@ void checkSurface(const ContactElement& contact, const MultiplierBasis& basis) {
 
 /// What a side yields and wears by at one of its Gauss points.  A law that is not linear acts on
 /// values there: other bases would lose their order.
-void addSurface(const SidePoint& point, Vec2 x, bem::Units units, Obstacle& obstacle) {
+void addSurface(const SidePoint& point, const bem::SurfacePoint& x, bem::Units units,
+                Obstacle& obstacle) {
   const ContactElement& contact = point.contact;
   const Conditions::Contact& condition = *contact.condition;
   Surface& surface = obstacle.surface;

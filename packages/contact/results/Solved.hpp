@@ -83,7 +83,7 @@ enum class FrictionKind {
 /// State of a point of a contact boundary, in the user's units.  t is the outward normal n
 /// turned counter-clockwise; λ = -σ(u) n.
 struct ContactPoint {
-  bem::Vec2 place;
+  bem::SurfacePoint place;
   double pressure = 0;    ///< λₙ [stress]
   double shear = 0;       ///< λₜ [stress]
   double normal = 0;      ///< uₙ, relative to the opposite side [length]

@@ -20,7 +20,7 @@ from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
 from epafi.program import EpafiError, InputError, call  # noqa: E402
 from epafi.runs import field_file  # noqa: E402
-from epafi.tables import Table, loaded_step  # noqa: E402
+from epafi.tables import Table, loaded_step, own  # noqa: E402
 
 
 def numbers_in(option, text, count, lowest=0.0, highest=float("inf")):
@@ -83,8 +83,7 @@ def warnings_of(folder, report):
         raise InputError("--output: a report is a file; '-' is none")
     if place and not os.path.isdir(place):
         raise InputError("--output: there is no folder '%s'" % place)
-    printed = call(["check", os.path.join(folder, "used.xml"), "--plot",
-                    os.path.join(folder, "scene.png")])
+    printed = call(["check", own(folder, "used.xml"), "--plot", own(folder, "scene.png")])
     return [line.removeprefix("warning: ") for line in printed.splitlines()
             if line.startswith("warning: ")]
 
@@ -115,9 +114,9 @@ def main():
     if given.step and not given.field:
         sys.exit("epafi: --step belongs to a --field")
     window = window_of(given.window) if given.window else None
-    report = given.output or os.path.join(given.folder, "report.html")
     told, step = [], None
     try:
+        report = given.output or own(given.folder, "report.html")
         if given.report:
             told = warnings_of(given.folder, report)
             given.field = given.field or "von_mises"

@@ -1,20 +1,22 @@
 """Bodies without elasticity, of solution.hdf."""
 import os
 
-import h5py
 import numpy as np
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
+
+from epafi.runs import opened
+from epafi.tables import own
 
 
 def rigid_outlines(folder, elastic, moved=None):
     """(points, displacements) of each: arrays (2n, 2), the ends of n lines along its outline and
     its holes; `elastic`: how many bodies of the file deform, they stand before the others;
     `moved`: other displacements than the file's."""
-    file = os.path.join(folder, "solution.hdf")
+    file = own(folder, "solution.hdf")
     if not os.path.isfile(file):
         return []
-    with h5py.File(file, "r") as content:
+    with opened(file) as content:
         grid = content["VTKHDF"]
         body = grid["CellData/body"][()]
         ends = grid["Connectivity"][()].reshape(-1, 2)

@@ -15,11 +15,13 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 from matplotlib.transforms import offset_copy
 
 from epafi.program import InputError
+from epafi.tables import own
 
 # Okabe and Ito's, which readers without red or green tell apart.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 STYLE = {"axes.grid": True, "grid.alpha": 0.3, "axes.prop_cycle": cycler(color=COLOURS),
          "legend.fontsize": "small", "axes.titlesize": "medium", "figure.titlesize": "medium",
+         "text.usetex": False,  # LaTeX would run what a scene's texts say
          "lines.markersize": 4, "svg.hashsalt": "epafi", "figure.constrained_layout.use": True}
 MARKERS = "os^vD<>Pph*X"
 POWERS = {"length": (1, 0), "stress": (0, 1), "force": (1, 1), "energy": (2, 1)}
@@ -183,7 +185,7 @@ class Pictures:
         with plt.rc_context({"figure.constrained_layout.use": False}):
             figure.set_layout_engine(None)
             for ending in self.looks.endings:
-                figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)),
+                figure.savefig(own(self.folder, "%s.%s" % (name, ending)),
                                dpi=figure.dpi, bbox_inches=box)
         plt.close(figure)
 

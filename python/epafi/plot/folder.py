@@ -14,7 +14,7 @@ from epafi.plot import contact, convergence, deformed, inside, mesh, path, study
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import Pictures, plain, plt
-from epafi.tables import Table, loaded_step, read, title_of
+from epafi.tables import Table, loaded_step, own, read, title_of
 
 # Of a run; fields have the names in inside.NAMES.
 NAMES = ("convergence", "time", "contributions", "mesh", "deformed", "contact", "path", "rigid",
@@ -44,8 +44,8 @@ def draw_run(pictures: Pictures) -> None:
     outline, points, moved = read(folder, "boundary.csv"), read(folder, "contact.csv"), None
     if step and outline:
         points = path.step_file(folder, step)
-        outline, moved = at_step(outline, inside.arrays(os.path.join(
-            folder, "steps", str(step), "boundary.vtu")))
+        outline, moved = at_step(outline, inside.arrays(own(
+            folder, os.path.join("steps", str(step), "boundary.vtu"))))
     if outline and "degree" in outline:
         elements = Boundary(outline)
         if pictures.wants("mesh"):
@@ -106,11 +106,11 @@ def draw_folder(pictures: Pictures, field: Optional[str] = None,
         draw_study(pictures)
         for entry in sorted(os.listdir(folder)) if pictures.names else ():
             if os.path.isfile(os.path.join(folder, entry, "history.csv")):
-                draw_run(Pictures(os.path.join(folder, entry), pictures.looks))
+                draw_run(Pictures(own(folder, entry), pictures.looks))
         draw_run(pictures)
         if field:
-            draw_field(field, os.path.join(folder, "fields-window.csv" if pictures.window else
-                                           "fields.vtu"), pictures, when(folder, step))
+            draw_field(field, own(folder, "fields-window.csv" if pictures.window else "fields.vtu"),
+                       pictures, when(folder, step))
     if not pictures.names:
         raise ValueError("'%s' holds no history.csv, contact.csv, boundary.csv or study.csv of a "
                          "run or a study" % folder)

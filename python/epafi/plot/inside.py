@@ -21,7 +21,11 @@ TYPES = {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
 def arrays(file):
     """The data of a .vtu by names; vectors as rows."""
     result = {}
-    for item in xml.parse(file).getroot().iter("DataArray"):
+    try:
+        root = xml.parse(file).getroot()
+    except xml.ParseError as error:
+        raise ValueError("'%s' cannot be read: %s" % (file, error)) from error
+    for item in root.iter("DataArray"):
         values = np.frombuffer(base64.b64decode(item.text)[8:], TYPES[item.get("type")])
         components = int(item.get("NumberOfComponents"))
         result[item.get("Name")] = values.reshape(-1, components) if components > 1 else values

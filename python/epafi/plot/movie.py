@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 from epafi.plot.deformed import scale_of, within
 from epafi.plot.figures import COLOURS, equal_axes, plt, shape_of
 from epafi.plot.inside import NAMES, Inside, arrays, limits, shares
-from epafi.tables import read
+from epafi.tables import own, read
 
 SHOWN = 120  # steps drawn at most
 
@@ -39,7 +39,8 @@ def window_of(step):
 
 
 def draw(folder, rows, title, pictures):
-    files = [os.path.join(folder, "steps", "%d" % step, "boundary.vtu") for step in rows["step"]]
+    files = [own(folder, os.path.join("steps", "%d" % step, "boundary.vtu"))
+             for step in rows["step"]]
     if not all(os.path.isfile(file) for file in files):
         return
     chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, min(SHOWN, len(files)))})
@@ -48,7 +49,7 @@ def draw(folder, rows, title, pictures):
     if view is None:
         return
     field = pictures.film
-    insides = [Inside(files[k].replace("boundary.vtu", "fields.vtu")) for k in chosen if field]
+    insides = [Inside(own(os.path.dirname(files[k]), "fields.vtu")) for k in chosen if field]
     points = steps[0]["Points"]
     near = within(points[:, :2], view)
     moves = np.concatenate([step["displacement"][near][:, :2] for step in steps])
@@ -93,5 +94,5 @@ def draw(folder, rows, title, pictures):
     figure.canvas.draw()  # lays it out, once for all frames
     figure.set_layout_engine("none")
     movie = FuncAnimation(figure, show, frames=len(steps))
-    movie.save(os.path.join(pictures.folder, "movie.gif"), PillowWriter(fps=8), dpi=80)
+    movie.save(own(pictures.folder, "movie.gif"), PillowWriter(fps=8), dpi=80)
     plt.close(figure)

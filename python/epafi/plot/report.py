@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from epafi.plot.figures import Pictures, plt
 from epafi.program import EpafiError
 from epafi.runs import Run
-from epafi.tables import HISTORY, Table, html_table, read, title_of
+from epafi.tables import HISTORY, Table, html_table, own, read, title_of
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>%s</title><style>
@@ -88,7 +88,7 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
     history = read(folder, "history.csv")
     if history is None:
         raise ValueError("there is no history.csv of a run")
-    used = xml.parse(os.path.join(folder, "used.xml")).getroot()
+    used = xml.parse(own(folder, "used.xml")).getroot()
     title = title_of(folder)
 
     def section(name: str, *content: Any) -> list[str]:
@@ -96,10 +96,10 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
 
     status = str(history["status"][-1])
     parts = ["<h1>%s</h1>" % html.escape(title), "<p>%d levels, the last one %s.</p>" % (
-        history.size, status)]
+        history.size, html.escape(status))]
     parts += ['<p class="warning">%s</p>' % html.escape(warning) for warning in (
         *filter(None, [Run(folder).no_result]), *warnings)]
-    scene = os.path.join(folder, "scene.png")
+    scene = own(folder, "scene.png")
     parts += section("Scene", *([from_file(scene, "the scene")] if os.path.isfile(scene) else []))
     with open(os.path.join(folder, "used.xml"), encoding="utf-8") as stream:
         parts.append("<details><summary>All parameters</summary><pre>%s</pre></details>" %
@@ -119,7 +119,7 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
     parts += section("Pictures", *(
         from_file(os.path.join(folder, name + ".png"), name) for name in sorted(
             dict.fromkeys(pictures.names), key=lambda name: order.get(name, -1))))
-    movie = os.path.join(folder, "movie.gif")
+    movie = own(folder, "movie.gif")
     if os.path.isfile(movie):
         parts.append(from_file(movie, "movie"))
     parts += section("Versions", html_table(["", "version"], versions(used)))

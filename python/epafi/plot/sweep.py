@@ -5,7 +5,7 @@ import numpy as np
 
 from epafi.plot import overlay
 from epafi.plot.figures import settle, styles_of
-from epafi.tables import read
+from epafi.tables import own, read
 
 FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
           ("contact_length", "length in contact"), ("slip_length", "length that slips")]
@@ -122,7 +122,7 @@ def draw_contact(study, value, ends, families, key, title, pictures):
     for number, family in enumerate(names, 1):
         here = np.flatnonzero(ends & (families == family))
         here = here[np.argsort(value[here])]
-        tables = [(value[row], read(os.path.join(pictures.folder, str(study["folder"][row])),
+        tables = [(value[row], read(own(pictures.folder, str(study["folder"][row])),
                                     "contact.csv")) for row in here if study["folder"][row]]
         tables = [(x, table) for x, table in tables if table]
         if not tables:
