@@ -117,10 +117,9 @@ SolvedStep::Storable SolvedStep::storable() const {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double mu = motions.shearModuli[b] * spaces.scene().energy();
     const contact::Loads& loads = system->body(b).loads();
-    const double inside = loads.inside.largestDisplacement;
-    const double largest =
-        std::max({bem::largestEntry(at.displacements[b]), loads.largestDisplacement,
-                  inside, loads.largestTraction / motions.shearModuli[b]});
+    const double inside = loads.inside.largestDeformation;
+    const double largest = std::max({bem::largestEntry(at.displacements[b]), inside,
+                                     loads.largestTraction / motions.shearModuli[b]});
     const double digits =
         1e-12 + 16 * adaptivity::spacing(spaces.space(b).mesh().outline());
     energy.inside = std::max(energy.inside, mu * inside * inside);
