@@ -27,8 +27,8 @@ def wedge(angle, start=0.0, mu=1.0, kappa=KAPPA):
     return Wedge(start, start + angle, mu, kappa)
 
 
-def exponents(*wedges, joints=(), faces=(FREE, FREE), most=1):
-    return [mode.exponent for mode in modes(Corner(wedges, joints, faces), most)]
+def exponents(*wedges, joints=(), faces=(FREE, FREE)):
+    return [mode.exponent for mode in modes(Corner(wedges, joints, faces))]
 
 
 def near(found, expected, bound=1e-10):
@@ -51,10 +51,10 @@ opening = zero(lambda x: math.sin(1.5 * PI * x) + x * math.sin(1.5 * PI), 0.4, 0
 sheared = zero(lambda x: math.sin(1.5 * PI * x) - x * math.sin(1.5 * PI), 0.8, 0.95)
 claim(abs(opening - 0.5444837368) < 1e-10 and near(exponents(wedge(1.5 * PI)), [opening, sheared]),
       "a free corner of 270 degrees: %.10f, %.10f" % (opening, sheared))
-claim(near(exponents(wedge(2 * PI), most=3), [0.5, 0.5, 1.5, 1.5, 2.5, 2.5]) and
+claim(near(exponents(wedge(2 * PI)), [0.5, 0.5]) and
       exponents(wedge(0.9 * PI)) == [], "a crack: 1/2 for both modes; a convex corner: none")
-claim(near(exponents(wedge(0.7), wedge(1.5 * PI - 0.7, 0.7), joints=(None,), most=3),
-           exponents(wedge(1.5 * PI), most=3)), "a bond within one material changes nothing")
+claim(near(exponents(wedge(0.7), wedge(1.5 * PI - 0.7, 0.7), joints=(None,)),
+           exponents(wedge(1.5 * PI))), "a bond within one material changes nothing")
 mixed = exponents(wedge(PI / 2), faces=(CLAMPED, FREE))
 claim(near([math.sin(x.real * PI / 2) ** 2 for x in mixed],
            [(KAPPA + 1) ** 2 / (4 * KAPPA) - x.real ** 2 / KAPPA for x in mixed]) and mixed,
@@ -73,11 +73,11 @@ claim(near(exponents(wedge(PI, 0, 1), wedge(PI, PI, mu, kappa), joints=(None,)),
 claim(near(exponents(wedge(PI), wedge(PI / 2, PI, 1e9), joints=(0.3,)),
            exponents(wedge(PI), faces=(FREE, sliding(0.3))), 1e-6),
       "a corner pressed onto a half-plane becomes rigid as its stiffness grows")
-claim(near(exponents(wedge(0.8 * PI), faces=(held(PI / 2), FREE), most=2),
-           exponents(wedge(0.8 * PI), faces=(sliding(0), FREE), most=2)) and
-      near(exponents(wedge(PI / 2 + 0.3), faces=(sliding(0), FREE), most=2),
-           [x for x in exponents(wedge(PI + 0.6), most=2) if abs(
-               np.sin(x * (PI + 0.6)) + x * np.sin(PI + 0.6)) < 1e-9]),
+claim(near(exponents(wedge(0.8 * PI), faces=(held(PI / 2), FREE)),
+           exponents(wedge(0.8 * PI), faces=(sliding(0), FREE))) and
+      near(exponents(wedge(0.8 * PI), faces=(sliding(0), FREE)),
+           [x for x in exponents(wedge(1.6 * PI)) if abs(
+               np.sin(x * 1.6 * PI) + x * np.sin(1.6 * PI)) < 1e-9]),
       "a roller is the symmetric half of twice the angle")
 square = Corner((wedge(PI / 2), wedge(1.5 * PI, PI / 2)), (None, None))
 claim(modes(square) == [], "all around one material nothing is singular")
@@ -109,12 +109,10 @@ claim(abs(size * math.sqrt(KAPPA) / (2 - 2 * NU) - 1).max() < 1e-2 and
       "an adhering one: K = P 2 (1 - nu) / sqrt(kappa pi a), without shear at r = 2 a")
 tilted = epafi.run(os.path.join(SHIPPED, "tilting-punch.xml"), threads=1).intensities()
 edge = tilted["kind"] == "edge of contact"
-lifted = tilted["kind"] == "end of contact"
 claim(edge.sum() == 1 and abs(tilted["k_normal"][edge][0] / -0.002 * math.sqrt(0.6 * PI) - 1) < 2e-3,
       "a tilted punch: K = -2 P / sqrt(pi c) at the edge, %s" % tilted["k_normal"][edge])
-claim(lifted.sum() == 1 and abs(tilted["x"][lifted] + 0.2)[0] < 0.03 and
-      tilted["exponent"][lifted][0] == 0.5 and tilted["k_normal"][lifted][0] == 0,
-      "where it lifts off, at a - 2 c, pressure vanishes as a root")
+claim(set(tilted["kind"]) == {"edge of contact", "end of clamp"} and abs(tilted["reach"][edge][0] - 1.2)
+      < 0.03, "nothing is singular where it lifts off, at a - 2 c: there its reach ends")
 
 
 def cracked(half, width, height):
@@ -143,8 +141,8 @@ claim(slit.size == 4 and near(slit["exponent"], [-0.5] * 4) and set(slit["kind"]
       and abs(slit["k_normal"] / (math.sqrt(PI) * factor) - 1).max() < 5e-3 and
       abs(slit["k_shear"]).max() < 5e-3, "a crack in a strip: K_I = %s, exactly %.4f" % (
           slit["k_normal"], math.sqrt(PI) * factor))
-claim((abs(slit["k_normal"] - math.sqrt(PI) * factor) < 2 * slit["k_normal_error"]).all(),
-      "as its error says, %s" % slit["k_normal_error"])
+claim(np.ptp(slit["k_normal"]) < slit["k_normal_error"].max() < 1e-4,
+      "its tips are alike within the error, %s" % slit["k_normal_error"])
 
 
 def angled(scale, turn):
@@ -204,7 +202,7 @@ for line in "XY":
 
 
 def pressed(**friction):
-    """Half of a block on a curved obstacle: nothing is singular but the end of contact."""
+    """Half of a block on a curved obstacle: nothing is singular."""
     return epafi.Scene({"Bodies": {"block": {
         "Material": {"Young's Modulus": 100.0, "Poisson's Ratio": NU},
         "Geometry": {"Vertices": [[0, 0], [2, 0], [2, 1], [0, 1]],
@@ -215,9 +213,9 @@ def pressed(**friction):
         "Geometry": {"Symmetry": "X"}, "Discretization": {"Mesh Size": 0.25}})
 
 
-claim(list(solved(pressed(), 300)["kind"]) == ["end of contact"],
-      "where contact meets the line of symmetry nothing is singular")
-claim(list(solved(pressed(Compliance="0.001*(1 + x^2)"), 200)["kind"]) == ["end of contact"],
+claim(solved(pressed(), 300).size == 0,
+      "where contact meets the line of symmetry, and where it ends, nothing is singular")
+claim(solved(pressed(Compliance="0.001*(1 + x^2)"), 200).size == 0,
       "a compliance that varies is none of a rigid surface")
 run = epafi.run(angled(1, 0), os.path.join(WORK, "L"))
 claim("<h2>Stress intensities</h2>" in read(run.report()), "a report has them")
