@@ -17,7 +17,12 @@ if TYPE_CHECKING:
 COLUMNS = ("body", "before", "after", "x", "y", "kind", "angle", "side", "exponent",
            "exponent_imaginary", "k_normal", "k_shear", "k_normal_error", "k_shear_error", "reach",
            "note")
-RADII = np.geomspace(0.1, 0.7, 8)  # of the arcs, over the reach
+# Radii of the arcs, over the reach, and what they count: smoothly less at the ends, since an average
+# over a smooth function of the radius has less of an error of the mesh than an arc has.
+SHARES = (np.arange(12) + 0.5) / 12
+RADII = 0.15 + 0.75 * SHARES
+COUNTS = SHARES * (1 - SHARES) / np.sum(SHARES * (1 - SHARES))
+ROUNDING = 1e-9  # of fields, relative
 DEFECTIVE = 1e-6  # of the work of a mode with its dual one over their sizes: a logarithm
 
 
@@ -41,8 +46,8 @@ class Arcs:
         self.meeting = meeting
         parts = []
         for k, (place, wedge) in enumerate(zip(meeting.places, meeting.corner.wedges)):
-            t, weights = leggauss(16 + round(24 * place.angle / math.pi))
             for n, r in enumerate(RADII):
+                t, weights = leggauss(8 + round((6 + 30 * r) * place.angle / math.pi))
                 low, high = (np.arcsin(edge.curvature * r * meeting.reach / 2)
                              for edge in place.edges)
                 half = (place.angle - low - high) / 2
@@ -53,9 +58,14 @@ class Arcs:
         self.radius, self.wedge, self.angle, self.weight, self.points, self.ray = map(
             np.concatenate, zip(*parts))
 
-    def solution(self, fields: Table, rows: slice) -> np.ndarray:
-        """Of a run, for `work`; NaN outside of the bodies."""
-        u = (fields["ux"][rows] + 1j * fields["uy"][rows]) / self.ray / self.meeting.reach
+    def solution(self, fields: Table, rows: slice, moves: bool) -> np.ndarray:
+        """Of a run, for `work`; without the motion of the place if it `moves`."""
+        u = fields["ux"][rows] + 1j * fields["uy"][rows]
+        for k, place in enumerate(self.meeting.places if moves else ()):
+            shift, turn = place.motion
+            here = self.wedge == k
+            u[here] -= shift + 1j * turn * (self.points[here] - place.x)
+        u = u / self.ray / self.meeting.reach
         mean, half = ((fields["sxx"][rows] + sign * fields["syy"][rows]) / 2 for sign in (1, -1))
         turned = (half + 1j * fields["sxy"][rows]) / self.ray ** 2
         return np.array([u.real, u.imag, turned.imag, mean + turned.real])
@@ -88,17 +98,18 @@ def on_arcs(arcs: Arcs, solution: np.ndarray, alike: list[Mode]) -> Optional[np.
     corner, exponent = arcs.meeting.corner, alike[0].exponent
     duals = dual_modes(corner, exponent)
     matrix = np.array([[full_work(corner, mode, dual) for mode in alike] for dual in duals])
-    if len(duals) != len(alike) or np.linalg.cond(matrix) > 1 / DEFECTIVE or not (
-            abs(matrix).max() > DEFECTIVE):
+    least = min(wedge.shear_modulus for wedge in corner.wedges)  # displacements are at most 1 / least
+    if len(duals) != len(alike) or np.linalg.svd(matrix * least)[1][-1] < DEFECTIVE:
         return None
     works = np.array([arcs.works(solution, dual) for dual in duals])
     return np.asarray(np.linalg.solve(matrix, works) * (2 if exponent.imag else 1))
 
 
-def powers(meeting: Meeting, exponent: complex, all_modes: list[Mode]) -> list[complex]:
+def powers(meeting: Meeting, given: frozenset[int], exponent: complex, all_modes: list[Mode]
+           ) -> list[complex]:
     """Of r in what an arc shows besides an amplitude: what is given, and the curvature of edges,
     bring terms r^k, k = 0, 1, ..., and r^(lambda + k), of all modes, into the displacement."""
-    found = {k - exponent for k in meeting.given}
+    found = {k - exponent for k in given}
     if any(edge.curvature for place in meeting.places for edge in place.edges):
         for mode in all_modes:
             found |= {mode.exponent + k - exponent for k in (1, 2)}
@@ -108,22 +119,24 @@ def powers(meeting: Meeting, exponent: complex, all_modes: list[Mode]) -> list[c
 
 def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.ndarray]:
     """What the arcs say, of both components, shape (2, radii), without those powers of r; how much
-    it changes with the radii."""
+    it changes with the radius."""
     if not besides:
-        value = values[:, -3:].mean(axis=1)
-        return value, abs(values - value[:, None]).max(axis=1)
+        value = values @ COUNTS
+        return value, abs(values - value[:, None]).max(axis=1) + ROUNDING * abs(value)
     shapes = [RADII ** power for power in besides]
     columns = np.array([np.ones(len(RADII))] + [part for shape in shapes for part in (
         [shape.real, shape.imag] if abs(shape.imag).max() > 1e-9 else [shape.real])]).T
 
     def fitted(rows: slice) -> np.ndarray:
-        size = np.linalg.norm(columns[rows], axis=0)
-        return np.asarray(np.linalg.lstsq(columns[rows] / size, values[:, rows].T, 1e-12)[0][0]
-                          / size[0])
+        weights = np.sqrt(COUNTS[rows])[:, None]
+        matrix = columns[rows] * weights
+        size = np.linalg.norm(matrix, axis=0)
+        return np.linalg.lstsq(matrix / size, values[:, rows].T * weights, 1e-12)[0] / size[:, None]
 
-    value = fitted(slice(None))
-    changes = [abs(fitted(rows) - value) for rows in (slice(1, None), slice(None, -1))]
-    return value, np.max(changes, axis=0) * 2
+    all_ = fitted(slice(None))
+    changes = [abs(fitted(rows)[0] - all_[0]) for rows in (slice(2, None), slice(None, -2))]
+    rest = abs(values.T - columns @ all_).max(axis=0)
+    return all_[0], 3 * np.max([*changes, rest], axis=0) + ROUNDING * abs(all_[0])
 
 
 def kind_of(place: Place) -> str:
@@ -144,9 +157,12 @@ def side_of(place: Place) -> float:
     return 0.5 if after[0] == before[0] == 0 else 0 if after >= before else 1
 
 
-def rows_of(arcs: Arcs, fields: Table, rows: slice) -> list[tuple[Any, ...]]:
-    """Of COLUMNS: of each body and exponent of a meeting."""
-    meeting, solution = arcs.meeting, arcs.solution(fields, rows)
+def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[Any, ...]]:
+    """Of COLUMNS: of each body and exponent of a meeting; the place's motion is known at the end of the
+    path, at another step it is one of the powers."""
+    meeting = arcs.meeting
+    moves = at_end and 0 in meeting.given
+    solution = arcs.solution(fields, rows, moves)
     all_modes, groups = modes(meeting.corner), []
     for mode in all_modes:
         if groups and abs(groups[-1][0].exponent - mode.exponent) < ALIKE:
@@ -162,7 +178,8 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice) -> list[tuple[Any, ...]]:
         note = "" if found is not None else (
             "K: two exponents coincide, the stress has a logarithm" if inside else
             "K: the bodies are no wedges as far as reach, they overlap or leave a gap")
-        besides = powers(meeting, exponent, all_modes)
+        besides = powers(meeting, meeting.given - {0} if moves else meeting.given, exponent,
+                         all_modes)
         for k, place in enumerate(meeting.places):
             at = side_of(place)
             side = place.edges[int(at)].name if at != 0.5 else "bisector"
@@ -188,6 +205,6 @@ def intensities(run: Run, step: Optional[int] = None) -> Table:
         end = 0
         for each in arcs:
             start, end = end, end + len(each.points)
-            rows += rows_of(each, fields, slice(start, end))
+            rows += rows_of(each, fields, slice(start, end), step is None)
     return Table.of({name: np.array(column) for name, column in zip(
         COLUMNS, zip(*rows) if rows else [[]] * len(COLUMNS))})

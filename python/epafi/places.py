@@ -22,7 +22,7 @@ TIP = 2  # elements beside a place whose states its singularity spoils
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
-LINEAR = frozenset((1, 2, 3))  # powers of r in a displacement that follows what is given
+LINEAR = frozenset((1, 2))  # powers of r in a displacement that follows what is given
 
 
 class Edge:
@@ -43,6 +43,13 @@ class Edge:
         self.turn = turn if abs(turn) > rounding else 0.0
         self.curvature = 2 * math.sin(self.turn / 2) / chord
         self.points = x if self.turn else x[[0, -1]]
+        self.x, self.u = x, table["ux"][rows] + 1j * table["uy"][rows]
+
+    def moved(self, x: complex) -> complex:
+        """Displacement at a point of the edge, at the end of the path."""
+        way = abs(self.x - self.start)
+        return complex(np.interp(abs(x - self.start), way, self.u.real)
+                       + 1j * np.interp(abs(x - self.start), way, self.u.imag))
 
     def goes_on(self, other: Edge) -> bool:
         """Are both one segment or arc?"""
@@ -105,6 +112,16 @@ class Place:
     def body(self) -> str:
         return self.edges[0].body
 
+    @property
+    def motion(self) -> tuple[complex, float]:
+        """Displacement at the end of the path, and the rotation of a clamp."""
+        here = self.edges[0].moved(self.x)
+        for k, (edge, face) in enumerate(zip(self.edges, self.faces)):
+            if face.rows == CLAMPED and face.kind == "clamp":
+                far = (edge.end, edge.start)[k]
+                return here, float(((edge.moved(far) - here) / (far - self.x)).imag)
+        return here, 0.0
+
     def ray(self, k: int) -> complex:
         """Direction of a face, away from the place."""
         return self.edges[k].tangent(self.x) * (1, -1)[k]
@@ -120,6 +137,7 @@ class Meeting:
 
     @property
     def given(self) -> frozenset[int]:
+        """Powers of r in the displacement that data bring along."""
         return frozenset().union(*(face.given for place in self.places for face in place.faces))
 
 
@@ -189,10 +207,13 @@ class Outlines:
             table = run.history
         found = set()
         for name in fixed:
-            rows = np.flatnonzero(table["body"] == name) if "body" in table else [-1]
-            sizes = {kind: math.hypot(*(table[kind + "_" + axis][rows[-1]] for axis in "xy"))
-                     for kind in ("reaction", "load", "contact")}
-            if sizes["reaction"] > 1e-6 * (sizes["load"] + sizes["contact"]):
+            row = np.flatnonzero(table["body"] == name)[-1] if "body" in table else -1
+            here = run.boundary["body"] == name
+            x, tractions = ((run.boundary[a] + 1j * run.boundary[b])[here]
+                            for a, b in (("x", "y"), ("tx", "ty")))
+            size = abs(np.diff(x)) @ abs(tractions[1:])
+            moment = abs(table["reaction_moment"][row]) / (np.ptp(x.real) + np.ptp(x.imag))
+            if math.hypot(table["reaction_x"][row], table["reaction_y"][row]) + moment > 1e-6 * size:
                 found.add(name)
         return found
 
@@ -266,43 +287,56 @@ class Outlines:
             for axis in axes:
                 value = rules["Displacement " + axis]
                 given |= LINEAR | {0} if isinstance(value, str) else {0} if value else frozenset()
+            if len(axes) == 2 and 0 in given and given <= LINEAR | {0} and place.body not in (
+                    self.loaded) and self.turns(edge):
+                given = frozenset((0,))
             return Face("symmetry" if halved else "clamp", "", CLAMPED if len(axes) == 2 else held(
                 float((math.pi / 2 if (axes or [self.line]) == ["Y"] else 0)
                       - np.angle(place.ray(k)))), given=given)
-        for name, rules, other in self.contacts(edge):
-            face = self.touched(place, k, name, rules, other, given)
-            if face:
-                return face
-        return Face("free", given=given)
+        faces = [self.touched(place, k, name, rules, other, given)
+                 for name, rules, other in self.contacts(edge)]
+        return next((face for face in faces if face.kind != "free"), Face(
+            "free", front=min((face.front for face in faces), default=math.inf),
+            given=given.union(*(face.given for face in faces))))
+
+    @staticmethod
+    def turns(edge: Edge) -> bool:
+        """Is an edge displaced as a rigid one?"""
+        turn = ((edge.u[-1] - edge.u[0]) / (edge.end - edge.start)).imag
+        rest = edge.u - edge.u[0] - 1j * turn * (edge.x - edge.start)
+        return bool(abs(rest).max() < 1e-9 * abs(edge.u).max())
 
     def touched(self, place: Place, k: int, name: str, rules: dict[str, Any], other: str,
-                given: frozenset[int]) -> Optional[Face]:
-        """A face in contact, None: it is open."""
+                given: frozenset[int]) -> Face:
+        """A face that is in contact or may be."""
         rows = self.on_edge(place.edges[k], name, other)
         ray = place.ray(k)
         rows = rows[((self.samples.x[rows] - place.x) / ray).real > 0]
         distances = abs(self.samples.x[rows] - place.x)
-        beside = np.array([place.x + SHARE * distances.max(initial=0) * ray])
-        facing = [edge.nearest(beside) for edge in self.side(other)]
-        if not len(rows) or facing and not any(
-                before[0] and abs(x - beside)[0] < self.apart(name, place.x) for x, before in facing):
-            return None
+        if not len(rows):
+            return Face("free", given=given)
         rows, distances = rows[np.argsort(distances)], np.sort(distances)
-        _, first = np.unique(self.samples.element[rows], return_index=True)
-        tip = min(distances[[*np.sort(first), -1][TIP:][0]], SHARE * distances[-1])
+        starts = np.sort(np.unique(self.samples.element[rows], return_index=True)[1])
+        tip = min(distances[starts[:TIP + 1][-1]], SHARE * distances[-1])
         next_ = self.samples.element[rows[np.searchsorted(distances, tip)]]
         beyond = rows[self.samples.element[rows] == next_]
         tip = distances[self.samples.element[rows] == next_].max()
         law = rules.get("Friction", {}).get("Law", "None")
         closed, stuck = self.samples.closed[rows], self.samples.stuck[rows]
-        if law != "Tied" and self.samples.closed[beyond].mean() < 0.5:
-            return None
+        beside, facing = place.x + SHARE * distances[-1] * ray, self.side(other)
+        if facing:  # else an obstacle, or rigid
+            covered = np.any([edge.nearest(np.append(self.samples.x[rows], beside))[1]
+                              for edge in facing], axis=0)
+            closed &= covered[:-1]
+        if facing and not covered[-1] or self.samples.closed[beyond].mean() < 0.5:
+            return Face("free", front=float(distances[closed & (
+                distances > (tip if closed[0] else 0))].min(initial=math.inf)), given=given)
         shears = rules.get("Friction", {}).get("Compliance", 0) == 0
         if rules.get("Normal", {}).get("Law", "Rigid") != "Rigid":
             return Face("free", given=given | LINEAR)
         sticks = shears and (law == "Tied" or bool(self.samples.stuck[beyond].mean() > 0.5))
         changes = ~closed if law in ("None", "Tied") else ~closed | (stuck != sticks)
-        changes &= (distances > tip) & (law != "Tied")
+        changes &= distances > tip
         front = float(distances[changes].min(initial=math.inf))
         body = other.partition(":")[0]
         gaps = self.samples.gap[rows][distances < front]
