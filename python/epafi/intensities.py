@@ -105,16 +105,10 @@ def on_arcs(arcs: Arcs, solution: np.ndarray, alike: list[Mode]) -> Optional[np.
     return np.asarray(np.linalg.solve(matrix, works) * (2 if exponent.imag else 1))
 
 
-def powers(meeting: Meeting, given: frozenset[int], exponent: complex, all_modes: list[Mode]
-           ) -> list[complex]:
-    """Of r in what an arc shows besides an amplitude: what is given, and the curvature of edges,
-    bring terms r^k, k = 0, 1, ..., and r^(lambda + k), of all modes, into the displacement."""
-    found = {k - exponent for k in given}
-    if any(edge.curvature for place in meeting.places for edge in place.edges):
-        for mode in all_modes:
-            found |= {mode.exponent + k - exponent for k in (1, 2)}
-        found |= {k - exponent for k in (1, 2)}
-    return sorted(found, key=lambda power: (power.real, power.imag))
+def powers(meeting: Meeting, given: frozenset[int], exponent: complex) -> list[complex]:
+    """Of r in what an arc shows besides an amplitude: what is given brings terms r^k into the
+    displacement, the curvature of edges factors 1 + O(r)."""
+    return [k - exponent for k in sorted(given)] + ([1, 2] if meeting.bent else [])
 
 
 def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.ndarray]:
@@ -123,7 +117,7 @@ def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.
     if not besides:
         value = values @ COUNTS
         return value, abs(values - value[:, None]).max(axis=1) + ROUNDING * abs(value)
-    shapes = [RADII ** power for power in besides]
+    shapes = [RADII ** complex(power) for power in besides]
     columns = np.array([np.ones(len(RADII))] + [part for shape in shapes for part in (
         [shape.real, shape.imag] if abs(shape.imag).max() > 1e-9 else [shape.real])]).T
 
@@ -161,7 +155,7 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
     """Of COLUMNS: of each body and exponent of a meeting; the place's motion is known at the end of the
     path, at another step it is one of the powers."""
     meeting = arcs.meeting
-    moves = at_end and 0 in meeting.given
+    moves = at_end and (0 in meeting.given or meeting.bent)
     solution = arcs.solution(fields, rows, moves)
     all_modes, groups = modes(meeting.corner), []
     for mode in all_modes:
@@ -178,8 +172,7 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
         note = "" if found is not None else (
             "K: two exponents coincide, the stress has a logarithm" if inside else
             "K: the bodies are no wedges as far as reach, they overlap or leave a gap")
-        besides = powers(meeting, meeting.given - {0} if moves else meeting.given, exponent,
-                         all_modes)
+        besides = powers(meeting, meeting.given - {0} if moves else meeting.given, exponent)
         for k, place in enumerate(meeting.places):
             at = side_of(place)
             side = place.edges[int(at)].name if at != 0.5 else "bisector"

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 SMOOTH = math.radians(1)  # less is no corner
 APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apart
 STRAIGHT = 1e-7  # a turn that is rounding of what is drawn [radian]
+BENT = 0.25  # of the radius of an arc: as far as it is nearly straight
+FLAT = 1e-5  # an arc's turn, below which its centre would be too far away for digits
 TIP = 2  # elements beside a place whose states its singularity spoils
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
@@ -42,7 +44,6 @@ class Edge:
         turn = 2 * float(np.angle((x[-1] - inner) / (inner - x[0])))
         self.turn = turn if abs(turn) > rounding else 0.0
         self.curvature = 2 * math.sin(self.turn / 2) / chord
-        self.points = x if self.turn else x[[0, -1]]
         self.x, self.u = x, table["ux"][rows] + 1j * table["uy"][rows]
 
     def moved(self, x: complex) -> complex:
@@ -68,14 +69,16 @@ class Edge:
 
     def nearest(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Points of the edge, and whether they lie before one, not beyond the edge's ends."""
-        start, step = self.points[:-1], np.diff(self.points)
-        share = ((x[:, None] - start) / step).real
-        found = start + np.clip(share, 0, 1) * step
-        best = abs(x[:, None] - found).argmin(axis=1)
-        row = np.arange(len(x))
-        share = share[row, best]
-        before = ((best > 0) | (share > -1e-9)) & ((best < len(step) - 1) | (share < 1 + 1e-9))
-        return found[row, best], before
+        chord = self.end - self.start
+        if abs(self.turn) < FLAT:
+            share = ((x - self.start) / chord).real
+            found = self.start + np.clip(share, 0, 1) * chord
+        else:
+            centre = self.start + 1j * self.tangent(self.start) / self.curvature
+            middle = self.tangent(self.start) * np.exp(0.5j * self.turn) / self.curvature / 1j
+            share = 0.5 + np.angle((x - centre) / middle) / self.turn
+            found = centre + middle * np.exp(1j * self.turn * (np.clip(share, 0, 1) - 0.5))
+        return found, (share > -1e-9) & (share < 1 + 1e-9)
 
 
 @dataclass(frozen=True)
@@ -134,6 +137,10 @@ class Meeting:
     places: list[Place]
     corner: Corner
     reach: float
+
+    @property
+    def bent(self) -> bool:
+        return any(edge.curvature for place in self.places for edge in place.edges)
 
     @property
     def given(self) -> frozenset[int]:
@@ -414,11 +421,12 @@ class Outlines:
 
     def reach(self, places: list[Place]) -> float:
         """How far the bodies are wedges: to the next end of an edge, change of contact or friction,
-        or other side."""
+        or other side, a part of an arc's radius."""
         found = [self.size]
         for place in places:
             x = np.array([place.x])
             found += [face.front for face in place.faces]
+            found += [BENT / abs(edge.curvature) for edge in place.edges if edge.curvature]
             found += [abs(end - place.x) for edge in place.edges for end in (edge.start, edge.end)]
             found += [abs(edge.nearest(x)[0] - place.x)[0] for edge in self.edges
                       if edge.body == place.body and edge not in place.edges]
