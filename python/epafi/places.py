@@ -20,7 +20,6 @@ APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apa
 STRAIGHT = 1e-7  # a turn that is rounding of what is drawn [radian]
 BENT = 0.25  # of the radius of an arc: as far as it is nearly straight
 FLAT = 1e-5  # an arc's turn, below which its centre would be too far away for digits
-TIP = 2  # elements beside a place whose states its singularity spoils
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
@@ -108,8 +107,10 @@ class Place:
         after, before = (edge.tangent(self.x) for edge in self.edges)
         turn = 0.0 if self.edges[0] is self.edges[1] else float(np.angle(after / before))
         self.angle = math.pi - turn if turn < math.pi - SMOOTH else 2 * math.pi
-        if abs(turn) < SMOOTH:
-            self.angle = math.pi
+
+    @property
+    def smooth(self) -> bool:
+        return abs(self.angle - math.pi) < SMOOTH
 
     @property
     def body(self) -> str:
@@ -249,9 +250,9 @@ class Outlines:
                 ends = np.array(self.rigid.get(other.partition(":")[0], [
                     x for facing in self.side(other) for x, beyond in (
                         (facing.start, facing.before), (facing.end, facing.after))
-                    if beyond.name != facing.name
-                    or abs(Place(x, (facing, beyond) if x == facing.start else (
-                        beyond, facing)).angle - math.pi) > SMOOTH]), complex)
+                    if beyond.name != facing.name or not Place(
+                        x, (facing, beyond) if x == facing.start else (beyond, facing)).smooth]),
+                                complex)
                 if len(ends):
                     found, before = edge.nearest(ends)
                     for x, end in zip(found[before], ends[before]):
@@ -323,9 +324,7 @@ class Outlines:
         if not len(rows):
             return Face("free", given=given)
         rows, distances = rows[np.argsort(distances)], np.sort(distances)
-        starts = np.sort(np.unique(self.samples.element[rows], return_index=True)[1])
-        tip = min(distances[starts[:TIP + 1][-1]], SHARE * distances[-1])
-        next_ = self.samples.element[rows[np.searchsorted(distances, tip)]]
+        next_ = self.samples.element[rows[np.searchsorted(distances, SHARE * distances[-1])]]
         beyond = rows[self.samples.element[rows] == next_]
         tip = distances[self.samples.element[rows] == next_].max()
         law = rules.get("Friction", {}).get("Law", "None")
@@ -383,9 +382,9 @@ class Outlines:
         done: set[int] = set()
         result = []
         for place in list(self.places):
-            smooth = place.angle == math.pi and place.faces[0].kind == place.faces[1].kind and (
-                place.faces[0].name == place.faces[1].name)
-            if id(place) in done or smooth and place.edges[0] is not place.edges[1]:
+            goes_on = place.smooth and place.edges[0] is not place.edges[1] and (
+                place.faces[0].kind, place.faces[0].name) == (place.faces[1].kind, place.faces[1].name)
+            if id(place) in done or goes_on:
                 continue
             meeting = self.meeting(place)
             done |= set(map(id, meeting.places))

@@ -217,6 +217,62 @@ claim(solved(pressed(), 300).size == 0,
       "where contact meets the line of symmetry, and where it ends, nothing is singular")
 claim(solved(pressed(Compliance="0.001*(1 + x^2)"), 200).size == 0,
       "a compliance that varies is none of a rigid surface")
+
+
+def right_angle(x, y, blunt=0.0):
+    """A plate with a notch of 90 degrees, its corner at (x, y) or an arc."""
+    corners = [[1, -1], [2, -1], [2, 2], [-2, 2], [-2, -1], [-1, -1]]
+    tip = [[-blunt, -blunt], [blunt, -blunt]] if blunt else [[0, 0]]
+    names = ["f", "side", "t", "side", "f", "n", *["n"] * len(tip)]
+    bulges = [0] * 6 + ([math.tan(-PI / 8), 0] if blunt else [0])
+    return epafi.Scene({"Bodies": {"b": {
+        "Material": {"Young's Modulus": 100, "Poisson's Ratio": NU},
+        "Geometry": {"Vertices": [[x + a, y + b] for a, b in corners + tip], "Edges": names,
+                     "Bulges": bulges},
+        "Boundary Conditions": {"side": {"Type": "Neumann", "Traction X": "nx"}},
+        "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}, "Discretization": {"Mesh Size": 0.5}})
+
+
+def within(scene, tolerance):
+    return epafi.run(scene, threads=1, set={"Adaptivity->Tolerance": tolerance}).intensities()
+
+
+tips = [within(right_angle(*place), tolerance) for place, tolerance in (
+    ((7, 3), 1e-3), ((7, 3), 1e-5), ((1e6, 1e6), 1e-5))]
+claim(all(tip.size == 2 and set(tip["kind"]) == {"corner"} and near(tip["angle"], [270] * 2, 1e-8) for tip
+          in tips) and near([tip["k_normal"][0] for tip in tips], [tips[1]["k_normal"][0]] * 3, 2e-5) and
+      abs(tips[2]["k_normal"][0] - tips[1]["k_normal"][0]) < 1e-7,
+      "a notch is one of 270 degrees on coarse and fine meshes, wherever it is: K_I = %.7f" % (
+          tips[1]["k_normal"][0]))
+claim(within(right_angle(7, 3, 0.1), 1e-3).size == 0, "a round one has none")
+
+
+def included():
+    """A square that is bonded into a hole of a softer plate, which is pulled."""
+    square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+    pull = {"Type": "Neumann", "Traction X": "0.01*nx"}
+    return epafi.Scene({"Bodies": {
+        "square": {"Material": {"Young's Modulus": 26, "Poisson's Ratio": 0.3},
+                   "Geometry": {"Vertices": square, "Edges": ["bond"] * 4}},
+        "plate": {"Material": {"Young's Modulus": 2.4, "Poisson's Ratio": 0.2},
+                  "Geometry": {"Vertices": [[4 * a, 4 * b] for a, b in square],
+                               "Edges": ["bottom", "right", "top", "left"],
+                               "Hole 1 Vertices": square, "Hole 1 Edges": ["bond"] * 4},
+                  "Boundary Conditions": {"left": pull, "right": pull},
+                  "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}},
+        "Contacts": {"c": {"Between": ["plate:bond", "square:bond"], "Friction": {"Law": "Tied"}}},
+        "Discretization": {"Mesh Size": 1}})
+
+
+corners = within(included(), 1e-2)
+claim(corners.size == 16 and all(np.ptp(np.abs(corners[name][abs(corners["exponent"] - power) < 1e-9])) <
+      1e-6 * abs(corners[name]).max() for name in ("k_normal", "k_shear")
+      for power in corners["exponent"][[0, 2]]),
+      "a square inclusion: both intensities are those of all corners, of both bodies")
+path = epafi.run(angled(1, 0).changed({"History": {"Times": [1], "Steps": [2]}, "Bodies->L->Boundary "
+                 "Conditions->end->Traction Y": "t"}), threads=1)
+claim(np.allclose(path.intensities(1)["k_normal"], path.intensities()["k_normal"] / 2, rtol=1e-9, atol=1e-9)
+      and path.intensities().size == 4, "half of the load of a path has half of the intensities")
 run = epafi.run(angled(1, 0), os.path.join(WORK, "L"))
 claim("<h2>Stress intensities</h2>" in read(run.report()), "a report has them")
 
