@@ -1,6 +1,7 @@
 """Stress intensities of a run: by Betti's theorem, from its fields on arcs round each place."""
 from __future__ import annotations
 
+import functools
 import math
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -25,6 +26,8 @@ COUNTS = SHARES * (1 - SHARES) / np.sum(SHARES * (1 - SHARES))
 ROUNDING = 1e-9  # of fields, relative
 DEFECTIVE = 1e-6  # of the work of a mode with its dual one over their sizes: a logarithm
 
+gauss = functools.lru_cache(maxsize=None)(leggauss)
+
 
 def work(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Of one's tractions on the other's displacements less that of the other's on one's, per angle
@@ -47,7 +50,7 @@ class Arcs:
         parts = []
         for k, (place, wedge) in enumerate(zip(meeting.places, meeting.corner.wedges)):
             for n, r in enumerate(RADII):
-                t, weights = leggauss(8 + round((6 + 30 * r) * place.angle / math.pi))
+                t, weights = gauss(8 + 4 * round((2 + 8 * r) * place.angle / math.pi))
                 low, high = (np.arcsin(edge.curvature * r * meeting.reach / 2)
                              for edge in place.edges)
                 half = (place.angle - low - high) / 2
@@ -82,7 +85,7 @@ class Arcs:
 
 
 def full_work(corner: Corner, mode: Mode, dual: Mode) -> complex:
-    t, weights = leggauss(40)
+    t, weights = gauss(40)
     total = 0
     for k, wedge in enumerate(corner.wedges):
         half = (wedge.end - wedge.start) / 2
@@ -105,9 +108,13 @@ def on_arcs(arcs: Arcs, solution: np.ndarray, alike: list[Mode]) -> Optional[np.
     return np.asarray(np.linalg.solve(matrix, works) * (2 if exponent.imag else 1))
 
 
-def powers(meeting: Meeting, given: frozenset[int], exponent: complex) -> list[complex]:
+def powers(meeting: Meeting, at_end: bool, exponent: complex) -> list[complex]:
     """Of r in what an arc shows besides an amplitude: what is given brings terms r^k into the
-    displacement, the curvature of edges factors 1 + O(r)."""
+    displacement, the curvature of edges factors 1 + O(r).  At the end of a path the motion of the place
+    is known, at another step it is one of the terms."""
+    given = meeting.given
+    if 0 in given or meeting.bent:
+        given = given - {0} if at_end else given | {0, 1}
     return [k - exponent for k in sorted(given)] + ([1, 2] if meeting.bent else [])
 
 
@@ -152,11 +159,9 @@ def side_of(place: Place) -> float:
 
 
 def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[Any, ...]]:
-    """Of COLUMNS: of each body and exponent of a meeting; the place's motion is known at the end of the
-    path, at another step it is one of the powers."""
+    """Of COLUMNS: of each body and exponent of a meeting; whether at the end of the path."""
     meeting = arcs.meeting
-    moves = at_end and (0 in meeting.given or meeting.bent)
-    solution = arcs.solution(fields, rows, moves)
+    solution = arcs.solution(fields, rows, at_end and (0 in meeting.given or meeting.bent))
     all_modes, groups = modes(meeting.corner), []
     for mode in all_modes:
         if groups and abs(groups[-1][0].exponent - mode.exponent) < ALIKE:
@@ -172,7 +177,7 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
         note = "" if found is not None else (
             "K: two exponents coincide, the stress has a logarithm" if inside else
             "K: the bodies are no wedges as far as reach, they overlap or leave a gap")
-        besides = powers(meeting, meeting.given - {0} if moves else meeting.given, exponent)
+        besides = powers(meeting, at_end, exponent)
         for k, place in enumerate(meeting.places):
             at = side_of(place)
             side = place.edges[int(at)].name if at != 0.5 else "bisector"

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
 
+from epafi.outlines import Edge, Samples, edges_of
 from epafi.program import InputError
-from epafi.tables import Table
 from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, sliding
 
 if TYPE_CHECKING:
@@ -17,67 +17,12 @@ if TYPE_CHECKING:
 
 SMOOTH = math.radians(1)  # less is no corner
 APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apart
-STRAIGHT = 1e-7  # a turn that is rounding of what is drawn [radian]
 BENT = 0.25  # of the radius of an arc: as far as it is nearly straight
-FLAT = 1e-5  # an arc's turn, below which its centre would be too far away for digits
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
+SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
 LINEAR = frozenset((1, 2))  # powers of r in a displacement that follows what is given
-
-
-class Edge:
-    """Of an outline, a segment or an arc between complex points; the body is on its left."""
-
-    before: Edge
-    after: Edge
-
-    def __init__(self, table: Table, rows: slice) -> None:
-        x = table["x"][rows] + 1j * table["y"][rows]
-        self.start, self.end = complex(x[0]), complex(x[-1])
-        self.body = str(table["body"][rows][0])
-        self.name = str(table["boundary"][rows][0]).removeprefix(self.body + ":")
-        self.elements = set(table["element"][rows].astype(int))
-        inner = x[np.argmax(np.minimum(abs(x - x[0]), abs(x - x[-1])))]
-        chord, rounding = abs(x[-1] - x[0]), 1e-9 + 1e-14 * abs(x).max() / abs(x[-1] - x[0])
-        turn = 2 * float(np.angle((x[-1] - inner) / (inner - x[0])))
-        self.turn = turn if abs(turn) > rounding else 0.0
-        self.curvature = 2 * math.sin(self.turn / 2) / chord
-        self.x, self.u = x, table["ux"][rows] + 1j * table["uy"][rows]
-
-    def moved(self, x: complex) -> complex:
-        """Displacement at a point of the edge, at the end of the path."""
-        way = abs(self.x - self.start)
-        return complex(np.interp(abs(x - self.start), way, self.u.real)
-                       + 1j * np.interp(abs(x - self.start), way, self.u.imag))
-
-    def goes_on(self, other: Edge) -> bool:
-        """Are both one segment or arc?"""
-        turn = np.angle(other.tangent(other.start) / self.tangent(self.end))
-        bend = (other.curvature - self.curvature) * min(
-            abs(edge.end - edge.start) for edge in (self, other))
-        return (self.end == other.start and (self.body, self.name) == (other.body, other.name)
-                and abs(turn) < STRAIGHT and abs(bend) < STRAIGHT)
-
-    def tangent(self, x: complex) -> complex:
-        """At a point of the edge."""
-        first = (self.end - self.start) * np.exp(-0.5j * self.turn)
-        chord = x - self.start
-        turned = first if not self.turn or chord == 0 else chord * chord / first
-        return complex(turned / abs(turned))
-
-    def nearest(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Points of the edge, and whether they lie before one, not beyond the edge's ends."""
-        chord = self.end - self.start
-        if abs(self.turn) < FLAT:
-            share = ((x - self.start) / chord).real
-            found = self.start + np.clip(share, 0, 1) * chord
-        else:
-            centre = self.start + 1j * self.tangent(self.start) / self.curvature
-            middle = self.tangent(self.start) * np.exp(0.5j * self.turn) / self.curvature / 1j
-            share = 0.5 + np.angle((x - centre) / middle) / self.turn
-            found = centre + middle * np.exp(1j * self.turn * (np.clip(share, 0, 1) - 0.5))
-        return found, (share > -1e-9) & (share < 1 + 1e-9)
 
 
 @dataclass(frozen=True)
@@ -149,48 +94,20 @@ class Meeting:
         return frozenset().union(*(face.given for place in self.places for face in place.faces))
 
 
-class Samples:
-    """The rows of contact.csv."""
-
-    def __init__(self, table: Table) -> None:
-        self.x = table["x"] + 1j * table["y"]
-        self.name, self.body = table["contact_name"], table["body"]
-        self.element = table["element"].astype(int)
-        self.closed, self.stuck = table["contact"] == 1, table["friction"] == 1
-        self.pressure, self.shear = table["lambda_n"], table["lambda_t"]
-        self.bound, self.gap = table["bound"], table["gap"]
-
-
 class Outlines:
     """Of a run's elastic bodies, with their conditions at the end, or at a step of the path."""
 
     def __init__(self, run: Run, step: Optional[int] = None) -> None:
         self.scene, table = run.numbers, run.boundary
-        if "edge" not in table:
-            raise InputError("boundary.csv in '%s' has no column edge: another version of the program "
-                             "has written it; solve the scene again" % run.folder)
         self.line = self.scene.get("Geometry", {}).get("Symmetry")
         bodies = self.scene["Bodies"]
         touch = self.scene.get("Contacts") or any(
             rules.get("Type") == "Contact" for body in bodies.values()
             for rules in body.get("Boundary Conditions", {}).values())
         self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
-        starts = np.flatnonzero(np.append(True, (np.diff(table["edge"]) != 0)
-                                          | (table["body"][1:] != table["body"][:-1])))
-        self.edges: list[Edge] = []
-        for a, b in zip(starts, [*starts[1:], table.size]):
-            self.edges.append(Edge(table, slice(a, b)))
-            if len(self.edges) > 1 and self.edges[-2].goes_on(self.edges[-1]):
-                self.edges[-2:] = [Edge(table, slice(begin, b))]
-            else:
-                begin = a
+        self.edges = edges_of(table)
         self.size = float(np.ptp(table["x"]) + np.ptp(table["y"]))
-        first = self.edges[0]
-        for edge, following in zip(self.edges, [*self.edges[1:], first]):
-            closes = abs(edge.end - first.start) < 1e-12 * self.size + 1e-14 * abs(edge.end)
-            edge.after = first if closes else following
-            edge.after.before = edge
-            first = following if closes else first
+        self.most = np.hypot(table["ux"], table["uy"]).max()  # displacement
         self.rigid = {name: [complex(*vertex) for key, vertices in body["Geometry"].items()
                              if key.endswith("Vertices") for vertex in vertices]
                       for name, body in bodies.items() if body["Material"].get("Rigid")}
@@ -265,18 +182,6 @@ class Outlines:
         gap = self.samples.gap[here[abs(self.samples.x[here] - x).argmin()]] if len(here) else 0
         return float(APART * self.size + 1.1 * abs(gap))
 
-    def on_edge(self, edge: Edge, name: str, other: str) -> np.ndarray:
-        """The samples of a contact on an edge, or opposite to it."""
-        all_ = self.samples
-        here = np.flatnonzero(all_.name == name)
-        own = here[all_.body[here] == edge.body]
-        own = own[[int(element) in edge.elements for element in all_.element[own]]]
-        if len(own):
-            return own
-        here = here[all_.body[here] == other.partition(":")[0]]
-        _, before = edge.nearest(all_.x[here])
-        return here[before]
-
     def completed(self, place: Place) -> Place:
         place.faces = self.face(place, 0), self.face(place, 1)
         return place
@@ -317,7 +222,7 @@ class Outlines:
     def touched(self, place: Place, k: int, name: str, rules: dict[str, Any], other: str,
                 given: frozenset[int]) -> Face:
         """A face that is in contact or may be."""
-        rows = self.on_edge(place.edges[k], name, other)
+        rows = self.samples.on_edge(place.edges[k], name, other)
         ray = place.ray(k)
         rows = rows[((self.samples.x[rows] - place.x) / ray).real > 0]
         distances = abs(self.samples.x[rows] - place.x)
@@ -350,6 +255,8 @@ class Outlines:
             given |= {0} if np.ptp(gaps) < 1e-10 * self.size else LINEAR | {0}
         if body in self.rigid:
             given |= {0, 1}
+        if sticks and abs(self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
+            given |= LINEAR | {0}  # it has slid before
         opposite = "" if body in self.rigid else body
         if sticks:
             return Face("bond" if law == "Tied" else "contact", name, CLAMPED, None, opposite, front,
