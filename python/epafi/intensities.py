@@ -50,7 +50,7 @@ class Arcs:
         parts = []
         for k, (place, wedge) in enumerate(zip(meeting.places, meeting.corner.wedges)):
             for n, r in enumerate(RADII):
-                t, weights = gauss(8 + 4 * round((2 + 8 * r) * place.angle / math.pi))
+                t, weights = gauss(4 + 4 * round((1 + 5 * r) * place.angle / math.pi))
                 low, high = (np.arcsin(edge.curvature * r * meeting.reach / 2)
                              for edge in place.edges)
                 half = (place.angle - low - high) / 2
@@ -123,7 +123,7 @@ def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.
     it changes with the radius."""
     if not besides:
         value = values @ COUNTS
-        return value, abs(values - value[:, None]).max(axis=1) + ROUNDING * abs(value)
+        return value, 2 * abs(values - value[:, None]).max(axis=1) + ROUNDING * abs(value)
     shapes = [RADII ** complex(power) for power in besides]
     columns = np.array([np.ones(len(RADII))] + [part for shape in shapes for part in (
         [shape.real, shape.imag] if abs(shape.imag).max() > 1e-9 else [shape.real])]).T
@@ -195,8 +195,8 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
 
 
 def intensities(run: Run, step: Optional[int] = None) -> Table:
-    arcs = [Arcs(meeting) for meeting in Outlines(run, step).meetings() if modes(meeting.corner)]
-    rows = []
+    arcs = [Arcs(meeting) for meeting in Outlines(run, step).meetings()]
+    rows: list[tuple[Any, ...]] = []
     if arcs:
         points = np.concatenate([each.points for each in arcs])
         fields = run.fields(np.column_stack([points.real, points.imag]), step=step)

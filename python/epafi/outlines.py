@@ -23,7 +23,7 @@ class Edge:
         self.start, self.end = complex(x[0]), complex(x[-1])
         self.body = str(table["body"][rows][0])
         self.name = str(table["boundary"][rows][0]).removeprefix(self.body + ":")
-        self.elements = set(table["element"][rows].astype(int))
+        self.elements = table["element"][rows][[0, -1]]
         inner = x[np.argmax(np.minimum(abs(x - x[0]), abs(x - x[-1])))]
         chord, rounding = abs(x[-1] - x[0]), 1e-9 + 1e-14 * abs(x).max() / abs(x[-1] - x[0])
         turn = 2 * float(np.angle((x[-1] - inner) / (inner - x[0])))
@@ -66,6 +66,15 @@ class Edge:
         return found, (share > -1e-9) & (share < 1 + 1e-9)
 
 
+def distance(x: complex, edges: list[Edge]) -> float:
+    """To the nearest of the edges."""
+    flat = [edge for edge in edges if abs(edge.turn) < FLAT]
+    start, end = np.array([(edge.start, edge.end) for edge in flat]).reshape(-1, 2).T
+    share = np.clip(((x - start) / (end - start)).real, 0, 1)
+    return float(min([abs(start + share * (end - start) - x).min(initial=math.inf), *(
+        abs(edge.nearest(np.array([x]))[0] - x)[0] for edge in edges if abs(edge.turn) >= FLAT)]))
+
+
 def edges_of(table: Table) -> list[Edge]:
     """Of boundary.csv; those that go on as one segment or arc are one."""
     if "edge" not in table:
@@ -105,7 +114,7 @@ class Samples:
         """Those of a contact on an edge, or, if they lie on the other side, opposite to it."""
         here = np.flatnonzero(self.name == name)
         own = here[self.body[here] == edge.body]
-        own = own[[int(element) in edge.elements for element in self.element[own]]]
+        own = own[(self.element[own] >= edge.elements[0]) & (self.element[own] <= edge.elements[1])]
         if len(own):
             return own
         here = here[self.body[here] == other.partition(":")[0]]

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
 
-from epafi.outlines import Edge, Samples, edges_of
+from epafi.outlines import Edge, Samples, distance, edges_of
 from epafi.program import InputError
-from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, sliding
+from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, modes, sliding
 
 if TYPE_CHECKING:
     from epafi.runs import Run
@@ -82,7 +82,7 @@ class Meeting:
 
     places: list[Place]
     corner: Corner
-    reach: float
+    reach: float = math.inf
 
     @property
     def bent(self) -> bool:
@@ -263,9 +263,10 @@ class Outlines:
                         given)
         ratio = 0.0
         if shears and law not in BOUNDED:
-            pressure, bound = self.samples.pressure[beyond], self.samples.bound[beyond]
-            ratio = -round(float(np.median((bound / pressure)[pressure > 0])), 9) * float(
-                np.sign(self.samples.shear[beyond].sum()))
+            pressed = beyond[self.samples.pressure[beyond] > 0]
+            ratio = 0.0 if not len(pressed) else -round(float(np.median(
+                self.samples.bound[pressed] / self.samples.pressure[pressed])), 9) * float(
+                    np.sign(self.samples.shear[pressed].sum()))
         elif law != "None" or not shears:
             given |= LINEAR
         return Face("contact", name, sliding(ratio), ratio, opposite, front, given)
@@ -285,7 +286,7 @@ class Outlines:
         return self.places[-1]
 
     def meetings(self) -> list[Meeting]:
-        """Of all places at which something changes."""
+        """Those at which stresses are singular."""
         done: set[int] = set()
         result = []
         for place in list(self.places):
@@ -295,7 +296,9 @@ class Outlines:
                 continue
             meeting = self.meeting(place)
             done |= set(map(id, meeting.places))
-            result.append(meeting)
+            if modes(meeting.corner):
+                meeting.reach = self.reach(meeting.places)
+                result.append(meeting)
         return result
 
     def meeting(self, place: Place) -> Meeting:
@@ -317,7 +320,7 @@ class Outlines:
             wedges.append(self.wedge(member.body, member.angle, start))
             start = wedges[-1].end
         faces = None if closed else (chain[0].faces[0].rows, chain[-1].faces[1].rows)
-        return Meeting(chain, Corner(tuple(wedges), tuple(joints), faces), self.reach(chain))
+        return Meeting(chain, Corner(tuple(wedges), tuple(joints), faces))
 
     def wedge(self, body: str, angle: float, start: float) -> Wedge:
         material = self.scene["Bodies"][body]["Material"]
@@ -330,12 +333,11 @@ class Outlines:
         or other side, a part of an arc's radius."""
         found = [self.size]
         for place in places:
-            x = np.array([place.x])
             found += [face.front for face in place.faces]
             found += [BENT / abs(edge.curvature) for edge in place.edges if edge.curvature]
             found += [abs(end - place.x) for edge in place.edges for end in (edge.start, edge.end)]
-            found += [abs(edge.nearest(x)[0] - place.x)[0] for edge in self.edges
-                      if edge.body == place.body and edge not in place.edges]
+            found.append(distance(place.x, [edge for edge in self.edges if edge.body == place.body
+                                            and edge not in place.edges]))
             found += [abs(vertex - place.x) for vertices in self.rigid.values()
                       for vertex in vertices if any(face.kind == "contact" for face in place.faces)]
         return float(min(distance for distance in found if distance > APART * self.size))
