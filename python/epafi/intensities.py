@@ -24,7 +24,7 @@ SHARES = (np.arange(12) + 0.5) / 12
 RADII = 0.15 + 0.75 * SHARES
 COUNTS = SHARES * (1 - SHARES) / np.sum(SHARES * (1 - SHARES))
 ROUNDING = 1e-9  # of fields, relative
-DEFECTIVE = 1e-6  # of the work of a mode with its dual one over their sizes: a logarithm
+DEFECTIVE = 1e-3  # of the work of a mode with its dual one over their sizes: a logarithm
 
 gauss = functools.lru_cache(maxsize=None)(leggauss)
 
@@ -95,17 +95,24 @@ def full_work(corner: Corner, mode: Mode, dual: Mode) -> complex:
     return complex(total)
 
 
-def on_arcs(arcs: Arcs, solution: np.ndarray, alike: list[Mode]) -> Optional[np.ndarray]:
-    """Amplitudes of modes with the same exponent, their stresses those at the reach, from each
-    radius, shape (modes, radii); None where the solution has logarithms, too."""
-    corner, exponent = arcs.meeting.corner, alike[0].exponent
-    duals = dual_modes(corner, exponent)
+def paired(corner: Corner, alike: list[Mode]) -> Optional[tuple[list[Mode], np.ndarray]]:
+    """The dual modes of modes with the same exponent, and the work of each mode on each of them; None
+    where the stress has logarithms, too."""
+    duals = dual_modes(corner, alike[0].exponent)
     matrix = np.array([[full_work(corner, mode, dual) for mode in alike] for dual in duals])
     least = min(wedge.shear_modulus for wedge in corner.wedges)  # displacements are at most 1 / least
-    if len(duals) != len(alike) or np.linalg.svd(matrix * least)[1][-1] < DEFECTIVE:
+    defective = len(duals) != len(alike) or np.linalg.svd(matrix * least)[1][-1] < DEFECTIVE
+    return None if defective else (duals, matrix)
+
+
+def on_arcs(arcs: Arcs, solution: np.ndarray, alike: list[Mode]) -> Optional[np.ndarray]:
+    """Amplitudes of modes with the same exponent, their stresses those at the reach, from each
+    radius, shape (modes, radii); None if they are not paired."""
+    pairs = paired(arcs.meeting.corner, alike)
+    if pairs is None:
         return None
-    works = np.array([arcs.works(solution, dual) for dual in duals])
-    return np.asarray(np.linalg.solve(matrix, works) * (2 if exponent.imag else 1))
+    works = np.array([arcs.works(solution, dual) for dual in pairs[0]])
+    return np.asarray(np.linalg.solve(pairs[1], works) * (2 if alike[0].exponent.imag else 1))
 
 
 def powers(meeting: Meeting, at_end: bool, exponent: complex) -> list[complex]:

@@ -15,6 +15,7 @@ from claims import absent, claim, finish, raises, read, write  # noqa: E402
 WORK = absent(sys.argv[2])
 import epafi  # noqa: E402
 from epafi.fatigue import dang_van, smallest_ball, swt  # noqa: E402
+from epafi.intensities import paired  # noqa: E402
 from epafi.wedges import CLAMPED, FREE, Corner, Wedge, held, modes, sliding  # noqa: E402
 
 warnings.simplefilter("ignore", epafi.EpafiWarning)  # loads are of size 1: large displacements
@@ -81,6 +82,21 @@ claim(near(exponents(wedge(0.8 * PI), faces=(held(PI / 2), FREE)),
       "a roller is the symmetric half of twice the angle")
 square = Corner((wedge(PI / 2), wedge(1.5 * PI, PI / 2)), (None, None))
 claim(modes(square) == [], "all around one material nothing is singular")
+
+
+def clamped(angle):
+    return Corner((wedge(angle),), (), (CLAMPED, FREE))
+
+
+low, high = math.radians(120), PI  # two real exponents; two conjugate ones
+for _ in range(50):
+    middle = (low + high) / 2
+    low, high = (low, middle) if modes(clamped(middle))[0].exponent.imag > 1e-7 else (middle, high)
+for angle, known in ((low, False), (low - 1e-3, True)):
+    alike = modes(clamped(angle))[:1]
+    claim((paired(clamped(angle), alike) is not None) == known,
+          "a clamp that ends at %.6f degrees has %s" % (math.degrees(angle), "K" if known else
+                                                        "a logarithm, and no K"))
 
 # intensities
 GRADED = {"Adaptivity->Strategy": "Graded hp", "Adaptivity->Maximum Levels": 30,
