@@ -32,18 +32,17 @@ class Edge:
         self.x, self.u = x, table["ux"][rows] + 1j * table["uy"][rows]
 
     def moved(self, x: complex) -> complex:
-        """Displacement at a point of the edge, at the end of the path."""
-        way = abs(self.x - self.start)
-        return complex(np.interp(abs(x - self.start), way, self.u.real)
-                       + 1j * np.interp(abs(x - self.start), way, self.u.imag))
+        """Displacement at a node of the edge, at the end of the path."""
+        return complex(self.u[abs(self.x - x).argmin()])
 
     def goes_on(self, other: Edge) -> bool:
-        """Are both one segment or arc?"""
+        """Are both one segment, or an arc of less than half a circle?"""
         turn = np.angle(other.tangent(other.start) / self.tangent(self.end))
         bend = (other.curvature - self.curvature) * min(
             abs(edge.end - edge.start) for edge in (self, other))
         return (self.end == other.start and (self.body, self.name) == (other.body, other.name)
-                and abs(turn) < STRAIGHT and abs(bend) < STRAIGHT)
+                and abs(turn) < STRAIGHT and abs(bend) < STRAIGHT
+                and abs(self.turn + other.turn) < math.pi)
 
     def tangent(self, x: complex) -> complex:
         """At a point of the edge."""

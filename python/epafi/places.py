@@ -340,4 +340,4 @@ class Outlines:
                                             and edge not in place.edges]))
             found += [abs(vertex - place.x) for vertices in self.rigid.values()
                       for vertex in vertices if any(face.kind == "contact" for face in place.faces)]
-        return float(min(distance for distance in found if distance > APART * self.size))
+        return float(min(far for far in found if far > APART * self.size))

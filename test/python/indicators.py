@@ -235,7 +235,7 @@ claim(solved(pressed(Compliance="0.001*(1 + x^2)"), 200).size == 0,
       "a compliance that varies is none of a rigid surface")
 
 
-def right_angle(x, y, blunt=0.0):
+def right_angle(x, y, blunt=0.0, **more):
     """A plate with a notch of 90 degrees, its corner at (x, y) or an arc."""
     corners = [[1, -1], [2, -1], [2, 2], [-2, 2], [-2, -1], [-1, -1]]
     tip = [[-blunt, -blunt], [blunt, -blunt]] if blunt else [[0, 0]]
@@ -244,7 +244,7 @@ def right_angle(x, y, blunt=0.0):
     return epafi.Scene({"Bodies": {"b": {
         "Material": {"Young's Modulus": 100, "Poisson's Ratio": NU},
         "Geometry": {"Vertices": [[x + a, y + b] for a, b in corners + tip], "Edges": names,
-                     "Bulges": bulges},
+                     "Bulges": bulges, **more},
         "Boundary Conditions": {"side": {"Type": "Neumann", "Traction X": "nx"}},
         "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}, "Discretization": {"Mesh Size": 0.5}})
 
@@ -261,6 +261,10 @@ claim(all(tip.size == 2 and set(tip["kind"]) == {"corner"} and near(tip["angle"]
       "a notch is one of 270 degrees on coarse and fine meshes, wherever it is: K_I = %.7f" % (
           tips[1]["k_normal"][0]))
 claim(within(right_angle(7, 3, 0.1), 1e-3).size == 0, "a round one has none")
+drilled = within(right_angle(0, 0, **{"Hole 1 Vertices": [[-0.3, 1], [0.3, 1]], "Hole 1 Edges": [
+    "hole"] * 2, "Hole 1 Bulges": [1, 1]}), 1e-3)
+claim(near(drilled["reach"], [0.7] * 2) and (drilled["k_normal_error"] < 1e-3 * drilled["k_normal"].max()
+                                             ).all(), "a round hole above it limits its reach")
 
 
 def included():
