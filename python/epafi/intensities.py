@@ -21,7 +21,7 @@ COLUMNS = ("body", "before", "after", "x", "y", "kind", "angle", "side", "expone
 # Radii of the arcs, over the reach, and what they count: smoothly less at the ends, since an average
 # over a smooth function of the radius has less of an error of the mesh than an arc has.
 SHARES = (np.arange(12) + 0.5) / 12
-RADII = 0.15 + 0.75 * SHARES
+RADII = 0.15 + 0.65 * SHARES
 COUNTS = SHARES * (1 - SHARES) / np.sum(SHARES * (1 - SHARES))
 ROUNDING = 1e-9  # of fields, relative
 DEFECTIVE = 1e-3  # of the work of a mode with its dual one over their sizes: a logarithm
@@ -50,7 +50,7 @@ class Arcs:
         parts = []
         for k, (place, wedge) in enumerate(zip(meeting.places, meeting.corner.wedges)):
             for n, r in enumerate(RADII):
-                t, weights = gauss(4 + 4 * round((1 + 5 * r) * place.angle / math.pi))
+                t, weights = gauss(8 + 4 * round((1 + 7 * r) * place.angle / math.pi))
                 low, high = (np.arcsin(edge.curvature * r * meeting.reach / 2)
                              for edge in place.edges)
                 half = (place.angle - low - high) / 2

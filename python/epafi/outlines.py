@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from epafi.program import InputError
 from epafi.tables import Table
 
+SMOOTH = math.radians(1)  # less is no corner
 STRAIGHT = 1e-7  # a turn that is rounding of what is drawn [radian]
 FLAT = 1e-5  # an arc's turn, below which its centre would be too far away for digits
 
@@ -63,6 +65,21 @@ class Edge:
             share = 0.5 + np.angle((x - centre) / middle) / self.turn
             found = centre + middle * np.exp(1j * self.turn * (np.clip(share, 0, 1) - 0.5))
         return found, (share > -1e-9) & (share < 1 + 1e-9)
+
+
+def rigid_corners(geometry: dict[str, Any]) -> list[complex]:
+    """Of a rigid body's scene: where its sides end."""
+    found = []
+    for key in geometry:
+        if key.endswith("Vertices"):
+            loop = key.removesuffix("Vertices")
+            x = np.array([complex(*vertex) for vertex in geometry[key]])
+            half = 2 * np.arctan(geometry.get(loop + "Bulges") or np.zeros(len(x)))  # of a turn
+            turn = np.angle((np.roll(x, -1) - x) / (x - np.roll(x, 1))) - half - np.roll(half, 1)
+            names = geometry[loop + "Edges"]
+            found += [corner for k, corner in enumerate(x)
+                      if abs(turn[k]) > SMOOTH or names[k] != names[k - 1]]
+    return found
 
 
 def distance(x: complex, edges: list[Edge]) -> float:

@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
 
-from epafi.outlines import Edge, Samples, distance, edges_of
+from epafi.outlines import SMOOTH, Edge, Samples, distance, edges_of, rigid_corners
 from epafi.program import InputError
 from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, modes, sliding
 
 if TYPE_CHECKING:
     from epafi.runs import Run
 
-SMOOTH = math.radians(1)  # less is no corner
 APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apart
 BENT = 0.25  # of the radius of an arc: as far as it is nearly straight
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
@@ -54,8 +53,9 @@ class Place:
         self.angle = math.pi - turn if turn < math.pi - SMOOTH else 2 * math.pi
 
     @property
-    def smooth(self) -> bool:
-        return abs(self.angle - math.pi) < SMOOTH
+    def ends(self) -> bool:
+        """Does a side of the body end here, at a corner or where another one begins?"""
+        return abs(self.angle - math.pi) > SMOOTH or self.edges[0].name != self.edges[1].name
 
     @property
     def body(self) -> str:
@@ -108,16 +108,16 @@ class Outlines:
         self.edges = edges_of(table)
         self.size = float(np.ptp(table["x"]) + np.ptp(table["y"]))
         self.most = np.hypot(table["ux"], table["uy"]).max()  # displacement
-        self.rigid = {name: [complex(*vertex) for key, vertices in body["Geometry"].items()
-                             if key.endswith("Vertices") for vertex in vertices]
-                      for name, body in bodies.items() if body["Material"].get("Rigid")}
+        self.rigid = {name: rigid_corners(body["Geometry"]) for name, body in bodies.items()
+                      if body["Material"].get("Rigid")}
         self.loaded = {name for name, body in bodies.items() if body.get("Body Loads") or (
             "Body Loads" not in body and self.scene.get("Body Loads"))} | self.reacting(run)
-        self.places = [self.completed(Place(edge.end, (edge.after, edge))) for edge in self.edges]
+        ends = [Place(edge.end, (edge.after, edge)) for edge in self.edges]
+        self.places = [self.completed(place) for place in ends if place.ends]
         for x, edge in self.opposite_ends():
             if all(abs(place.x - x) > APART * self.size for place in self.places
                    if place.body == edge.body):
-                self.places.append(self.completed(Place(x, (edge, edge))))
+                self.add(x, edge)
 
     @staticmethod
     def reacting(run: Run) -> set[str]:
@@ -165,11 +165,9 @@ class Outlines:
         for edge in self.edges:
             for name, _, other in self.contacts(edge):
                 ends = np.array(self.rigid.get(other.partition(":")[0], [
-                    x for facing in self.side(other) for x, beyond in (
-                        (facing.start, facing.before), (facing.end, facing.after))
-                    if beyond.name != facing.name or not Place(
-                        x, (facing, beyond) if x == facing.start else (beyond, facing)).smooth]),
-                                complex)
+                    place.x for facing in self.side(other) for place in (
+                        Place(facing.start, (facing, facing.before)),
+                        Place(facing.end, (facing.after, facing))) if place.ends]), complex)
                 if len(ends):
                     found, before = edge.nearest(ends)
                     for x, end in zip(found[before], ends[before]):
@@ -181,6 +179,13 @@ class Outlines:
         here = np.flatnonzero((self.samples.name == name) & self.samples.closed)
         gap = self.samples.gap[here[abs(self.samples.x[here] - x).argmin()]] if len(here) else 0
         return float(APART * self.size + 1.1 * abs(gap))
+
+    def add(self, x: complex, edge: Edge) -> Place:
+        """A place on an edge, at one of its ends or within it."""
+        after = edge.after if abs(x - edge.end) < APART * self.size else edge
+        before = edge.before if abs(x - edge.start) < APART * self.size else edge
+        self.places.append(self.completed(Place(x, (after, before))))
+        return self.places[-1]
 
     def completed(self, place: Place) -> Place:
         place.faces = self.face(place, 0), self.face(place, 1)
@@ -282,17 +287,14 @@ class Outlines:
         found = [(abs(x[0] - place.x), complex(x[0]), edge) for edge in self.side(other)
                  for x in [edge.nearest(np.array([place.x]))[0]]]
         _, x, edge = min(found, key=lambda entry: entry[0])
-        self.places.append(self.completed(Place(x, (edge, edge))))
-        return self.places[-1]
+        return self.add(x, edge)
 
     def meetings(self) -> list[Meeting]:
         """Those at which stresses are singular."""
         done: set[int] = set()
         result = []
         for place in list(self.places):
-            goes_on = place.smooth and place.edges[0] is not place.edges[1] and (
-                place.faces[0].kind, place.faces[0].name) == (place.faces[1].kind, place.faces[1].name)
-            if id(place) in done or goes_on:
+            if id(place) in done:
                 continue
             meeting = self.meeting(place)
             done |= set(map(id, meeting.places))

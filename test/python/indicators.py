@@ -261,6 +261,8 @@ claim(all(tip.size == 2 and set(tip["kind"]) == {"corner"} and near(tip["angle"]
       "a notch is one of 270 degrees on coarse and fine meshes, wherever it is: K_I = %.7f" % (
           tips[1]["k_normal"][0]))
 claim(within(right_angle(7, 3, 0.1), 1e-3).size == 0, "a round one has none")
+claim(epafi.run(os.path.join(SHIPPED, "press-fit.xml"), threads=1).intensities().size == 0,
+      "nor have rings of arcs that are pressed together")
 drilled = within(right_angle(0, 0, **{"Hole 1 Vertices": [[-0.3, 1], [0.3, 1]], "Hole 1 Edges": [
     "hole"] * 2, "Hole 1 Bulges": [1, 1]}), 1e-3)
 claim(near(drilled["reach"], [0.7] * 2) and (drilled["k_normal_error"] < 1e-3 * drilled["k_normal"].max()
