@@ -144,7 +144,7 @@ def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.
     all_ = fitted(slice(None))
     changes = [abs(fitted(rows)[0] - all_[0]) for rows in (slice(2, None), slice(None, -2))]
     rest = abs(values.T - columns @ all_).max(axis=0)
-    return all_[0], 3 * np.max([*changes, rest], axis=0) + ROUNDING * abs(all_[0])
+    return all_[0], 5 * np.max([*changes, rest], axis=0) + ROUNDING * abs(all_[0])
 
 
 def kind_of(place: Place) -> str:

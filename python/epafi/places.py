@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from epafi.runs import Run
 
 APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apart
-BENT = 0.25  # of the radius of an arc: as far as it is nearly straight
+BENT = 0.05  # of the radius of an arc: as far as it is nearly straight
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls

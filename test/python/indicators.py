@@ -185,6 +185,18 @@ coarse, coarse_error = at_corner(solved(angled(1, 0), 300))
 claim(np.allclose(coarse, fine, rtol=1e-2) and (np.abs(np.subtract(fine, coarse)) <
       np.add(fine_error, coarse_error)).all() and fine_error[0] < 1e-3 * fine[0],
       "the corner of an L: K_I, K_II = %s, on a coarser mesh %s" % (fine, coarse))
+
+
+def bent(dof):
+    """An L whose inner sides are arcs."""
+    tree = angled(1, 0)
+    tree["Bodies"]["L"]["Geometry"]["Bulges"] = [0, 0.1, 0.07, 0, 0, 0]
+    return at_corner(solved(tree, dof))
+
+
+(coarse_bent, error), (fine_bent, _) = bent(400), bent(900)
+claim((np.abs(np.subtract(coarse_bent, fine_bent)) < error).all() and error[0] < 1e-2 * fine_bent[0],
+      "of an L with bent sides: %s, on a coarser mesh %s" % (fine_bent, coarse_bent))
 other, _ = at_corner(solved(angled(1000, 0.7), 300))
 claim(np.allclose(other, np.array(coarse) * [1000 ** (1 - opening), 1000 ** (1 - sheared)], rtol=2e-3),
       "turned, and as length^(1 - lambda) with the size")
