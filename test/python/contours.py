@@ -239,7 +239,7 @@ for normal, shear, pressure in ((0.01, 0, 0), (0.006, 0.008, 0), (0, 0.008, 0.01
     off = np.abs(told - [normal, shear])
     size = math.hypot(normal, shear)
     claim(crack.size == 4 and set(crack["side"]) == {"bond"} and set(crack["kind"]) == {"end of bond"}
-          and off.max() < (1e-3 if pressure else 1e-5) * size and (off <= error + 1e-9 * size).all(),
+          and off.max() < (1e-4 if pressure else 1e-5) * size and (off <= error + 1e-9 * size).all(),
           "a Griffith crack under %g, %g, pressure %g: K to %.1e" % (
               normal, shear, pressure, off.max() / size))
 
