@@ -23,6 +23,7 @@ CLAMPED: Rows = ((1, 0, 0, 0), (0, 1, 0, 0))
 # The work of a face's tractions on another solution's displacements, less that with both exchanged.
 WORK = np.array([[0, 0, -1, 0], [0, 0, 0, -1], [1, 0, 0, 0], [0, 1, 0, 0]])
 ALIKE = 1e-7  # exponents that differ by less are one
+BOUNDED = 1e-3  # stresses that grow like r^-BOUNDED or less do not count as singular
 
 
 def held(angle: float) -> Rows:
@@ -179,13 +180,13 @@ def _polished(corner: Corner, exponents: np.ndarray) -> np.ndarray:
 
 @functools.lru_cache(maxsize=None)
 def modes(corner: Corner) -> list[Mode]:
-    """All with 0 < Re lambda < 1, Im lambda >= 0; the smallest real part first."""
+    """All with 0 < Re lambda < 1 - BOUNDED, Im lambda >= 0; the smallest real part first."""
     near = _near_roots(corner)
     near = near[(near.real > -0.05) & (near.real < 1.05) & (abs(near.imag) < 1)]
     roots: list[complex] = []
     for root in sorted(_polished(corner, near), key=lambda root: (root.real, root.imag)):
         root = complex(root.real, abs(root.imag) if abs(root.imag) > 1e-9 else 0)
-        if 0.01 < root.real < 1 - 1e-4 and all(abs(root - other) > ALIKE for other in roots):
+        if 0.01 < root.real < 1 - BOUNDED and all(abs(root - other) > ALIKE for other in roots):
             roots.append(root)
     return [Mode(root, vector) for root in roots for vector in corner.null(root)]
 
