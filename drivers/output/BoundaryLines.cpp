@@ -16,7 +16,7 @@ namespace {
 
 // The fields of a point, and of a segment.
 enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction };
-enum { Element, Degree, Boundary, OfBody };
+enum { Element, Degree, Boundary, OfBody, Edge };
 
 VtkGrid emptyGrid() {
   const std::vector<double> real;
@@ -30,7 +30,11 @@ VtkGrid emptyGrid() {
            {"gap", real},
            {"contact", whole},
            {"friction", whole}},
-          {{"element", whole}, {"degree", whole}, {"boundary", whole}, {"body", whole}}};
+          {{"element", whole},
+           {"degree", whole},
+           {"boundary", whole},
+           {"body", whole},
+           {"edge", whole}}};
 }
 
 /// Adds a point.  `contact`: empty where there is no contact.
@@ -52,7 +56,7 @@ void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
 /// \param of the fields of each of them
 /// \param addAt adds the point t in [-1, 1]
 template <class AddAt>
-void addCurve(const bem::Curve& curve, int lines, const std::array<int, 4>& of,
+void addCurve(const bem::Curve& curve, int lines, const std::array<int, 5>& of,
               VtkGrid& grid, const AddAt& addAt) {
   constexpr double degreesALine = 5;
   const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
@@ -84,7 +88,8 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
     const bem::Element& element = mesh[e];
     const int boundary = numbers.at(scene.boundaryName({false, b, mesh.boundary(e)}));
     addCurve(element.curve, 2 * (element.degree + 1),
-             {e, element.degree, boundary, static_cast<int>(b)}, grid, [&](double t) {
+             {e, element.degree, boundary, static_cast<int>(b), element.piece.edge}, grid,
+             [&](double t) {
                std::optional<contact::ContactPoint> contact;
                if (contacts[e] != nullptr)
                  contact = fields.at(*contacts[e], t);
@@ -104,13 +109,14 @@ void addRigid(const Scene& scene, std::size_t k, const contact::RigidMotion& mot
   const RigidBody& body = scene.rigid[k];
   const int number = static_cast<int>(scene.bodies.size() + k);
   int e = 0;
-  for (const bem::Edge& edge : body.outline->edges())
-    addCurve(edge.curve, 1,
-             {e++, 1, numbers.at(scene.boundaryName({true, k, edge.boundary})), number},
-             grid, [&](double t) {
-               const bem::Vec2 place = body.outline->physical(edge.curve.point(t));
-               addPoint(place, motion.at(place - body.pole), {}, {}, grid);
-             });
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const int boundary = numbers.at(scene.boundaryName({true, k, edge.boundary}));
+    addCurve(edge.curve, 1, {e, 1, boundary, number, e}, grid, [&](double t) {
+      const bem::Vec2 place = body.outline->physical(edge.curve.point(t));
+      addPoint(place, motion.at(place - body.pole), {}, {}, grid);
+    });
+    ++e;
+  }
 }
 
 }  // namespace
@@ -252,7 +258,8 @@ std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
             {"boundary", names[of(line, Boundary)]},
             {"element", number(of(line, Element))},
             {"degree", number(of(line, Degree))},
-            {"body", scene.bodies[of(line, OfBody)].name}},
+            {"body", scene.bodies[of(line, OfBody)].name},
+            {"edge", number(of(line, Edge))}},
            csv);
   };
   const std::size_t lines = grid.corners.size() / 2;

@@ -29,8 +29,9 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
 inline int numberOf(contact::FrictionKind friction) { return static_cast<int>(friction); }
 
 /// boundary.csv: displacement and traction at the points of all elastic bodies, element
-/// by element, with boundary, number and degree of the element.  The traction is the
-/// density ψ plus the traction of the particular solution for body loads.
+/// by element, with boundary, number and degree of the element, and the edge of the outline
+/// on which it lies.  The traction is the density ψ plus the traction of the particular
+/// solution for body loads.
 std::string boundaryCsv(const Scene& scene, const VtkGrid& grid);
 
 }  // namespace epafi::drivers

@@ -1,290 +1,345 @@
-"""Where stresses may be singular: nodes of outlines at corners and where conditions change, with the
-wedges that meet there."""
+"""Where stresses may be singular: corners of outlines, ends of conditions and what lies opposite to
+them, with the wedges that meet there."""
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss, legfit, legval
 
-from epafi.tables import Table
-from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, sliding
+from epafi.outlines import SMOOTH, Edge, Samples, distance, edges_of, rigid_corners
+from epafi.program import InputError
+from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, modes, sliding
 
 if TYPE_CHECKING:
     from epafi.runs import Run
 
-SMOOTH = math.radians(1)  # less is no corner
-NEAR = 1e-12  # of all outlines' size: the same node; bodies may be drawn APART
-APART = 1e-6
+APART = 1e-6  # of all outlines' size: bodies that touch may be drawn so far apart
+BENT = 0.05  # of the radius of an arc: as far as it is nearly straight
+SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
+SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
+LINEAR = frozenset((1, 2))  # powers of r in a displacement that follows what is given
 
 
-class Element:
-    """Of boundary.csv, complex points and traction at equal distances of the parameter; the body is on
-    the left of the way from start to end."""
-
-    before: Element
-    after: Element
-
-    def __init__(self, table: Table, rows: slice) -> None:
-        self.x, self.traction = (table[a][rows] + 1j * table[b][rows]
-                                 for a, b in (("x", "y"), ("tx", "ty")))
-        self.body = str(table["body"][rows][0])
-        self.name = str(table["boundary"][rows][0]).removeprefix(self.body + ":")
-        self.number, self.degree = int(table["element"][rows][0]), int(table["degree"][rows][0])
-        middle = self.x[len(self.x) // 2]
-        self.angle = 2 * np.angle((self.x[-1] - middle) / (middle - self.x[0]))  # of an arc
-        self.chord = self.x[-1] - self.x[0]
-
-    def node(self, at_end: bool) -> complex:
-        return complex(self.x[-1 if at_end else 0])
-
-    def direction(self, at_end: bool) -> complex:
-        turned = self.chord * np.exp(0.5j * self.angle * (1 if at_end else -1))
-        return complex(turned / abs(turned))
-
-    def polar(self, at_end: bool, origin: complex) -> tuple[np.ndarray, ...]:
-        """At Gauss points: distances from the origin, weights, sigma_theta_theta and sigma_r_theta."""
-        t, weights = leggauss(self.degree + 2)
-        nodes = np.linspace(-1, 1, len(self.x))
-        parts = [legval(t, legfit(nodes, part, self.degree + 1))  # the density's degree, or less
-                 for part in (self.traction.real, self.traction.imag)]
-        share = (t + 1) / 2
-        if abs(self.angle) > 1e-9:
-            share = (np.sin(self.angle * share / 2) / np.sin(self.angle / 2)
-                     * np.exp(0.5j * self.angle * (share - 1)))
-        normal = -1j * self.chord / abs(self.chord) * np.exp(0.5j * self.angle * t)
-        ray = self.x[0] + self.chord * share - origin
-        traction, along = parts[0] + 1j * parts[1], ray / abs(ray) * (1 if at_end else -1)
-        return (abs(ray), weights * abs(self.chord) / 2, np.real(traction * np.conj(normal)),
-                np.real(traction * np.conj(along)))
-
-
-@dataclass
+@dataclass(frozen=True)
 class Face:
-    """How a side of a body is held close to one of its nodes."""
+    """How a side of a body is held close to a place."""
 
     kind: str  # free, symmetry, clamp, contact, bond
+    name: str = ""  # of the contact
     rows: Rows = FREE  # what vanishes, if nothing elastic is opposite
     joint: Optional[float] = None  # if something elastic is: as in Corner
     opposite: str = ""  # that body
+    front: float = math.inf  # distance at which its state changes
+    given: frozenset[int] = frozenset()  # powers of r in the displacement that data bring along
 
 
-@dataclass
+@dataclass(eq=False)
 class Place:
-    """A point between the faces before and after it; inside of `before` or at its end."""
+    """A point between two edges of a body, or within one; angle inside the body, 2 pi between the
+    faces of a crack."""
 
     x: complex
-    before: Element
-    faces: tuple[Face, Face]  # after, before: anticlockwise
-    angle: float
+    edges: tuple[Edge, Edge]  # after, before: anticlockwise
+    angle: float = field(init=False)
+    faces: tuple[Face, Face] = field(init=False)
 
-    def outward(self, at_end: bool) -> Iterator[Element]:
-        """The elements of one of its sides, to the next corner."""
-        element = self.before if at_end else self.before.after
-        while True:
-            yield element
-            following = element.before if at_end else element.after
-            turn = np.angle(element.direction(not at_end) / following.direction(at_end))
-            if (following.name != element.name or abs(turn) > SMOOTH
-                    or following is (self.before.after if at_end else self.before)):
-                return
-            element = following
+    def __post_init__(self) -> None:
+        after, before = (edge.tangent(self.x) for edge in self.edges)
+        turn = 0.0 if self.edges[0] is self.edges[1] else float(np.angle(after / before))
+        self.angle = math.pi - turn if turn < math.pi - SMOOTH else 2 * math.pi
+
+    @property
+    def ends(self) -> bool:
+        """Does a side of the body end here, at a corner or where another one begins?"""
+        return abs(self.angle - math.pi) > SMOOTH or self.edges[0].name != self.edges[1].name
+
+    @property
+    def body(self) -> str:
+        return self.edges[0].body
+
+    @property
+    def motion(self) -> tuple[complex, float]:
+        """Displacement at the end of the path, and the rotation of a clamp."""
+        here = self.edges[0].moved(self.x)
+        for k, (edge, face) in enumerate(zip(self.edges, self.faces)):
+            if face.rows == CLAMPED and face.kind == "clamp":
+                far = (edge.end, edge.start)[k]
+                return here, float(((edge.moved(far) - here) / (far - self.x)).imag)
+        return here, 0.0
+
+    def ray(self, k: int) -> complex:
+        """Direction of a face, away from the place."""
+        return self.edges[k].tangent(self.x) * (1, -1)[k]
+
+
+@dataclass(eq=False)
+class Meeting:
+    """The places of all bodies that meet in a point, anticlockwise, and their wedges."""
+
+    places: list[Place]
+    corner: Corner
+    reach: float = math.inf
+
+    @property
+    def bent(self) -> bool:
+        return any(edge.curvature for place in self.places for edge in place.edges)
+
+    @property
+    def given(self) -> frozenset[int]:
+        """Powers of r in the displacement that data bring along."""
+        return frozenset().union(*(face.given for place in self.places for face in place.faces))
 
 
 class Outlines:
-    """Of a run's elastic bodies, with their conditions."""
+    """Of a run's elastic bodies, with their conditions at the end, or at a step of the path."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: Run, step: Optional[int] = None) -> None:
         self.scene, table = run.numbers, run.boundary
         self.line = self.scene.get("Geometry", {}).get("Symmetry")
         bodies = self.scene["Bodies"]
         touch = self.scene.get("Contacts") or any(
             rules.get("Type") == "Contact" for body in bodies.values()
             for rules in body.get("Boundary Conditions", {}).values())
-        self.samples = run.contact if touch else None
-        starts = np.flatnonzero(np.append(True, (np.diff(table["element"]) != 0)
-                                          | (table["body"][1:] != table["body"][:-1])))
-        self.elements = [Element(table, slice(a, b)) for a, b in zip(
-            starts, [*starts[1:], table.size])]
-        self.size = np.ptp(table["x"]) + np.ptp(table["y"])
-        first = self.elements[0]
-        for element, following in zip(self.elements, [*self.elements[1:], first]):
-            closes = self.near(element.node(True), first.node(False))
-            element.after = first if closes else following
-            element.after.before = element
-            first = following if closes else first
-        self.vertices = [complex(*vertex)
-                         for body in bodies.values() if body["Material"].get("Rigid")
-                         for name, vertices in body["Geometry"].items()
-                         if name.endswith("Vertices") for vertex in vertices]
+        self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
+        self.edges = edges_of(table)
+        self.size = float(np.ptp(table["x"]) + np.ptp(table["y"]))
+        self.most = np.hypot(table["ux"], table["uy"]).max()  # displacement
+        self.rigid = {name: rigid_corners(body["Geometry"]) for name, body in bodies.items()
+                      if body["Material"].get("Rigid")}
+        self.loaded = {name for name, body in bodies.items() if body.get("Body Loads") or (
+            "Body Loads" not in body and self.scene.get("Body Loads"))} | self.reacting(run)
+        ends = [Place(edge.end, (edge.after, edge)) for edge in self.edges]
+        self.places = [self.completed(place) for place in ends if place.ends]
+        for x, edge in self.opposite_ends():
+            if all(abs(place.x - x) > APART * self.size for place in self.places
+                   if place.body == edge.body):
+                self.add(x, edge)
 
-    def near(self, a: complex, b: complex) -> bool:
-        return abs(a - b) < NEAR * self.size
+    @staticmethod
+    def reacting(run: Run) -> set[str]:
+        """Bodies on which Rigid Motions->Fix acts by a uniform traction."""
+        fixed = {name for name, body in run.numbers["Bodies"].items()
+                 if body.get("Rigid Motions", {}).get("Fix")}
+        if not fixed:
+            return fixed
+        try:
+            table = run.bodies
+        except InputError:  # one body: its resultants stand in history.csv
+            table = run.history
+        found = set()
+        for name in fixed:
+            row = np.flatnonzero(table["body"] == name)[-1] if "body" in table else -1
+            here = run.boundary["body"] == name
+            x, tractions = ((run.boundary[a] + 1j * run.boundary[b])[here]
+                            for a, b in (("x", "y"), ("tx", "ty")))
+            size = abs(np.diff(x)) @ abs(tractions[1:])
+            moment = abs(table["reaction_moment"][row]) / (np.ptp(x.real) + np.ptp(x.imag))
+            if math.hypot(table["reaction_x"][row], table["reaction_y"][row]) + moment > 1e-6 * size:
+                found.add(name)
+        return found
 
-    def conditions(self, element: Element) -> dict[str, Any]:
-        return self.scene["Bodies"][element.body].get("Boundary Conditions", {}).get(
-            element.name, {})
+    def conditions(self, edge: Edge) -> dict[str, Any]:
+        return self.scene["Bodies"][edge.body].get("Boundary Conditions", {}).get(edge.name, {})
 
-    def contacts(self, element: Element) -> Iterator[tuple[str, dict[str, Any], str]]:
-        """Of a side: name, rules, and the opposite body ("": an obstacle, or a rigid one)."""
-        rules = self.conditions(element)
+    def contacts(self, edge: Edge) -> Iterator[tuple[str, dict[str, Any], str]]:
+        """Of a side: name, rules, and the opposite side ("": an obstacle)."""
+        rules = self.conditions(edge)
         if rules.get("Type") == "Contact":
-            yield element.name, rules, ""
+            yield edge.name, rules, ""
         for name, rules in self.scene.get("Contacts", {}).items():
             sides = list(rules["Between"])
             for side, other in (sides, sides[::-1]):
-                if side == element.body + ":" + element.name:
-                    body = other.partition(":")[0]
-                    rigid = self.scene["Bodies"][body]["Material"].get("Rigid")
-                    yield name, rules, "" if rigid else body
+                if side == edge.body + ":" + edge.name:
+                    yield name, rules, other
 
-    def touching(self, element: Element, name: str) -> np.ndarray:
-        """The samples of a contact on an element, or opposite to it."""
-        if self.samples is None:
-            return np.empty(0, int)
-        here = self.samples["contact_name"] == name
-        own = here & (self.samples["body"] == element.body)
-        if own.any():
-            return np.flatnonzero(own & (self.samples["element"] == element.number))
-        x = self.samples["x"] + 1j * self.samples["y"]
-        distance = np.where(here, abs(x - element.x[len(element.x) // 2]), math.inf)
-        rows, nearest = np.flatnonzero(distance < abs(element.chord) / 2), int(np.argmin(distance))
-        spacing = abs(np.diff(x[max(nearest - 1, 0):nearest + 2])).min(initial=math.inf)
-        return rows if len(rows) or not distance[nearest] < spacing else np.array([nearest])
+    def side(self, name: str) -> list[Edge]:
+        """The edges of "body:boundary"."""
+        return [edge for edge in self.edges if edge.body + ":" + edge.name == name]
 
-    def halved(self, element: Element) -> bool:
-        """Does the body go on beyond it as its mirror image?"""
-        return element.name == SYMMETRY and self.line in ("X", "Y")
+    def opposite_ends(self) -> Iterator[tuple[complex, Edge]]:
+        """Where a side of a contact ends opposite to an edge of another body."""
+        for edge in self.edges:
+            for name, _, other in self.contacts(edge):
+                ends = np.array(self.rigid.get(other.partition(":")[0], [
+                    place.x for facing in self.side(other) for place in (
+                        Place(facing.start, (facing, facing.before)),
+                        Place(facing.end, (facing.after, facing))) if place.ends]), complex)
+                if len(ends):
+                    found, before = edge.nearest(ends)
+                    for x, end in zip(found[before], ends[before]):
+                        if abs(x - end) < self.apart(name, x):
+                            yield complex(x), edge
 
-    def face(self, element: Element, at_end: bool) -> Face:
-        """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a
-        singular stress they are free."""
-        rules = self.conditions(element)
+    def apart(self, name: str, x: complex) -> float:
+        """How far apart sides may be drawn that touch."""
+        here = np.flatnonzero((self.samples.name == name) & self.samples.closed)
+        gap = self.samples.gap[here[abs(self.samples.x[here] - x).argmin()]] if len(here) else 0
+        return float(APART * self.size + 1.1 * abs(gap))
+
+    def add(self, x: complex, edge: Edge) -> Place:
+        """A place on an edge, at one of its ends or within it."""
+        after = edge.after if abs(x - edge.end) < APART * self.size else edge
+        before = edge.before if abs(x - edge.start) < APART * self.size else edge
+        self.places.append(self.completed(Place(x, (after, before))))
+        return self.places[-1]
+
+    def completed(self, place: Place) -> Place:
+        place.faces = self.face(place, 0), self.face(place, 1)
+        return place
+
+    def face(self, place: Place, k: int) -> Face:
+        """Surfaces that yield bound what they transmit: to a singular stress they are free."""
+        edge, given = place.edges[k], frozenset()
+        rules = self.conditions(edge)
+        if place.body in self.loaded or any(
+                rules.get(key, 0) != 0 for key in ("Traction X", "Traction Y", "Force X", "Force Y",
+                                                   "Moment")):
+            given = LINEAR
         axes = [axis for axis in "XY" if "Displacement " + axis in rules]
-        halved = self.halved(element)
+        halved = edge.name == SYMMETRY and self.line in ("X", "Y")
         if rules.get("Type") == "Dirichlet" or halved:
-            ray = element.direction(at_end) * (-1 if at_end else 1)
-            return Face(SYMMETRY if halved else "clamp", CLAMPED if len(axes) == 2 else held(
-                float((math.pi / 2 if (axes or [self.line]) == ["Y"] else 0) - np.angle(ray))))
-        for name, rules, opposite in self.contacts(element):
-            rows, friction = self.touching(element, name), rules.get("Friction", {})
-            law = friction.get("Law", "None")
-            if (len(rows) == 0 or rules.get("Normal", {}).get("Law", "Rigid") != "Rigid"
-                    or law != "Tied" and self.samples["contact"][rows].mean() < 0.5):
+            for axis in axes:
+                value = rules["Displacement " + axis]
+                given |= LINEAR | {0} if isinstance(value, str) else {0} if value else frozenset()
+            if len(axes) == 2 and 0 in given and given <= LINEAR | {0} and place.body not in (
+                    self.loaded) and self.turns(edge):
+                given = frozenset((0,))
+            return Face("symmetry" if halved else "clamp", "", CLAMPED if len(axes) == 2 else held(
+                float((math.pi / 2 if (axes or [self.line]) == ["Y"] else 0)
+                      - np.angle(place.ray(k)))), given=given)
+        faces = [self.touched(place, k, name, rules, other, given)
+                 for name, rules, other in self.contacts(edge)]
+        return next((face for face in faces if face.kind != "free"), Face(
+            "free", front=min((face.front for face in faces), default=math.inf),
+            given=given.union(*(face.given for face in faces))))
+
+    @staticmethod
+    def turns(edge: Edge) -> bool:
+        """Is an edge displaced as a rigid one?"""
+        turn = ((edge.u[-1] - edge.u[0]) / (edge.end - edge.start)).imag
+        rest = edge.u - edge.u[0] - 1j * turn * (edge.x - edge.start)
+        return bool(abs(rest).max() < 1e-9 * abs(edge.u).max())
+
+    def touched(self, place: Place, k: int, name: str, rules: dict[str, Any], other: str,
+                given: frozenset[int]) -> Face:
+        """A face that is in contact or may be."""
+        rows = self.samples.on_edge(place.edges[k], name, other)
+        ray = place.ray(k)
+        rows = rows[((self.samples.x[rows] - place.x) / ray).real > 0]
+        distances = abs(self.samples.x[rows] - place.x)
+        if not len(rows):
+            return Face("free", given=given)
+        rows, distances = rows[np.argsort(distances)], np.sort(distances)
+        next_ = self.samples.element[rows[np.searchsorted(distances, SHARE * distances[-1])]]
+        beyond = rows[self.samples.element[rows] == next_]
+        tip = distances[self.samples.element[rows] == next_].max()
+        law = rules.get("Friction", {}).get("Law", "None")
+        closed, stuck = self.samples.closed[rows], self.samples.stuck[rows]
+        beside, facing = place.x + SHARE * distances[-1] * ray, self.side(other)
+        if facing:  # else an obstacle, or rigid
+            covered = np.any([edge.nearest(np.append(self.samples.x[rows], beside))[1]
+                              for edge in facing], axis=0)
+            closed &= covered[:-1]
+        if facing and not covered[-1] or self.samples.closed[beyond].mean() < 0.5:
+            return Face("free", front=float(distances[closed & (
+                distances > (tip if closed[0] else 0))].min(initial=math.inf)), given=given)
+        shears = rules.get("Friction", {}).get("Compliance", 0) == 0
+        if rules.get("Normal", {}).get("Law", "Rigid") != "Rigid":
+            return Face("free", given=given | LINEAR)
+        sticks = shears and (law == "Tied" or bool(self.samples.stuck[beyond].mean() > 0.5))
+        changes = ~closed if law in ("None", "Tied") else ~closed | (stuck != sticks)
+        changes &= distances > tip
+        front = float(distances[changes].min(initial=math.inf))
+        body = other.partition(":")[0]
+        gaps = self.samples.gap[rows][distances < front]
+        if abs(gaps).max() > 1e-10 * self.size:
+            given |= {0} if np.ptp(gaps) < 1e-10 * self.size else LINEAR | {0}
+        if body in self.rigid:
+            given |= {0, 1}
+        if sticks and abs(self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
+            given |= LINEAR | {0}  # it has slid before
+        opposite = "" if body in self.rigid else body
+        if sticks:
+            return Face("bond" if law == "Tied" else "contact", name, CLAMPED, None, opposite, front,
+                        given)
+        ratio = 0.0
+        if shears and law not in BOUNDED:
+            pressed = beyond[self.samples.pressure[beyond] > 0]
+            ratio = 0.0 if not len(pressed) else -round(float(np.median(
+                self.samples.bound[pressed] / self.samples.pressure[pressed])), 9) * float(
+                    np.sign(self.samples.shear[pressed].sum()))
+        elif law != "None" or not shears:
+            given |= LINEAR
+        return Face("contact", name, sliding(ratio), ratio, opposite, front, given)
+
+    def place_of(self, face: Face, place: Place, k: int) -> Place:
+        """Of the body opposite to a face."""
+        other = next(other for name, _, other in self.contacts(place.edges[k]) if name == face.name)
+        near = [candidate for candidate in self.places if candidate.body == face.opposite]
+        if near:
+            best = min(near, key=lambda candidate: abs(candidate.x - place.x))
+            if abs(best.x - place.x) < self.apart(face.name, place.x):
+                return best
+        found = [(abs(x[0] - place.x), complex(x[0]), edge) for edge in self.side(other)
+                 for x in [edge.nearest(np.array([place.x]))[0]]]
+        _, x, edge = min(found, key=lambda entry: entry[0])
+        return self.add(x, edge)
+
+    def meetings(self) -> list[Meeting]:
+        """Those at which stresses are singular."""
+        done: set[int] = set()
+        result = []
+        for place in list(self.places):
+            if id(place) in done:
                 continue
-            shears = friction.get("Compliance", 0) == 0
-            if shears and (law == "Tied" or np.mean(self.samples["friction"][rows] == 1) > 0.5):
-                return Face("bond" if law == "Tied" else "contact", CLAMPED, None, opposite)
-            ratio = 0.0
-            if shears and law not in BOUNDED:
-                _, _, normal, shear = element.polar(at_end, element.node(at_end))
-                pressure, bound = self.samples["lambda_n"][rows], self.samples["bound"][rows]
-                ratio = round(float(np.median((bound / pressure)[pressure > 0])), 9) * float(
-                    np.sign(normal @ shear))
-            return Face("contact", sliding(ratio), ratio, opposite)
-        return Face("free")
+            meeting = self.meeting(place)
+            done |= set(map(id, meeting.places))
+            if modes(meeting.corner):
+                meeting.reach = self.reach(meeting.places)
+                result.append(meeting)
+        return result
 
-    def angle(self, before: Element) -> float:
-        """Inside the body at an element's end; 2 pi between the faces of a crack."""
-        turn = np.angle(before.after.direction(False) / before.direction(True))
-        return float(math.pi - turn) if turn < math.pi - SMOOTH else 2 * math.pi
-
-    def places(self) -> list[Place]:
-        def kind(element: Element) -> tuple[Any, bool]:
-            return self.conditions(element), self.halved(element) or any(
-                len(self.touching(element, name)) for name, *_ in self.contacts(element))
-
-        kinds = {id(element): kind(element) for element in self.elements}
-        found = []
-        for before in self.elements:
-            angle = self.angle(before)
-            if (abs(angle - math.pi) > SMOOTH or kinds[id(before)] != kinds[id(before.after)]
-                    or any(self.near(before.node(True), vertex) for vertex in self.vertices)):
-                found.append(Place(before.node(True), before, (
-                    self.face(before.after, False), self.face(before, True)), angle))
-        return found
-
-    def corner(self, place: Place) -> tuple[Corner, int]:
-        """The wedges around a place, and which of them is its own; angles count from that one's
-        face after the node."""
-        body = place.before.body
-        wedges, joints = [self.wedge(body, place.angle, 0.0)], []
-
-        def beyond(face: Face, anticlockwise: bool) -> Face:
-            """Adds the wedge behind a face; what that one has on its other side."""
-            other = self.ending(face.opposite, place.x)
-            angle = self.angle(other) if other else math.pi
-            wedges.insert(len(wedges) * anticlockwise, self.wedge(
-                face.opposite, angle,
-                wedges[-1].end if anticlockwise else wedges[0].start - angle))
-            joints.insert(len(joints) * anticlockwise, face.joint)
-            if other is None:
-                return Face("free")
-            face = self.face(other, True) if anticlockwise else self.face(other.after, False)
-            around = abs(wedges[-1].end - wedges[0].start - 2 * math.pi) < SMOOTH
-            return face if face.opposite != body or around else Face("free")
-
-        first, last = place.faces
-        while last.opposite:
-            last = beyond(last, True)
-            if last.opposite == body:
-                return Corner(tuple(wedges), (*joints, last.joint)), 0
-        own = len(wedges)
-        while first.opposite:
-            first = beyond(first, False)
-        return Corner(tuple(wedges), tuple(joints), (first.rows, last.rows)), len(wedges) - own
-
-    def open_ends(self) -> Iterator[Place]:
-        """Where contact ends within a side, between two samples: closed on one face, free on the
-        other."""
-        for k in self._changes("contact"):
-            at_end = self.samples["contact"][k] == 1  # contact is before the end
-            row = k if at_end else k + 1
-            element = next(e for e in self.elements if e.body == self.samples["body"][row]
-                           and e.number == self.samples["element"][row])
-            face = self.face(element, at_end)
-            if face.kind == "free":  # most of that element is
-                element = element.before if at_end else element.after
-                face = self.face(element, at_end)
-            faces = (Face("free"), face)
-            yield Place(self.between(k), element, faces if at_end else faces[::-1], math.pi)
-
-    def between(self, k: int) -> complex:
-        """Two neighbouring samples."""
-        return complex(*(self.samples[axis][k:k + 2].mean() for axis in "xy"))
-
-    def ending(self, body: str, x: complex) -> Optional[Element]:
-        """The body's element with this end; None: the body is smooth there."""
-        distance, element = min(((abs(element.node(True) - x), element) for element in self.elements
-                                 if element.body == body), key=lambda pair: pair[0])
-        return element if distance < APART * self.size else None
+    def meeting(self, place: Place) -> Meeting:
+        chain, joints, closed = [place], [], False
+        for k in (1, 0):  # anticlockwise, then clockwise
+            while not closed:
+                end = chain[-k]
+                if not end.faces[k].opposite:
+                    break
+                beyond = self.place_of(end.faces[k], end, k)
+                closed = beyond in chain
+                if not closed and sum(p.angle for p in chain) + beyond.angle > 2 * math.pi + SMOOTH:
+                    break
+                joints.insert(len(joints) * k, end.faces[k].joint)
+                if not closed:
+                    chain.insert(len(chain) * k, beyond)
+        wedges, start = [], 0.0
+        for member in chain:
+            wedges.append(self.wedge(member.body, member.angle, start))
+            start = wedges[-1].end
+        faces = None if closed else (chain[0].faces[0].rows, chain[-1].faces[1].rows)
+        return Meeting(chain, Corner(tuple(wedges), tuple(joints), faces))
 
     def wedge(self, body: str, angle: float, start: float) -> Wedge:
         material = self.scene["Bodies"][body]["Material"]
         e, nu = material["Young's Modulus"], material["Poisson's Ratio"]
-        angle = round(angle, 11)  # alike at corners that are
-        return Wedge(start, start + angle, e / (2 * (1 + nu)), (3 - nu) / (1 + nu)
+        return Wedge(start, start + round(angle, 11), e / (2 * (1 + nu)), (3 - nu) / (1 + nu)
                      if material["Plane State"] == "Plane Stress" else 3 - 4 * nu)
 
-    def _changes(self, column: str) -> np.ndarray:
-        """Of a state: samples after which it is another one on the same side."""
-        if self.samples is None:
-            return np.empty(0, int)
-        follow = (self.samples["body"][1:] == self.samples["body"][:-1]) & (
-            np.diff(self.samples["s"]) > 0)
-        return np.flatnonzero(follow & (np.diff(self.samples[column]) != 0))
-
-    def reach(self, place: Place, points: np.ndarray, least: float) -> float:
-        """How far the next of the points is, the next change of contact or friction further off than
-        `least`, or another side of the body."""
-        fronts = abs(np.array([self.between(k) for column in ("contact", "friction")
-                               for k in self._changes(column)], complex) - place.x)
-        near = {id(element) for at_end in (False, True) for element in place.outward(at_end)}
-        others = [abs(element.x - place.x).min() for element in self.elements
-                  if element.body == place.before.body and id(element) not in near]
-        distances = np.concatenate([abs(points - place.x), fronts[fronts > least], others])
-        return float(distances[distances > NEAR * self.size].min(initial=self.size))
+    def reach(self, places: list[Place]) -> float:
+        """How far the bodies are wedges: to the next end of an edge, change of contact or friction,
+        or other side, a part of an arc's radius."""
+        found = [self.size]
+        for place in places:
+            found += [face.front for face in place.faces]
+            found += [BENT / abs(edge.curvature) for edge in place.edges if edge.curvature]
+            found += [abs(end - place.x) for edge in place.edges for end in (edge.start, edge.end)]
+            found.append(distance(place.x, [edge for edge in self.edges if edge.body == place.body
+                                            and edge not in place.edges]))
+            found += [abs(vertex - place.x) for vertices in self.rigid.values()
+                      for vertex in vertices if any(face.kind == "contact" for face in place.faces)]
+        return float(min(far for far in found if far > APART * self.size))

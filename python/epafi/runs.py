@@ -144,13 +144,13 @@ class Run:
             call(arguments)
             return Table(file)
 
-    def intensities(self) -> Table:
-        """Where stresses of the last level (and step) are singular, their exponents and intensities:
-        a row per place and exponent; doc/columns.md lists the columns.  Stresses are K (2 pi
-        r)^exponent on `side`, normal (tension positive) and shear."""
+    def intensities(self, step: Optional[int] = None) -> Table:
+        """Where stresses of the last level are singular, at a step of a path, else at the last one,
+        their exponents and intensities: a row per body, place and exponent; doc/columns.md lists the
+        columns.  Stresses are K (2 pi r)^exponent on `side`, normal (tension positive) and shear."""
         from epafi.intensities import intensities
 
-        return intensities(self)
+        return intensities(self, step)
 
     def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *, alpha: float,
                 first: Optional[float] = None, last: Optional[float] = None,
