@@ -76,14 +76,13 @@ TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
   using Shear = contact::PathMemory::Shear;
   const Square square(Form::Density, 0);
   const auto none = alone(inProportion(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   const auto follow = [&](int steps, Shear shear) {
     contact::PathMemory memory(problem, shear);
     State state;
     for (int k = 1; k <= steps; ++k) {
       const auto now = alone(inProportion(4.0 * k / steps, 0.02));
-      const contact::ContactSystem step =
-          problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+      const contact::ContactSystem step = problem.under(now, {}, memory.forStep());
       state = test::solve(step.numbers(), state).state;
       memory.add(step, step.configuration(state));
     }
@@ -114,9 +113,9 @@ TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
   };
   const Square square(Form::Density, 0);
   const auto none = alone(at(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   const auto now = alone(at(1));
-  const contact::ContactSystem step = problem.under({now});
+  const contact::ContactSystem step = problem.under(now);
   const contact::Configuration solved =
       step.configuration(test::solve(step.numbers(), {}).state);
   contact::PathMemory atEnd(problem);
@@ -130,14 +129,13 @@ TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
 TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
   const Square square(Form::Projected, 0);
   const auto none = alone(inProportion(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   contact::PathMemory memory(problem);
   contact::Prediction prediction(problem);
   double size = 0;
   for (const double t : {1.0, 1.5, 4.0, 2.0}) {
     const auto now = alone(inProportion(t));
-    const contact::ContactSystem step =
-        problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    const contact::ContactSystem step = problem.under(now, {}, memory.forStep());
     const State start = prediction.start(step);
     if (t == 1) {
       TEST_ASSERT(start.multiplier.empty());
@@ -161,13 +159,11 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   const auto before = alone(conditionsAt(1));
   const auto now = alone(conditionsAt(1.5));
   contact::PathMemory memory(system);
-  const contact::ContactSystem first = system.under({before});
+  const contact::ContactSystem first = system.under(before);
   const State state = test::solve(first.numbers(), {}).state;
   memory.add(first, first.configuration(state));
-  const contact::ContactSystem last =
-      system.under({before, {}, memory.slip(), memory.defect(), memory.largestLoad()});
-  const contact::ContactSystem step =
-      system.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+  const contact::ContactSystem last = system.under(before, {}, memory.forStep());
+  const contact::ContactSystem step = system.under(now, {}, memory.forStep());
   const contact::ProblemFamily family(step.numbers(), step.gap(), last.numbers());
   TEST_ASSERT(family.isStep());
 
