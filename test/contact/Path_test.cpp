@@ -103,6 +103,43 @@ TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
                0.7 * exact);
 }
 
+/// A plane that rises by δ against a body that Fix holds does ½ F δ, and the body stores it, whatever γ.
+TEUCHOS_UNIT_TEST(Path, whatFixHoldsDoesNoWork) {
+  const auto at = [](double t) {
+    contact::Conditions conditions;
+    conditions.fix = {true, true, true};
+    conditions.contact["bottom"].gap = [t](Vec2) { return -0.002 * t; };
+    return conditions;
+  };
+  for (const Form form : {Form::Density, Form::Projected, Form::Exact})
+    for (const double gamma0 : {0.1, 10.0}) {
+      if (gamma0 > 1 && form != Form::Density)
+        continue;
+      contact::Stabilization stabilization = test::ofForm(form);
+      stabilization.gamma0 = gamma0;
+      const test::BodyScene scene({test::squareMesh({6, 3, 6, 3}, 2),
+                                   {1, 0.3, false},
+                                   at(0),
+                                   "Gauss-Legendre-Lagrange",
+                                   stabilization});
+      const bem::SteklovPoincare stiffness = scene.dense();
+      const contact::ContactSystem system({scene.input(stiffness)});
+      contact::PathMemory memory(system);
+      const auto now = alone(at(1));
+      const contact::ContactSystem step = system.under(now, {}, memory.forStep());
+      const contact::Configuration solved =
+          step.configuration(test::solve(step.numbers()).state);
+      memory.add(step, solved);
+      const double traction = step.body(0).fixedReactions(solved.contactForces[0])[1];
+      const double length = 1 / scene.units.length;  // of a side
+      const double work = 0.5 * (-traction * 4 * length) * 0.002 * length;
+      TEST_COMPARE(work, >, 1e-6);
+      TEST_FLOATING_EQUALITY(memory.outside(), work, 1e-12);
+      TEST_COMPARE(std::abs(memory.imbalance(step.storedEnergy(solved))), <,
+                   1e-12 * work);
+    }
+}
+
 TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
   using Shear = contact::PathMemory::Shear;
   const auto at = [](double t) {
