@@ -7,6 +7,7 @@
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
+#include "contact/solve/Settled.hpp"
 #include "contact/system/LoadResponses.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -138,6 +139,52 @@ TEUCHOS_UNIT_TEST(Path, whatFixHoldsDoesNoWork) {
       TEST_COMPARE(std::abs(memory.imbalance(step.storedEnergy(solved))), <,
                    1e-12 * work);
     }
+}
+
+/// States alone give what wore along a path, also where Fix carries friction: a restart.
+TEUCHOS_UNIT_TEST(Path, goesOnFromItsStates) {
+  const auto at = [](double t) {
+    contact::Conditions conditions;
+    conditions.fix.x = true;
+    conditions.neumann["top"] = {{}, [t](Vec2) { return -0.02 * std::min(t, 1.0); }};
+    contact::Conditions::Contact& bottom = conditions.contact["bottom"];
+    bottom.gap = [](Vec2) { return 0.0; };
+    bottom.friction = contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }});
+    bottom.sliding = [t](Vec2) { return 0.02 * std::sin(1.5 * std::max(0.0, t - 1)); };
+    bottom.wear = [](Vec2) { return 2.0; };
+    return conditions;
+  };
+  const test::BodyScene scene({test::squareMesh({8, 4, 8, 4}, 1),
+                               {1, 0.3, false},
+                               at(0),
+                               "Gauss-Legendre-Lagrange",
+                               {}});
+  const bem::SteklovPoincare stiffness = scene.dense();
+  const contact::ContactSystem system({scene.input(stiffness)});
+  std::vector<State> states;
+  const auto follow = [&](bool isKnown) {
+    contact::PathMemory memory(system);
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto now = alone(at(1 + 0.4 * static_cast<double>(k)));
+      contact::ContactSystem step = system.under(now, {}, memory.forStep());
+      const auto solve = [&](const State* before) {
+        return test::solve(step.numbers(), before != nullptr ? *before : State());
+      };
+      const contact::Configuration solved =
+          isKnown ? contact::worn(step, step.configuration(states[k]))
+                  : contact::settled(step, solve, bem::oneProcess()).at;
+      if (!isKnown)
+        states.push_back(solved.state);
+      memory.add(step, solved);
+    }
+    return memory;
+  };
+  const contact::PathMemory solved = follow(false);
+  const contact::PathMemory known = follow(true);
+  TEST_COMPARE(solved.worn(), >, 1e-6);
+  TEST_FLOATING_EQUALITY(known.worn(), solved.worn(), 1e-11);
+  TEST_FLOATING_EQUALITY(known.outside(), solved.outside(), 1e-11);
+  TEST_COMPARE(known.apart(solved).volume, <, 1e-11 * solved.wornVolume());
 }
 
 TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
