@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
-#include "contact/solve/DefectCorrection.hpp"
 #include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/Solver.hpp"
 
@@ -20,7 +19,6 @@ namespace {
 struct Standing {
   contact::PathMemory memory;
   contact::Prediction prediction;
-  std::vector<contact::LoadResponses> responses{};
   std::shared_ptr<const SolvedPart> part{};    ///< the last one
   std::shared_ptr<const SolvedPart> before{};  ///< and the one before
   double t = 0;
@@ -49,9 +47,7 @@ class Follower {
         here_{contact::PathMemory(atZero, scene_.history.tolerance > 0
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
-              contact::Prediction(atZero),
-              {},
-              std::make_shared<const SolvedPart>(spaces)},
+              contact::Prediction(atZero), std::make_shared<const SolvedPart>(spaces)},
         path_(path),
         empty_(spaces.stepRow()) {}
 
@@ -186,18 +182,22 @@ class Follower {
     return step;
   }
 
-  SolvedProblem attempt(contact::ContactSystem& system, double time) {
+  SettledProblem attempt(contact::ContactSystem& system, double time) {
     // where solutions are not unique a path of one step shall find that of the load alone
     const bool isFirst = points().empty() && time == scene_.history.times.front();
     contact::State first;
     if (!from_.steps.empty())
       first = atZero_.joined(from_.last().own, from_.last().rigid);
     return settled(
-        system, isFirst ? &first : nullptr,
-        [&](const contact::State* start) {
+        system,
+        [&](const contact::State* before) {
           return drivers::solve(
               system, spaces_,
-              [&] { return start != nullptr ? *start : here_.prediction.start(system); },
+              [&] {
+                return before != nullptr ? *before
+                       : isFirst         ? first
+                                         : here_.prediction.start(system);
+              },
               here_.prediction.last(), run_.processes, run_.timer);
         },
         run_.processes);
@@ -205,7 +205,7 @@ class Follower {
 
   // One step to a time; what it ends with is kept also where it fails.
   bool solve(double next) {
-    SolvedProblem attempt;
+    SettledProblem attempt;
     contact::Solution& solved = attempt.solution;
     const bool known = isKnown();
     std::shared_ptr<contact::ContactSystem> system;
@@ -213,9 +213,7 @@ class Follower {
       conditions_ =
           std::make_shared<const SolvedStep::Conditions>(spaces_.conditionsAt(next));
       system = std::make_shared<contact::ContactSystem>(
-          atZero_.under({*conditions_, scene_.drivesAt(next), here_.memory.slip(),
-                         here_.memory.defect(), here_.memory.largestLoad(),
-                         here_.responses, here_.memory.wear()}));
+          atZero_.under(*conditions_, scene_.drivesAt(next), here_.memory.forStep()));
     });
     if (known) {
       const SolvedState& point = from_.path[points().size()];
@@ -236,18 +234,14 @@ class Follower {
     if (solved.state.multiplier.empty())
       solved.state = here_.prediction.last();
     run_.timer.run(Phase::Newton, [&] {
-      latestAt_ = converged && !known
-                      ? contact::corrected(*system, solved.state, run_.processes)
-                      : system->configuration(solved.state);
+      latestAt_ = converged && !known ? std::move(attempt.at)
+                                      : system->configuration(solved.state);
       if (!converged)
         return;
-      // the state's own, to the last digit: so a restart finds them
-      system->forgetIterations();
-      if (system->wearBy(latestAt_) > 0)
-        latestAt_ = system->configuration(latestAt_.state);
+      if (known)
+        latestAt_ = contact::worn(*system, std::move(latestAt_));
       here_.memory.add(*system, latestAt_);
       here_.prediction.add(*system, latestAt_.state);
-      here_.responses = system->responses();
       here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
                                                    spaces_, conditions_, latestAt_));
     });

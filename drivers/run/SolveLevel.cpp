@@ -3,7 +3,6 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
-#include "contact/solve/DefectCorrection.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/LevelPlan.hpp"
@@ -185,12 +184,13 @@ void solveOnce(const BodySpaces& spaces,
   contact::State start;
   if (!from.steps.empty())
     start = system->joined(from.last().own, from.last().rigid);
-  SolvedProblem outcome = run.timer.run(Phase::Newton, [&] {
+  SettledProblem outcome = run.timer.run(Phase::Newton, [&] {
     return settled(
-        *system, &start,
-        [&](const contact::State* from) {
+        *system,
+        [&](const contact::State* before) {
+          const contact::State& first = before != nullptr ? *before : start;
           return solve(
-              *system, spaces, [&] { return *from; }, *from, run.processes, run.timer);
+              *system, spaces, [&] { return first; }, first, run.processes, run.timer);
         },
         run.processes);
   });
@@ -200,7 +200,7 @@ void solveOnce(const BodySpaces& spaces,
   if (level.row.memoryOfDense && !converged)
     return;
   contact::Configuration at = run.timer.run(Phase::Newton, [&] {
-    return converged ? contact::corrected(*system, outcome.solution.state, run.processes)
+    return converged ? std::move(outcome.at)
                      : system->configuration(outcome.solution.state);
   });
   const auto solved =

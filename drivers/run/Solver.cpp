@@ -222,43 +222,27 @@ bool shearsBesideRigid(const contact::ContactSystem& system) {
 
 }  // namespace
 
-SolvedProblem settled(
-    contact::ContactSystem& system, const contact::State* start,
+SettledProblem settled(
+    contact::ContactSystem& system,
     const std::function<SolvedProblem(const contact::State*)>& solveFrom,
     const bem::Processes& processes) {
-  constexpr double same = 1e-12;
-  constexpr double almost = 1e-8;  // where rounding changes it on and on,
-  constexpr int idlest = 4;        // at least in as many solves
-  constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
-  SolvedProblem solved = solveFrom(start);
-  double halved = 1;
-  int idle = 0;
-  for (int k = 0; solved.solution.report.converged(); ++k) {
-    const contact::State& state = solved.solution.state;
-    const double change =
-        system.wearsBySlip() ? system.wearBy(system.configuration(state)) : 0;
-    idle = change <= halved / 2 ? 0 : idle + 1;
-    if (idle == 0)
-      halved = change;
-    if (processes.agreed(change <= same || (change < almost && idle >= idlest)))
-      break;
-    if (k == most) {
-      solved.solution.report.status = contact::Status::NotConverged;
-      solved.reason = message(
-          "what wears and the slip that it wears by do not settle, the last "
-          "change is ",
-          change, "; shorten Wear->Cycle Jump",
-          shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
-                                      "Friction->Compliance"
-                                    : "");
-      break;
-    }
-    SolvedProblem next = solveFrom(&state);
-    next.solution.report =
-        contact::joined(std::move(next.solution.report), solved.solution.report);
-    solved = std::move(next);
-  }
-  return solved;
+  SettledProblem result;
+  static_cast<contact::Settled&>(result) = contact::settled(
+      system,
+      [&](const contact::State* before) {
+        SolvedProblem solved = solveFrom(before);
+        result.reason = std::move(solved.reason);
+        return std::move(solved.solution);
+      },
+      processes);
+  if (result.wearChange > 0)
+    result.reason = message(
+        "what wears and the slip that it wears by do not settle, the last change is ",
+        result.wearChange, "; shorten Wear->Cycle Jump",
+        shearsBesideRigid(system) ? ", or give Normal->Compliance beside "
+                                    "Friction->Compliance"
+                                  : "");
+  return result;
 }
 
 SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spaces,

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "bem/base/Processes.hpp"
-#include "contact/solve/Report.hpp"
-#include "contact/system/ContactSystem.hpp"
+#include "contact/solve/Settled.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Scene.hpp"
@@ -21,12 +20,15 @@ struct SolvedProblem {
 /// Why a solve did not converge and what in the scene might help; empty if it did.
 std::string reasonOf(const contact::Report& report, const Scene& scene);
 
-/// Solves again and again, each time from the state before, until the slip settles by which sides
-/// wear, see ContactSystem::wearBy.
-/// \param start  of the first solve, as solveFrom understands it
-SolvedProblem settled(
-    contact::ContactSystem& system, const contact::State* start,
-    const std::function<SolvedProblem(const contact::State*)>& solveFrom,
+/// What a step comes to, likewise.
+struct SettledProblem : contact::Settled {
+  std::string reason;
+};
+
+/// contact::settled of solves with a reason.
+SettledProblem settled(
+    contact::ContactSystem& system,
+    const std::function<SolvedProblem(const contact::State* before)>& solveFrom,
     const bem::Processes& processes);
 
 /// Solves one problem as the scene's list Solver says: Newton's method by NOX, Tresca's

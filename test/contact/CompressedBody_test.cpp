@@ -291,7 +291,7 @@ struct Step {
   contact::Configuration at;
 
   Step(const contact::ContactSystem& atZero, const Case& c, double load)
-      : conditions{conditionsOf(c, load)}, system(atZero.under({conditions})) {}
+      : conditions{conditionsOf(c, load)}, system(atZero.under(conditions)) {}
 
   /// Energies, forces and densities: all that bodies keep something for.
   std::vector<Vector> results() const {

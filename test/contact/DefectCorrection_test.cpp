@@ -194,8 +194,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, heldLoadsAreSolvedByTheStepBefore) {
   contact::PathMemory memory(first);
   contact::State state;
   for (int step = 0; step < 4; ++step) {
-    const contact::ContactSystem now =
-        first.under({same, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    const contact::ContactSystem now = first.under(same, {}, memory.forStep());
     const contact::Solution solution = test::solve(now.numbers(), state);
     TEST_ASSERT(solution.report.converged());
     if (step > 0) {

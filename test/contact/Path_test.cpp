@@ -7,6 +7,7 @@
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
+#include "contact/solve/Settled.hpp"
 #include "contact/system/LoadResponses.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -76,14 +77,13 @@ TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
   using Shear = contact::PathMemory::Shear;
   const Square square(Form::Density, 0);
   const auto none = alone(inProportion(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   const auto follow = [&](int steps, Shear shear) {
     contact::PathMemory memory(problem, shear);
     State state;
     for (int k = 1; k <= steps; ++k) {
       const auto now = alone(inProportion(4.0 * k / steps, 0.02));
-      const contact::ContactSystem step =
-          problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+      const contact::ContactSystem step = problem.under(now, {}, memory.forStep());
       state = test::solve(step.numbers(), state).state;
       memory.add(step, step.configuration(state));
     }
@@ -104,6 +104,89 @@ TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
                0.7 * exact);
 }
 
+/// A plane that rises by δ against a body that Fix holds does ½ F δ, and the body stores it, whatever γ.
+TEUCHOS_UNIT_TEST(Path, whatFixHoldsDoesNoWork) {
+  const auto at = [](double t) {
+    contact::Conditions conditions;
+    conditions.fix = {true, true, true};
+    conditions.contact["bottom"].gap = [t](Vec2) { return -0.002 * t; };
+    return conditions;
+  };
+  for (const Form form : {Form::Density, Form::Projected, Form::Exact})
+    for (const double gamma0 : {0.1, 10.0}) {
+      if (gamma0 > 1 && form != Form::Density)
+        continue;
+      contact::Stabilization stabilization = test::ofForm(form);
+      stabilization.gamma0 = gamma0;
+      const test::BodyScene scene({test::squareMesh({6, 3, 6, 3}, 2),
+                                   {1, 0.3, false},
+                                   at(0),
+                                   "Gauss-Legendre-Lagrange",
+                                   stabilization});
+      const bem::SteklovPoincare stiffness = scene.dense();
+      const contact::ContactSystem system({scene.input(stiffness)});
+      contact::PathMemory memory(system);
+      const auto now = alone(at(1));
+      const contact::ContactSystem step = system.under(now, {}, memory.forStep());
+      const contact::Configuration solved =
+          step.configuration(test::solve(step.numbers()).state);
+      memory.add(step, solved);
+      const double traction = step.body(0).fixedReactions(solved.contactForces[0])[1];
+      const double length = 1 / scene.units.length;  // of a side
+      const double work = 0.5 * (-traction * 4 * length) * 0.002 * length;
+      TEST_COMPARE(work, >, 1e-6);
+      TEST_FLOATING_EQUALITY(memory.outside(), work, 1e-12);
+      TEST_COMPARE(std::abs(memory.imbalance(step.storedEnergy(solved))), <,
+                   1e-12 * work);
+    }
+}
+
+/// States alone give what wore along a path, also where Fix carries friction: a restart.
+TEUCHOS_UNIT_TEST(Path, goesOnFromItsStates) {
+  const auto at = [](double t) {
+    contact::Conditions conditions;
+    conditions.fix.x = true;
+    conditions.neumann["top"] = {{}, [t](Vec2) { return -0.02 * std::min(t, 1.0); }};
+    contact::Conditions::Contact& bottom = conditions.contact["bottom"];
+    bottom.gap = [](Vec2) { return 0.0; };
+    bottom.friction = contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }});
+    bottom.sliding = [t](Vec2) { return 0.02 * std::sin(1.5 * std::max(0.0, t - 1)); };
+    bottom.wear = [](Vec2) { return 2.0; };
+    return conditions;
+  };
+  const test::BodyScene scene({test::squareMesh({8, 4, 8, 4}, 1),
+                               {1, 0.3, false},
+                               at(0),
+                               "Gauss-Legendre-Lagrange",
+                               {}});
+  const bem::SteklovPoincare stiffness = scene.dense();
+  const contact::ContactSystem system({scene.input(stiffness)});
+  std::vector<State> states;
+  const auto follow = [&](bool isKnown) {
+    contact::PathMemory memory(system);
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto now = alone(at(1 + 0.4 * static_cast<double>(k)));
+      contact::ContactSystem step = system.under(now, {}, memory.forStep());
+      const auto solve = [&](const State* before) {
+        return test::solve(step.numbers(), before != nullptr ? *before : State());
+      };
+      const contact::Configuration solved =
+          isKnown ? contact::worn(step, step.configuration(states[k]))
+                  : contact::settled(step, solve, bem::oneProcess()).at;
+      if (!isKnown)
+        states.push_back(solved.state);
+      memory.add(step, solved);
+    }
+    return memory;
+  };
+  const contact::PathMemory solved = follow(false);
+  const contact::PathMemory known = follow(true);
+  TEST_COMPARE(solved.worn(), >, 1e-6);
+  TEST_FLOATING_EQUALITY(known.worn(), solved.worn(), 1e-11);
+  TEST_FLOATING_EQUALITY(known.outside(), solved.outside(), 1e-11);
+  TEST_COMPARE(known.apart(solved).volume, <, 1e-11 * solved.wornVolume());
+}
+
 TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
   using Shear = contact::PathMemory::Shear;
   const auto at = [](double t) {
@@ -114,9 +197,9 @@ TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
   };
   const Square square(Form::Density, 0);
   const auto none = alone(at(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   const auto now = alone(at(1));
-  const contact::ContactSystem step = problem.under({now});
+  const contact::ContactSystem step = problem.under(now);
   const contact::Configuration solved =
       step.configuration(test::solve(step.numbers(), {}).state);
   contact::PathMemory atEnd(problem);
@@ -130,14 +213,13 @@ TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
 TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
   const Square square(Form::Projected, 0);
   const auto none = alone(inProportion(0));
-  const contact::ContactSystem problem = square.problem.under({none});
+  const contact::ContactSystem problem = square.problem.under(none);
   contact::PathMemory memory(problem);
   contact::Prediction prediction(problem);
   double size = 0;
   for (const double t : {1.0, 1.5, 4.0, 2.0}) {
     const auto now = alone(inProportion(t));
-    const contact::ContactSystem step =
-        problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    const contact::ContactSystem step = problem.under(now, {}, memory.forStep());
     const State start = prediction.start(step);
     if (t == 1) {
       TEST_ASSERT(start.multiplier.empty());
@@ -161,13 +243,11 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   const auto before = alone(conditionsAt(1));
   const auto now = alone(conditionsAt(1.5));
   contact::PathMemory memory(system);
-  const contact::ContactSystem first = system.under({before});
+  const contact::ContactSystem first = system.under(before);
   const State state = test::solve(first.numbers(), {}).state;
   memory.add(first, first.configuration(state));
-  const contact::ContactSystem last =
-      system.under({before, {}, memory.slip(), memory.defect(), memory.largestLoad()});
-  const contact::ContactSystem step =
-      system.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+  const contact::ContactSystem last = system.under(before, {}, memory.forStep());
+  const contact::ContactSystem step = system.under(now, {}, memory.forStep());
   const contact::ProblemFamily family(step.numbers(), step.gap(), last.numbers());
   TEST_ASSERT(family.isStep());
 

@@ -8,7 +8,7 @@
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
 #include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/DefectCorrection.hpp"
+#include "contact/solve/Settled.hpp"
 
 #include <Thyra_VectorStdOps.hpp>
 
@@ -49,10 +49,10 @@ double forceOf(const contact::ContactSystem& step, const contact::Configuration&
          step.body(0).clampWork(at.displacements[0], at.contactForces[0]).front();
 }
 
-contact::State solved(const contact::Problem& problem, const contact::State& start) {
+contact::Solution solved(const contact::Problem& problem, const contact::State& start) {
   const contact::NoxNewton newton;
   const contact::ContactSolver solver(newton);
-  return contact::makeCoulomb(solver, {})->solve(problem, start).state;
+  return contact::makeCoulomb(solver, {})->solve(problem, start);
 }
 
 /// Does the state solve this part of the step?  |f| of the model, relative to the load.
@@ -95,20 +95,21 @@ int run() {
   std::printf("# step, actuator, force, friction's work\n");
   for (int k = 1; turns < 4 && k < 400; ++k) {
     const std::vector<contact::Conditions> now = pushed(along);
-    const contact::ContactSystem step =
-        system.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    contact::ContactSystem step = system.under(now, {}, memory.forStep());
     // the step as a function of the state and of how much of it is done
-    const contact::ContactSystem last =
-        system.under({before, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    const contact::ContactSystem last = system.under(before, {}, memory.forStep());
     const ContactModel model(
         contact::ProblemFamily(step.numbers(), step.gap(), last.numbers()),
         ContactModel::Options());
     if (k > 1)
       good = good && residual(model, prediction.last(), 0) < 1e-9;
-    const contact::State state = solved(step.numbers(), prediction.start(step));
-    good = good && residual(model, state, 1) < 1e-9;
-
-    const contact::Configuration at = contact::corrected(step, state, bem::oneProcess());
+    const auto solve = [&](const contact::State* from) {
+      return solved(step.numbers(), from != nullptr ? *from : prediction.start(step));
+    };
+    const contact::Settled settled = contact::settled(step, solve, bem::oneProcess());
+    const contact::Configuration& at = settled.at;
+    good = good && settled.solution.report.converged() &&
+           residual(model, settled.solution.state, 1) < 1e-9;
     memory.add(step, at);
     prediction.add(step, at.state);
     good = good && memory.friction() >= work;

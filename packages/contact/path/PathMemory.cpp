@@ -81,11 +81,11 @@ Vector motionsOf(const ContactSystem& step, const Configuration& at) {
 
 PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
     : shear_(shear),
-      slip_(atZero.numbers().tangentials.size(), 0.0),
-      friction_(slip_.size(), 0.0),
+      friction_(atZero.numbers().tangentials.size(), 0.0),
       multiplier_(atZero.numbers().size(), 0.0),
       bounds_(atZero.numbers().slipBounds(multiplier_)),
       given_(multiplier_.size(), 0.0) {
+  memory_.slip = friction_;
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
     size += atZero.body(b).loads().load.size() + (fixWorks(atZero, b) ? 3 : 0);
@@ -114,20 +114,21 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   outside_ +=
       trapezoid(forces, forces_, motions, motions_, motions.size()) +
       trapezoid(at.state.multiplier, multiplier_, step.given(), given_, given_.size());
-  wear_ = step.wear().behind(at.bodies);
-  Vector worn = step.wear().tested(wear_);
+  memory_.wear = step.wear().behind(at.bodies);
+  Vector worn = step.wear().tested(memory_.wear);
   worn_.resize(worn.size());
   ofWear_ += trapezoid(at.state.multiplier, multiplier_, worn, worn_, normals);
   worn_ = std::move(worn);
-  slip_ = step.slipSoFar(at);
-  defect_ = step.defect(at);
+  memory_.slip = step.slipSoFar(at);
+  memory_.defect = step.defect(at);
   // what rounding leaves of r where contact is closed: under the same load, Newton's method would
   // look for states that it alone decides
   const ContactState state = classify(problem, at.state, at.penetration);
   for (std::size_t i = 0; i < normals; ++i)
     if (state.normal[i] == NormalState::Closed)
-      defect_[i] -= at.penetration[i];
-  largestLoad_ = std::max(largestLoad_, step.loadSize());
+      memory_.defect[i] -= at.penetration[i];
+  memory_.largestLoad = std::max(memory_.largestLoad, step.loadSize());
+  memory_.responses = step.responses();
   multiplier_ = at.state.multiplier;
   bounds_ = std::move(bounds);
   motions_ = std::move(motions);
@@ -149,7 +150,7 @@ PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
     difference.work += std::abs(friction_[t] - other.friction_[t]);
     const double bound = std::max(bounds_[t], other.bounds_[t]);
     if (std::isfinite(bound))  // else what is bonded, which does no work
-      difference.slip += bound * std::abs(slip_[t] - other.slip_[t]);
+      difference.slip += bound * std::abs(memory_.slip[t] - other.memory_.slip[t]);
   }
   for (std::size_t i = 0; i < worn_.size(); ++i)
     difference.volume += std::abs(worn_[i] - other.worn_[i]);

@@ -32,14 +32,12 @@ class PathMemory {
   /// \param atZero the problem at t = 0, for the gaps and bounds to begin with
   explicit PathMemory(const ContactSystem& atZero, Shear shear = Shear::AtEnd);
 
-  /// Adds a solved step.  \pre the step was told slip(), defect(), largestLoad() and wear().
+  /// Adds a solved step.  \pre it was made with forStep()
   void add(const ContactSystem& step, const Configuration& at);
 
-  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactSystem::Step
-  /// See ContactSystem::Step; without what r is where contact is closed.
-  const Vector& defect() const { return defect_; }
-  double largestLoad() const { return largestLoad_; }
-  const std::vector<Wear>& wear() const { return wear_; }  ///< of each body
+  /// What the next step has to know; the defect without what r is where contact is closed.
+  const StepMemory& forStep() const { return memory_; }
+  const std::vector<Wear>& wear() const { return memory_.wear; }  ///< of each body
 
   /// Friction work so far, nondecreasing, one number per tangential coefficient.
   const Vector& frictionWork() const { return friction_; }
@@ -66,14 +64,11 @@ class PathMemory {
 
  private:
   Shear shear_;
-  Vector slip_;
-  Vector defect_;
+  StepMemory memory_;
   Vector friction_;
   double trapezoidal_ = 0;
   double outside_ = 0;
-  double largestLoad_ = 0;
   double ofWear_ = 0;
-  std::vector<Wear> wear_;
   Vector worn_;  ///< ∫ w χ_i
   // of the previous step
   Vector multiplier_;

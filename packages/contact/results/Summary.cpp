@@ -100,9 +100,9 @@ void addContact(const Solved& solved, const Of& of) {
 /// v_c: v at the prescribed unknowns, r_k: the fixed modes.  A clamp that lies where the
 /// traction ρ_k r_k acts takes that up again, hence v - v_c.
 std::array<double, 3> reactionWork(const Solved& solved) {
-  const std::vector<char> isPrescribed = prescribed(solved.space, solved.conditions);
+  const Holding& holding = solved.problem.holding();
+  const bem::Matrix& modes = holding.modes.functionals;
   const bem::Matrix motions = solved.space.rigidMotions();
-  const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
       solved.problem.clampWork(solved.displacement, solved.contactForce);
   const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
@@ -111,7 +111,7 @@ std::array<double, 3> reactionWork(const Solved& solved) {
     double& sum = work[v];
     sum = clamps[v];
     for (Index i = 0; i < motions.rows(); ++i)
-      if (isPrescribed[i] == 0)
+      if (holding.clamped[i] == 0)
         for (Index k = 0; k < 3; ++k)
           sum += amplitudes[k] * modes(i, k) * motions(i, v);
   }
@@ -129,7 +129,7 @@ Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
 
 /// The rigid motion with the moments of u over the boundary, [length] and radian.
 RigidMotion meanMotion(const Solved& solved) {
-  const RigidModes modes = makeRigidModes(solved.space, solved.conditions);
+  const RigidModes& modes = solved.problem.holding().modes;
   const Vector ofInside = meansOf(solved.conditions, solved.space.mesh(), modes.centroid);
   const auto mean = [&](Index k) {
     const Vector functional = bem::columnOf(modes.functionals, k);

@@ -169,9 +169,11 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
     Loads::InResidual residual =
         residualOf([&](int e, double t) { return -fixed(e, t); });
     // rigid motions have no traction, whatever rounds
-    for (Index k = 0; k < holding_->allowed.columns(); ++k)
-      axpy(-dot(columnOf(holding_->allowed, k), residual.force),
-           columnOf(holding_->functionals, k), residual.force);
+    for (Index k = 0; k < 3; ++k) {
+      const Vector r = columnOf(holding_->modes.motions, k);
+      const Vector functional = columnOf(holding_->modes.functionals, k);
+      axpy(-dot(r, residual.force) / dot(r, functional), functional, residual.force);
+    }
     Vector displacement = elastic_->solve(residual.force);
     reactions.push_back({std::move(residual), std::move(displacement)});
   }

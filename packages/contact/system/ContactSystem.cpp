@@ -84,27 +84,29 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
   setScale(loadSize());
 }
 
-ContactSystem::ContactSystem(const ContactSystem& atZero, const Step& step)
-    : bodies_(atZero.bodiesUnder(step.conditions)),
+ContactSystem::ContactSystem(const ContactSystem& atZero,
+                             const std::vector<Conditions>& conditions,
+                             const std::vector<Drive>& drives, const StepMemory& memory)
+    : bodies_(atZero.bodiesUnder(conditions)),
       numbering_(atZero.numbering_),
       opposite_(atZero.opposite_),
-      rigid_(atZero.rigid_.under(step.rigid)),
-      wear_(bodies_, numbering_, step.wearBefore),
+      rigid_(atZero.rigid_.under(drives)),
+      wear_(bodies_, numbering_, memory.wear),
       numbers_(atZero.numbers_.copy()),
-      responses_(step.responses) {
-  assert(step.rigid.size() == atZero.drives().size());
+      responses_(memory.responses) {
+  assert(drives.size() == atZero.drives().size());
   numbers_.tangentials.clear();
   numbers_.rigidLoad.clear();
   respond();
   wear_.setSlips({}, numbers_.surface);
-  setScale(std::max(loadSize(), step.largestLoad));
-  if (!step.defectBefore.empty()) {
-    axpy(1, step.defectBefore, numbers_.offset);
-    defectBefore_ = step.defectBefore;
+  setScale(std::max(loadSize(), memory.largestLoad));
+  if (!memory.defect.empty()) {
+    axpy(1, memory.defect, numbers_.offset);
+    defectBefore_ = memory.defect;
   }
-  if (!step.slipBefore.empty()) {
-    numbers_ = withSlipBefore(numbers_, step.slipBefore);
-    slipBefore_ = step.slipBefore;
+  if (!memory.slip.empty()) {
+    numbers_ = withSlipBefore(numbers_, memory.slip);
+    slipBefore_ = memory.slip;
   }
 }
 

@@ -23,6 +23,15 @@ struct Configuration {
   double defect = 0;
 };
 
+/// What a step of a path knows of the steps before it; at first nothing.
+struct StepMemory {
+  Vector slip{};           ///< rₜ, see ContactSystem::slipSoFar; empty: zero
+  Vector defect{};         ///< see ContactSystem::defect
+  double largestLoad = 0;  ///< largest loadSize() of all steps
+  std::vector<LoadResponses> responses{};  ///< by body; empty: none known
+  std::vector<Wear> wear{};                ///< likewise; empty: no wear so far
+};
+
 /// The contact problem of all bodies of a scene, condensed onto all multipliers together:
 ///
 ///   λ = (λₙ of body 0, of body 1, ..., λₜ of body 0, of body 1, ...),
@@ -41,21 +50,16 @@ class ContactSystem {
   explicit ContactSystem(const std::vector<BodyInput>& bodies,
                          const std::vector<Drive>& rigid = {});
 
-  /// The data of a step of a path.
-  struct Step {
-    const std::vector<Conditions>& conditions;  ///< at its time; must outlive the system
-    std::vector<Drive> rigid{};                 ///< at its time
-    Vector slipBefore{};     ///< rₜ of the previous step, see slipSoFar
-    Vector defectBefore{};   ///< of the previous step, see defect
-    double largestLoad = 0;  ///< largest loadSize() of all previous steps
-    std::vector<LoadResponses>
-        responses{};                 ///< of the previous step, by body; empty: none known
-    std::vector<Wear> wearBefore{};  ///< likewise; empty: no wear so far
-  };
-  /// The same bodies on the same meshes at another time.  Kinds of conditions on boundaries and
-  /// free motions stay the same; friction uses slipBefore.  Shares factors, D and couplings, so
-  /// that a step costs one solution with the factors.                       [doc/theory/paths.md]
-  ContactSystem under(const Step& step) const { return {*this, step}; }
+  /// The same bodies on the same meshes at another time, after the steps that `memory` knows.  Kinds of
+  /// conditions on boundaries and free motions stay the same; friction uses the slip so far.  Shares
+  /// factors, D and couplings, so that a step costs one solution with the factors.
+  ///                                                               [doc/theory/paths.md]
+  /// \param conditions  of each body, must outlive the system
+  ContactSystem under(const std::vector<Conditions>& conditions,
+                      const std::vector<Drive>& drives = {},
+                      const StepMemory& memory = {}) const {
+    return {*this, conditions, drives, memory};
+  }
 
   /// See lengthsOf.
   Vector lengths() const { return lengthsOf(sides(), numbering_); }
@@ -63,7 +67,7 @@ class ContactSystem {
   /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;
   Vector defect(const Configuration& at) const;
-  /// Step::slipBefore of this step; empty: zero.
+  /// StepMemory::slip of this step.
   const Vector& slipBefore() const { return slipBefore_; }
   /// Responses to loads of each body, with those of this step, for the next step.
   const std::vector<LoadResponses>& responses() const { return responses_; }
@@ -120,7 +124,8 @@ class ContactSystem {
   double storedEnergy(const Configuration& at) const;
 
  private:
-  ContactSystem(const ContactSystem& atZero, const Step& step);
+  ContactSystem(const ContactSystem& atZero, const std::vector<Conditions>& conditions,
+                const std::vector<Drive>& drives, const StepMemory& memory);
   static std::shared_ptr<std::vector<ContactBody>> bodiesOf(
       const std::vector<BodyInput>& inputs);
   std::shared_ptr<std::vector<ContactBody>> bodiesUnder(

@@ -1,0 +1,46 @@
+#include "contact/solve/Settled.hpp"
+
+#include "contact/solve/DefectCorrection.hpp"
+
+namespace epafi::contact {
+
+Settled settled(ContactSystem& system,
+                const std::function<Solution(const State* before)>& solve,
+                const bem::Processes& processes) {
+  constexpr double same = 1e-12;
+  constexpr double almost = 1e-8;  // where rounding changes it on and on,
+  constexpr int idlest = 4;        // at least in as many solves
+  constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
+  Settled result{solve(nullptr)};
+  Solution& solved = result.solution;
+  double halved = 1;
+  int idle = 0;
+  for (int k = 0; solved.report.converged() && system.wearsBySlip(); ++k) {
+    const double change = system.wearBy(system.configuration(solved.state));
+    idle = change <= halved / 2 ? 0 : idle + 1;
+    if (idle == 0)
+      halved = change;
+    if (processes.agreed(change <= same || (change < almost && idle >= idlest)))
+      break;
+    if (k == most) {
+      solved.report.status = Status::NotConverged;
+      result.wearChange = change;
+      break;
+    }
+    Solution next = solve(&solved.state);
+    next.report = joined(std::move(next.report), solved.report);
+    solved = std::move(next);
+  }
+  if (solved.report.converged())
+    result.at = worn(system, corrected(system, solved.state, processes));
+  return result;
+}
+
+Configuration worn(ContactSystem& system, Configuration at) {
+  system
+      .forgetIterations();  // the state's own, to the last digit: so a restart finds them
+  return system.wearBy(at) > 0 ? system.configuration(std::move(at.state))
+                               : std::move(at);
+}
+
+}  // namespace epafi::contact
