@@ -20,11 +20,11 @@ using epafi::test::largestDifference;
 
 // A block over a curved foundation, its top pulled, pushed and displaced by `load`; with
 // or without a clamp.
-contact::Conditions conditionsFor(double load, bool clamped) {
+contact::Conditions conditionsFor(double load, bool clamped, double coefficient) {
   contact::Conditions conditions;
   conditions.contact["bottom"] = {
       [](Vec2 x) { return 0.01 + 0.05 * x.x * x.x; },
-      contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }})};
+      contact::makeFriction("Coulomb", {[coefficient](Vec2) { return coefficient; }})};
   conditions.neumann["right"] = {[load](Vec2 x) { return load * 0.3 * x.y; },
                                  [load](Vec2) { return -load * 0.1; }};
   if (clamped) {
@@ -38,10 +38,10 @@ contact::Conditions conditionsFor(double load, bool clamped) {
   return conditions;
 }
 
-test::SolvedScene solvedBlock(double load, bool clamped) {
+test::SolvedScene solvedBlock(double load, bool clamped, double coefficient = 0.4) {
   return test::SolvedScene(
       {bem::makeMesh(test::outlineOf(test::rectangle({-1, 0}, 2, 1)), {4, 2, 3, 2}, 2),
-       bem::Material{5, 0.3, false}, conditionsFor(load, clamped),
+       bem::Material{5, 0.3, false}, conditionsFor(load, clamped, coefficient),
        "Gauss-Legendre-Lagrange"});
 }
 
@@ -77,6 +77,27 @@ TEUCHOS_UNIT_TEST(LoadFactor, displacementAddsTheRestOfTheLoad) {
       u[i] += rest[i];
     const Vector expected = two.displacement(state);
     TEST_COMPARE(largestDifference(u, expected), <, 1e-12 * largest(expected));
+  }
+}
+
+/// The friction factor is one of the coefficient, also where Fix carries friction: what follows it
+/// solves the problem that a program of that coefficient solves.
+TEUCHOS_UNIT_TEST(LoadFactor, ofFrictionIsAnotherCoefficient) {
+  for (const bool clamped : {false, true}) {
+    const auto scene = solvedBlock(1, clamped);
+    const auto less = solvedBlock(1, clamped, 0.1);
+    const contact::ContactSystem& system = scene.system();
+    const contact::ProblemFamily family(system.numbers(), system.gap());
+    const contact::State state = test::solve(family.at({1, 0.25})).state;
+    const Vector& expected = less.solved().state.multiplier;
+    TEST_COMPARE(largestDifference(expected, scene.solved().state.multiplier), >,
+                 1e-2 * largest(expected));
+    TEST_COMPARE(largestDifference(state.multiplier, expected), <,
+                 1e-10 * largest(expected));
+    if (!clamped)
+      TEST_COMPARE(std::abs(less.system().body(0).fixedReactions(
+                       less.system().body(0).contactForce(expected))[0]),
+                   >, 1e-3);
   }
 }
 

@@ -119,7 +119,7 @@ class ContactBody {
  private:
   void setLoads();
   std::vector<Reaction> makeReactions() const;
-  /// What a traction in the place of t_p does through the stabilisation; `means` without densities.
+  /// What a traction in the place of t_p does through the stabilisation.
   Loads::InResidual residualOf(const BoundaryTraction& traction) const;
   std::vector<BoundaryTraction> fixedTractions() const;
   /// What reactions to a force f - A u_D - Bᵀ λ do in the residual.
