@@ -56,6 +56,13 @@ std::string told(const Imbalance& imbalance, const SolvedStep& step) {
 
 }  // namespace
 
+contact::Balance balanceOf(const Scene& scene) {
+  double compressibility = 1;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    compressibility = std::min(compressibility, 1 - 2 * scene.lame(b).nu);
+  return contact::Balance(compressibility);
+}
+
 void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
                   SolvedLevel& level) {
   step.imbalances = balance.of(*step.system, step.at, step.bodies, step.summaries());

@@ -4,6 +4,9 @@
 
 namespace epafi::drivers {
 
+/// Of the bodies of a scene, before the first step.
+contact::Balance balanceOf(const Scene& scene);
+
 /// Sets the imbalances of a step that has converged.  Where one is larger than rounding, the level is
 /// not converged, and its reason, which is in `unbalanced` too, says which body lacks what.
 /// Collective.

@@ -48,6 +48,7 @@ class Follower {
                                               ? contact::PathMemory::Shear::Mean
                                               : contact::PathMemory::Shear::AtEnd),
               contact::Prediction(atZero), std::make_shared<const SolvedPart>(spaces)},
+        balance_(balanceOf(scene_)),
         path_(path),
         empty_(spaces.stepRow()) {}
 
@@ -329,7 +330,7 @@ class Follower {
   const Run& run_;
   const std::size_t known_;
   Standing here_;
-  contact::Balance balance_{};
+  contact::Balance balance_;
   // since the last point, of what failed or was left, too
   int newtonIterations_ = 0;
   int coulombIterations_ = 0;

@@ -212,7 +212,7 @@ void solveOnce(const BodySpaces& spaces,
   row.energyDissipated = solved->frictionWorkOfStep();
   solved->addRigid(row);
   level.steps.push_back(solved);
-  contact::Balance balance;
+  contact::Balance balance = balanceOf(spaces.scene());
   if (converged)
     checkBalance(balance, run, *solved, level);
 }

@@ -15,8 +15,17 @@ using bem::Vec2;
 
 constexpr double ofForces = 1e-9;
 constexpr double ofNumbers = 1e-14;
-constexpr double ofProducts = 5e-12;  // with compressed operators
-constexpr double farAway = 1e-6;      // moments of a body there lose digits
+
+/// Of products with compressed operators.
+double ofProducts(double compressibility) {
+  constexpr double some = 5e-12;
+  constexpr double ofPressures = 1e-12;
+  constexpr double most = 1e-5;  // at ν = 1/2, whatever the tolerance of the compression
+  return some +
+         (compressibility > ofPressures / most ? ofPressures / compressibility : most);
+}
+
+constexpr double farAway = 1e-6;  // moments of a body there lose digits
 
 double forceOf(const Resultant& r) { return std::hypot(r.x, r.y); }
 
@@ -145,7 +154,8 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
   }
   contact.size = forceOf(contact.missing);
   all.push_back(contact);
-  const double share = system.body(0).elastic()->isFormed() ? ofNumbers : ofProducts;
+  const double share =
+      system.body(0).elastic()->isFormed() ? ofNumbers : ofProducts(compressibility_);
   largest_.resize(all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k + 1 < all.size())
