@@ -166,6 +166,7 @@ void checkModuli(const ContactPair& pair, const std::string& path, const Scene& 
 
 void readContacts(Scene& scene) {
   const Part contacts = scene.root().sub("Contacts");
+  std::string apart;  // the path of sides that never meet
   for (const auto& item : *contacts.list) {
     Part part = contacts.sub(item.first);
     const std::string& path = part.place.path;
@@ -179,15 +180,17 @@ void readContacts(Scene& scene) {
     contact::Conditions::Contact condition = readContactOfBodies(part);
     condition.name = pair.name;
     condition.parts = meet(pair, scene);
-    if (condition.parts.empty())
-      throw InputError(path,
-                       ": no point of the first side finds the second one along "
-                       "its outward normal; the sides never meet");
+    if (condition.parts.empty() && apart.empty())
+      apart = path;
     scene.bodies[pair.side.body].conditions.contact[pair.side.boundary] =
         std::move(condition);
     scene.contacts.push_back(std::move(pair));
   }
-  checkOverlaps(scene);
+  checkOverlaps(scene);  // bodies one in the other hide their sides from each other
+  if (!apart.empty())
+    throw InputError(apart,
+                     ": no point of the first side finds the second one along "
+                     "its outward normal; the sides never meet");
 }
 
 }  // namespace epafi::drivers

@@ -241,7 +241,6 @@ TEUCHOS_UNIT_TEST(BadInput, overridesAreCheckedLikeTheScene) {
            {"Discretization=2", "sublist"},
            {"Discretization->Elements per Edge=[4,4,8,4]", "write {4,4,8,4}"},
            {"Solver={Tolerance=1e-9, Tolerance=1e-8}", "Solver->Tolerance: given twice"},
-           {"Solver->NOX->Anything=2", "Solver->NOX->Anything"},
            {"Discretization->Elements per Edge={4, 4}", "Elements per Edge"},
            {"Bodies->blok->Material->Young's Modulus=2",
             "Bodies->blok->Geometry: missing"},
