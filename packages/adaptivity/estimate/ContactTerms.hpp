@@ -51,7 +51,8 @@ struct ContactProfiles {
   Vector nodes{};        ///< opposite nodes, in (-1, 1)
   int highest = degree;  ///< largest degree of the displacements of both sides
   bool tied = false;     ///< are the sides bonded?
-  /// p/h of the opposite side over that of this side, if larger than 1; else 1.
+  /// Of lengths: p/h of the opposite side over that of this side, or the stiffness of a held layer
+  /// over μ p/h, the largest; at least 1.
   bem::Profile fineness = [](double) { return 1.0; };
   /// φ' of sides that yield or wear, at a place of this opening; else 0.
   std::function<double(double t, double opening)> yield = [](double, double) {

@@ -214,4 +214,25 @@ std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
   return agreed;
 }
 
+std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
+                                const Contributions& factors,
+                                const std::vector<AtEnds>& moments,
+                                const bem::Processes& processes) {
+  const auto& elements = solved.problem.multiplier().elements();
+  Vector numbers;
+  for (const AtEnds& m : moments)
+    numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});
+  numbers = processes.sum(std::move(numbers));
+  std::vector<ContactCost> costs;
+  const double* next = numbers.data();
+  for (const ContactElement& element : elements) {
+    costs.emplace_back(solved, element, AtEnds{{next[0], next[1]}, {next[2], next[3]}},
+                       factors, lame.mu);
+    next += 4;
+  }
+  return agree(
+      equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs),
+      processes);
+}
+
 }  // namespace epafi::adaptivity

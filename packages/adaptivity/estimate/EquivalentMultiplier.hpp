@@ -28,4 +28,13 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
 std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
                           const bem::Processes& processes);
 
+/// λ̃ - λʰ on all contact elements, alike on all ranks.  Collective.
+/// \param factors of the terms, for the shear modulus lame.mu
+/// \param moments ∫ r e(-t) ds and ∫ r e(t) ds of the residual λʰ + S u on each contact element,
+///   zero on other processes' elements
+std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
+                                const Contributions& factors,
+                                const std::vector<AtEnds>& moments,
+                                const bem::Processes& processes);
+
 }  // namespace epafi::adaptivity

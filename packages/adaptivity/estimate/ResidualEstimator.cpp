@@ -1,6 +1,7 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
+#include "adaptivity/estimate/Layer.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
@@ -14,9 +15,10 @@ namespace {
 
 using bem::Vec2;
 
-/// p/h |u_D - u|² of prescribed components on an element, where they are interpolated.
+/// p/h |u_D - u|² of prescribed components on an element, where they are interpolated, more on a
+/// thin layer.
 double clampSquares(const contact::Solved& solved, int e,
-                    const std::vector<bem::BoundaryValue>& values) {
+                    const std::vector<bem::BoundaryValue>& values, double layer) {
   const bem::Mesh& mesh = solved.space.mesh();
   const auto clamp = solved.conditions.dirichlet.find(mesh.boundary(e));
   if (clamp == solved.conditions.dirichlet.end())
@@ -30,7 +32,8 @@ double clampSquares(const contact::Solved& solved, int e,
       return given ? given(x) / solved.units.length - own : 0;
     };
     const Vec2 missed{error(clamp->second.x, u.x), error(clamp->second.y, u.y)};
-    square += value.weight * mesh[e].degree / (2 * mesh[e].half) * dot(missed, missed);
+    square += value.weight * (mesh[e].degree / (2 * mesh[e].half) + layer) *
+              dot(missed, missed);
   }
   return square;
 }
@@ -51,7 +54,7 @@ class Residuals {
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
       : solved_(solved),
         weights_(weights),
-        mu_(lame.mu),
+        lame_(lame),
         mesh_(solved.space.mesh()),
         amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
 
@@ -63,7 +66,10 @@ class Residuals {
     for (const bem::BoundaryValue& value : values)
       of(squares, Source::Density) +=
           value.weight * h * dot(value.mismatch, value.mismatch);
-    of(squares, Source::Density) += clampSquares(solved_, e, values);
+    const Layer layer = behind(e);
+    of(squares, Source::Density) += layer.square(lame_, mesh_[e], values);
+    of(squares, Source::Density) +=
+        clampSquares(solved_, e, values, layer.beyondHalfPlane(lame_, sizeOf(e)).across);
     of(squares, Source::Density) += heatSquares(solved_, e);
     if (touching)
       return squares;
@@ -125,7 +131,16 @@ class Residuals {
                                const AtEnds& correction, double shearModulus) const {
     const bem::Element& element = mesh_[contact.element];
     const double size = 2 * element.half / element.degree;
-    const ContactProfiles profiles = contactProfiles(solved_, contact, correction);
+    ContactProfiles profiles = contactProfiles(solved_, contact, correction);
+    const Layer layer = behind(contact.element);
+    if (layer.isHeld) {  // else gaps close by a motion of both sides
+      const double stiffer = 1 + size * layer.beyondHalfPlane(lame_, size).across;
+      const double own = shearModulus / lame_.mu;  // of what both sides yield
+      const double inSeries = stiffer / (own + (1 - own) * stiffer);
+      profiles.fineness = [inSeries, finer = profiles.fineness](double t) {
+        return std::max(inSeries, finer(t));
+      };
+    }
     Contributions squares = weights_.bounds == Bounds::Sharp
                                 ? sharpContactTerms(profiles, shearModulus)
                                 : contactTerms(profiles);
@@ -143,10 +158,18 @@ class Residuals {
     double square = 0;
     for (std::size_t q = 0; q < values.size(); ++q)
       square += values[q].weight * dot(residual[q], residual[q]);
-    return solved_.problem.coupling().gamma[contact] * mu_ * square;
+    return solved_.problem.coupling().gamma[contact] * lame_.mu * square;
   }
 
  private:
+  double sizeOf(int e) const { return 2 * mesh_[e].half / mesh_[e].degree; }  ///< h/p
+
+  /// Infinitely thick under Bounds::Printed.
+  Layer behind(int e) const {
+    return weights_.bounds == Bounds::Sharp ? layerBehind(mesh_, solved_.conditions, e)
+                                            : Layer{};
+  }
+
   /// Σ ρ_k r_k, what holds fixed rigid motions, dimensionless.
   Vec2 fixedTraction(int e, double t) const {
     if (!solved_.conditions.isBoundary(mesh_.boundary(e)))
@@ -157,7 +180,7 @@ class Residuals {
 
   const contact::Solved& solved_;
   const Weights& weights_;
-  double mu_;
+  const bem::Lame& lame_;
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
 };
@@ -196,28 +219,6 @@ std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& f
     if (!fields[e].empty())
       squares[e] = residuals.squares(static_cast<int>(e), fields[e], isTouching[e]);
   return squares;
-}
-
-/// λ̃ - λʰ on all contact elements, from the moments of this process's elements.
-std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
-                                const Contributions& factors,
-                                const std::vector<AtEnds>& moments,
-                                const bem::Processes& processes) {
-  const auto& elements = solved.problem.multiplier().elements();
-  Vector numbers;
-  for (const AtEnds& m : moments)
-    numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});
-  numbers = processes.sum(std::move(numbers));
-  std::vector<ContactCost> costs;
-  const double* next = numbers.data();
-  for (const ContactElement& element : elements) {
-    costs.emplace_back(solved, element, AtEnds{{next[0], next[1]}, {next[2], next[3]}},
-                       factors, lame.mu);
-    next += 4;
-  }
-  return agree(
-      equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs),
-      processes);
 }
 
 /// Sums over the processes.
