@@ -45,7 +45,7 @@ class Limits {
       blas_.setThreads(now);
   }
 
-  const OpenBlas blas_;
+  const OpenBlas blas_{};
   std::mutex changing_;
   std::multiset<int> held_;
   int unlimited_ = 1;
