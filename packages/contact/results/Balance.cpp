@@ -13,19 +13,16 @@ namespace {
 
 using bem::Vec2;
 
-constexpr double ofForces = 1e-9;
-constexpr double ofNumbers = 1e-14;
-
-/// Of products with compressed operators.
-double ofProducts(double compressibility) {
-  constexpr double some = 5e-12;
-  constexpr double ofPressures = 1e-12;
-  constexpr double most = 1e-5;  // at ν = 1/2, whatever the tolerance of the compression
-  return some +
-         (compressibility > ofPressures / most ? ofPressures / compressibility : most);
-}
-
 constexpr double farAway = 1e-6;  // moments of a body there lose digits
+
+/// Of F.  Pressures in an incompressible body that is thin lose more digits.
+double ofForces(double compressibility) { return compressibility > 1e-12 ? 1e-9 : 1e-3; }
+
+/// Of μ |u|.
+double ofMotions(double compressibility, bool isFormed) {
+  constexpr double least = 1e-7;
+  return (isFormed ? 1e-14 : 5e-12) * (1 + 0.2 / std::max(compressibility, least));
+}
 
 double forceOf(const Resultant& r) { return std::hypot(r.x, r.y); }
 
@@ -154,15 +151,14 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
   }
   contact.size = forceOf(contact.missing);
   all.push_back(contact);
-  const double share =
-      system.body(0).elastic()->isFormed() ? ofNumbers : ofProducts(compressibility_);
+  const double share = ofMotions(compressibility_, system.body(0).elastic()->isFormed());
   largest_.resize(all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k + 1 < all.size())
       all[k].body = k;
     largest_[k] = std::max({largest_[k], all[k].largest, contact.largest});
     all[k].largest = largest_[k];
-    all[k].bound += ofForces * all[k].largest + share * rounding;
+    all[k].bound += ofForces(compressibility_) * all[k].largest + share * rounding;
   }
   return all;
 }

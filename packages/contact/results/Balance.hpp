@@ -23,14 +23,14 @@ struct Imbalance {
 
 /// Forces and moments of solved states, one after the other along a path.  What rounding may leave is
 ///
-///   1e-9 F + 1e-14 max μ |u|
+///   1e-9 F + 1e-14 (1 + 0.2/(1 - 2ν)) max μ |u|,
 ///
-/// (with compressed operators, whose pressures lose digits as ν -> 1/2,
-/// 5e-12 + min(1e-12/(1 - 2ν), 1e-5) in place of 1e-14), F the largest force on the body (where forces
+/// with compressed operators 5e-12 in place of 1e-14, 1 - 2ν at least 1e-7, and at ν = 1/2 1e-3 in
+/// place of 1e-9, since pressures lose digits there; F the largest force on the body (where forces
 /// cancel, what moves it by |u| at its strain energy), or ∫ |λ| ds of all contact of one body if that
 /// is larger, until then; μ the shear modulus, u displacements: those of bodies slender by more than
-/// 1 : 1000 are that large.  A spring's force k (end - motion) may have 1e-14 k (|end| + |motion|) more.
-///                                                    [doc/theory/contact.md, Several bodies]
+/// 1 : 1000 are that large.  A spring's force k (end - motion) may have 1e-14 k (|end| + |motion|)
+/// more.                                              [doc/theory/contact.md, Several bodies]
 class Balance {
  public:
   /// \param compressibility the smallest 1 - 2ν of the bodies, in plane strain
