@@ -37,10 +37,12 @@ Settled settled(ContactSystem& system,
 }
 
 Configuration worn(ContactSystem& system, Configuration at) {
-  system
-      .forgetIterations();  // the state's own, to the last digit: so a restart finds them
-  return system.wearBy(at) > 0 ? system.configuration(std::move(at.state))
-                               : std::move(at);
+  if (!system.wearsBySlip())
+    return at;
+  // those of the state alone, to the last digit: so a restart finds them
+  system.forgetIterations();
+  system.wearBy(at);
+  return system.configuration(std::move(at.state));
 }
 
 }  // namespace epafi::contact

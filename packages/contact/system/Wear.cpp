@@ -84,23 +84,26 @@ Vector StepWear::tested(const std::vector<Wear>& wear) const {
 }
 
 void StepWear::takeSlips(const Vector& slip) {
+  std::vector<Vector> next;
   std::vector<Vector> changes;
   Vector all;
   for (std::size_t b = 0; b < slips_.size(); ++b) {
     Vector own;
     for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
       own.push_back(slip[at(numbering_(b, i))]);
-    Vector change = slipsOf((*bodies_)[b], before_[b], own);
+    next.push_back(slipsOf((*bodies_)[b], before_[b], own));
+    Vector change = next.back();
     slips_[b].resize(change.size());
     bem::axpy(-1, slips_[b], change);
     all.insert(all.end(), change.begin(), change.end());
     changes.push_back(std::move(change));
   }
   share_ = known_ ? aitken_.shareOf(std::move(all)) : 1;
-  known_ = !slip.empty();
   for (std::size_t b = 0; b < changes.size(); ++b)
     for (std::size_t k = 0; k < changes[b].size(); ++k)
-      slips_[b][k] = std::max(slips_[b][k] + share_ * changes[b][k], 0.0);
+      slips_[b][k] =
+          std::max(known_ ? slips_[b][k] + share_ * changes[b][k] : next[b][k], 0.0);
+  known_ = !slip.empty();
 }
 
 double StepWear::setSlips(const Vector& slip, Surface& surface) {
