@@ -260,7 +260,8 @@ class Outlines:
             given |= {0} if np.ptp(gaps) < 1e-10 * self.size else LINEAR | {0}
         if body in self.rigid:
             given |= {0, 1}
-        if sticks and abs(self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
+        if sticks and law != "Tied" and abs(
+                self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
             given |= LINEAR | {0}  # it has slid before
         opposite = "" if body in self.rigid else body
         if sticks:
