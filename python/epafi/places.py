@@ -105,6 +105,9 @@ class Outlines:
             for rules in body.get("Boundary Conditions", {}).values())
         self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
         self.edges = edges_of(table)
+        self.sides: dict[str, list[Edge]] = {}
+        for edge in self.edges:
+            self.sides.setdefault(edge.body + ":" + edge.name, []).append(edge)
         self.size = float(np.ptp(table["x"]) + np.ptp(table["y"]))
         self.most = np.hypot(table["ux"], table["uy"]).max()  # displacement
         self.rigid = {name: rigid_corners(body["Geometry"]) for name, body in bodies.items()
@@ -133,16 +136,23 @@ class Outlines:
 
     def side(self, name: str) -> list[Edge]:
         """The edges of "body:boundary"."""
-        return [edge for edge in self.edges if edge.body + ":" + edge.name == name]
+        return self.sides.get(name, [])
+
+    def ends(self, name: str) -> np.ndarray:
+        """Where "body:boundary" begins, ends or has a corner."""
+        return np.array(self.rigid.get(name.partition(":")[0], [
+            place.x for edge in self.side(name) for place in (
+                Place(edge.start, (edge, edge.before)), Place(edge.end, (edge.after, edge)))
+            if place.ends]), complex)
 
     def opposite_ends(self) -> Iterator[tuple[complex, Edge]]:
         """Where a side of a contact ends opposite to an edge of another body."""
+        known: dict[str, np.ndarray] = {}
         for edge in self.edges:
             for name, _, other in self.contacts(edge):
-                ends = np.array(self.rigid.get(other.partition(":")[0], [
-                    place.x for facing in self.side(other) for place in (
-                        Place(facing.start, (facing, facing.before)),
-                        Place(facing.end, (facing.after, facing))) if place.ends]), complex)
+                if other not in known:
+                    known[other] = self.ends(other)
+                ends = known[other]
                 if len(ends):
                     found, before = edge.nearest(ends)
                     for x, end in zip(found[before], ends[before]):
@@ -200,7 +210,7 @@ class Outlines:
         ray = place.ray(k)
         rows = rows[((self.samples.x[rows] - place.x) / ray).real > 0]
         distances = abs(self.samples.x[rows] - place.x)
-        if not len(rows):
+        if not self.samples.closed[rows].any():
             return Face("free", given=given)
         rows, distances = rows[np.argsort(distances)], np.sort(distances)
         next_ = self.samples.element[rows[np.searchsorted(distances, SHARE * distances[-1])]]
