@@ -213,5 +213,7 @@ def intensities(run: Run, step: Optional[int] = None) -> Table:
         for each in arcs:
             start, end = end, end + len(each.points)
             rows += rows_of(each, fields, slice(start, end), step is None)
+    doubts = ["" if run.converged else "the run is not converged", run.no_result]
+    rows = [(*row[:-1], "; ".join(filter(None, (row[-1], *doubts)))) for row in rows]
     return Table.of({name: np.array(column) for name, column in zip(
         COLUMNS, zip(*rows) if rows else [[]] * len(COLUMNS))})
