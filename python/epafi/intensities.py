@@ -125,26 +125,28 @@ def powers(meeting: Meeting, at_end: bool, exponent: complex) -> list[complex]:
     return [k - exponent for k in sorted(given)] + ([1, 2] if meeting.bent else [])
 
 
-def settled(values: np.ndarray, besides: list[complex]) -> tuple[np.ndarray, np.ndarray]:
-    """What the arcs say, of both components, shape (2, radii), without those powers of r; how much
-    it changes with the radius."""
+def settled(amplitudes: np.ndarray, components: np.ndarray,
+            besides: list[complex]) -> tuple[np.ndarray, np.ndarray]:
+    """What the arcs say of both components, from amplitudes of shape (modes, radii), without those
+    powers of r; how much it changes with the radius."""
     if not besides:
+        values = (components.T @ amplitudes).real
         value = values @ COUNTS
         return value, 2 * abs(values - value[:, None]).max(axis=1) + ROUNDING * abs(value)
-    shapes = [RADII ** complex(power) for power in besides]
-    columns = np.array([np.ones(len(RADII))] + [part for shape in shapes for part in (
-        [shape.real, shape.imag] if abs(shape.imag).max() > 1e-9 else [shape.real])]).T
+    columns = np.array([RADII ** complex(power) for power in (0, *besides)]).T
 
     def fitted(rows: slice) -> np.ndarray:
         weights = np.sqrt(COUNTS[rows])[:, None]
         matrix = columns[rows] * weights
         size = np.linalg.norm(matrix, axis=0)
-        return np.linalg.lstsq(matrix / size, values[:, rows].T * weights, 1e-12)[0] / size[:, None]
+        found = np.linalg.lstsq(matrix / size, amplitudes[:, rows].T * weights, 1e-12)[0]
+        return np.asarray(found / size[:, None] @ components)
 
     all_ = fitted(slice(None))
-    changes = [abs(fitted(rows)[0] - all_[0]) for rows in (slice(2, None), slice(None, -2))]
-    rest = abs(values.T - columns @ all_).max(axis=0)
-    return all_[0], 5 * np.max([*changes, rest], axis=0) + ROUNDING * abs(all_[0])
+    value = all_[0].real
+    changes = [abs((fitted(rows)[0] - all_[0]).real) for rows in (slice(2, None), slice(None, -2))]
+    rest = abs((amplitudes.T @ components - columns @ all_).real).max(axis=0)
+    return value, 5 * np.max([*changes, rest], axis=0) + ROUNDING * abs(value)
 
 
 def kind_of(place: Place) -> str:
@@ -193,8 +195,8 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
             if found is not None:
                 stresses = np.array([mode.on_ray(meeting.corner, k, wedge.start + at * (
                     wedge.end - wedge.start)) for mode in alike])
-                values, errors = settled(np.real(stresses.T @ found) * (
-                    2 * math.pi * meeting.reach) ** (1 - exponent.real), besides)
+                values, errors = settled(found, stresses * (2 * math.pi * meeting.reach) ** (
+                    1 - exponent.real), besides)
             result.append((place.body, place.edges[1].name, place.edges[0].name, place.x.real,
                            place.x.imag, kind_of(place), math.degrees(place.angle), side,
                            exponent.real - 1, exponent.imag, *values, *errors, meeting.reach, note))
@@ -211,5 +213,7 @@ def intensities(run: Run, step: Optional[int] = None) -> Table:
         for each in arcs:
             start, end = end, end + len(each.points)
             rows += rows_of(each, fields, slice(start, end), step is None)
+    doubts = ["" if run.converged else "the run is not converged", run.no_result]
+    rows = [(*row[:-1], "; ".join(filter(None, (row[-1], *doubts)))) for row in rows]
     return Table.of({name: np.array(column) for name, column in zip(
         COLUMNS, zip(*rows) if rows else [[]] * len(COLUMNS))})

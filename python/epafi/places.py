@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
 
+from epafi.given import LINEAR, TRACTIONS, heat, loaded, numbers_at, turns
 from epafi.outlines import SMOOTH, Edge, Samples, distance, edges_of, rigid_corners
-from epafi.program import InputError
 from epafi.wedges import CLAMPED, FREE, Corner, Rows, Wedge, held, modes, sliding
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ SHARE = 1e-3  # of a contact beside a place: what is smaller there does not coun
 SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
-LINEAR = frozenset((1, 2))  # powers of r in a displacement that follows what is given
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class Face:
     joint: Optional[float] = None  # if something elastic is: as in Corner
     opposite: str = ""  # that body
     front: float = math.inf  # distance at which its state changes
-    given: frozenset[int] = frozenset()  # powers of r in the displacement that data bring along
+    given: frozenset[float] = frozenset()  # powers of r in the displacement that data bring along
 
 
 @dataclass(eq=False)
@@ -89,7 +88,7 @@ class Meeting:
         return any(edge.curvature for place in self.places for edge in place.edges)
 
     @property
-    def given(self) -> frozenset[int]:
+    def given(self) -> frozenset[float]:
         """Powers of r in the displacement that data bring along."""
         return frozenset().union(*(face.given for place in self.places for face in place.faces))
 
@@ -98,7 +97,7 @@ class Outlines:
     """Of a run's elastic bodies, with their conditions at the end, or at a step of the path."""
 
     def __init__(self, run: Run, step: Optional[int] = None) -> None:
-        self.scene, table = run.numbers, run.boundary
+        self.scene, table = numbers_at(run, step), run.boundary
         self.line = self.scene.get("Geometry", {}).get("Symmetry")
         bodies = self.scene["Bodies"]
         touch = self.scene.get("Contacts") or any(
@@ -106,41 +105,20 @@ class Outlines:
             for rules in body.get("Boundary Conditions", {}).values())
         self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
         self.edges = edges_of(table)
+        self.sides: dict[str, list[Edge]] = {}
+        for edge in self.edges:
+            self.sides.setdefault(edge.body + ":" + edge.name, []).append(edge)
         self.size = float(np.ptp(table["x"]) + np.ptp(table["y"]))
         self.most = np.hypot(table["ux"], table["uy"]).max()  # displacement
         self.rigid = {name: rigid_corners(body["Geometry"]) for name, body in bodies.items()
                       if body["Material"].get("Rigid")}
-        self.loaded = {name for name, body in bodies.items() if body.get("Body Loads") or (
-            "Body Loads" not in body and self.scene.get("Body Loads"))} | self.reacting(run)
+        self.loaded = loaded(run, step)
         ends = [Place(edge.end, (edge.after, edge)) for edge in self.edges]
         self.places = [self.completed(place) for place in ends if place.ends]
         for x, edge in self.opposite_ends():
             if all(abs(place.x - x) > APART * self.size for place in self.places
                    if place.body == edge.body):
                 self.add(x, edge)
-
-    @staticmethod
-    def reacting(run: Run) -> set[str]:
-        """Bodies on which Rigid Motions->Fix acts by a uniform traction."""
-        fixed = {name for name, body in run.numbers["Bodies"].items()
-                 if body.get("Rigid Motions", {}).get("Fix")}
-        if not fixed:
-            return fixed
-        try:
-            table = run.bodies
-        except InputError:  # one body: its resultants stand in history.csv
-            table = run.history
-        found = set()
-        for name in fixed:
-            row = np.flatnonzero(table["body"] == name)[-1] if "body" in table else -1
-            here = run.boundary["body"] == name
-            x, tractions = ((run.boundary[a] + 1j * run.boundary[b])[here]
-                            for a, b in (("x", "y"), ("tx", "ty")))
-            size = abs(np.diff(x)) @ abs(tractions[1:])
-            moment = abs(table["reaction_moment"][row]) / (np.ptp(x.real) + np.ptp(x.imag))
-            if math.hypot(table["reaction_x"][row], table["reaction_y"][row]) + moment > 1e-6 * size:
-                found.add(name)
-        return found
 
     def conditions(self, edge: Edge) -> dict[str, Any]:
         return self.scene["Bodies"][edge.body].get("Boundary Conditions", {}).get(edge.name, {})
@@ -158,16 +136,23 @@ class Outlines:
 
     def side(self, name: str) -> list[Edge]:
         """The edges of "body:boundary"."""
-        return [edge for edge in self.edges if edge.body + ":" + edge.name == name]
+        return self.sides.get(name, [])
+
+    def ends(self, name: str) -> np.ndarray:
+        """Where "body:boundary" begins, ends or has a corner."""
+        return np.array(self.rigid.get(name.partition(":")[0], [
+            place.x for edge in self.side(name) for place in (
+                Place(edge.start, (edge, edge.before)), Place(edge.end, (edge.after, edge)))
+            if place.ends]), complex)
 
     def opposite_ends(self) -> Iterator[tuple[complex, Edge]]:
         """Where a side of a contact ends opposite to an edge of another body."""
+        known: dict[str, np.ndarray] = {}
         for edge in self.edges:
             for name, _, other in self.contacts(edge):
-                ends = np.array(self.rigid.get(other.partition(":")[0], [
-                    place.x for facing in self.side(other) for place in (
-                        Place(facing.start, (facing, facing.before)),
-                        Place(facing.end, (facing.after, facing))) if place.ends]), complex)
+                if other not in known:
+                    known[other] = self.ends(other)
+                ends = known[other]
                 if len(ends):
                     found, before = edge.nearest(ends)
                     for x, end in zip(found[before], ends[before]):
@@ -195,10 +180,11 @@ class Outlines:
         """Surfaces that yield bound what they transmit: to a singular stress they are free."""
         edge, given = place.edges[k], frozenset()
         rules = self.conditions(edge)
-        if place.body in self.loaded or any(
-                rules.get(key, 0) != 0 for key in ("Traction X", "Traction Y", "Force X", "Force Y",
-                                                   "Moment")):
+        if place.body in self.loaded or any(rules.get(key, 0) != 0 for key in TRACTIONS):
             given = LINEAR
+        warmed = self.scene["Bodies"][place.body].get("Thermal Conditions")
+        if warmed:
+            given |= heat([warmed.get(edge.name, {}) for edge in place.edges], place.angle)
         axes = [axis for axis in "XY" if "Displacement " + axis in rules]
         halved = edge.name == SYMMETRY and self.line in ("X", "Y")
         if rules.get("Type") == "Dirichlet" or halved:
@@ -206,7 +192,7 @@ class Outlines:
                 value = rules["Displacement " + axis]
                 given |= LINEAR | {0} if isinstance(value, str) else {0} if value else frozenset()
             if len(axes) == 2 and 0 in given and given <= LINEAR | {0} and place.body not in (
-                    self.loaded) and self.turns(edge):
+                    self.loaded) and turns(edge):
                 given = frozenset((0,))
             return Face("symmetry" if halved else "clamp", "", CLAMPED if len(axes) == 2 else held(
                 float((math.pi / 2 if (axes or [self.line]) == ["Y"] else 0)
@@ -217,21 +203,14 @@ class Outlines:
             "free", front=min((face.front for face in faces), default=math.inf),
             given=given.union(*(face.given for face in faces))))
 
-    @staticmethod
-    def turns(edge: Edge) -> bool:
-        """Is an edge displaced as a rigid one?"""
-        turn = ((edge.u[-1] - edge.u[0]) / (edge.end - edge.start)).imag
-        rest = edge.u - edge.u[0] - 1j * turn * (edge.x - edge.start)
-        return bool(abs(rest).max() < 1e-9 * abs(edge.u).max())
-
     def touched(self, place: Place, k: int, name: str, rules: dict[str, Any], other: str,
-                given: frozenset[int]) -> Face:
+                given: frozenset[float]) -> Face:
         """A face that is in contact or may be."""
         rows = self.samples.on_edge(place.edges[k], name, other)
         ray = place.ray(k)
         rows = rows[((self.samples.x[rows] - place.x) / ray).real > 0]
         distances = abs(self.samples.x[rows] - place.x)
-        if not len(rows):
+        if not self.samples.closed[rows].any():
             return Face("free", given=given)
         rows, distances = rows[np.argsort(distances)], np.sort(distances)
         next_ = self.samples.element[rows[np.searchsorted(distances, SHARE * distances[-1])]]
@@ -260,7 +239,8 @@ class Outlines:
             given |= {0} if np.ptp(gaps) < 1e-10 * self.size else LINEAR | {0}
         if body in self.rigid:
             given |= {0, 1}
-        if sticks and abs(self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
+        if sticks and law != "Tied" and abs(
+                self.samples.sliding[rows][distances < front]).max() > SLID * self.most:
             given |= LINEAR | {0}  # it has slid before
         opposite = "" if body in self.rigid else body
         if sticks:
