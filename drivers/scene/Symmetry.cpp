@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace epafi::drivers {
@@ -61,18 +62,32 @@ bool hasCondition(const ParameterList& scene, const std::string& body,
   });
 }
 
+/// Does a boundary meet a rigid obstacle, on the line the image of its body?
+bool meetsObstacle(const ParameterList& scene, const std::string& body,
+                   const std::string& boundary) {
+  const ParameterList& conditions =
+      scene.sublist("Bodies").sublist(body).sublist("Boundary Conditions");
+  return conditions.isSublist(boundary) &&
+         conditions.sublist(boundary).get<std::string>("Type") == "Contact";
+}
+
 /// The boundaries on the line that are rollers: `symmetry` and `any`; without such those
-/// without a condition, or whose condition is for edges off the line.
+/// without a condition, or whose condition is for edges off the line; without such all
+/// but obstacles, to be refused: a load or support alone does not tell a half from a copy.
 Names rollersOf(const ParameterList& scene, const std::string& body, const Sides& names) {
   Names rollers;
-  for (const char* name : {Symmetry::boundary, Symmetry::unnamed})
-    if (names.on.count(name) > 0)
-      rollers.insert(name);
-  if (!rollers.empty())
-    return rollers;
-  for (const std::string& name : names.on)
-    if (names.off.count(name) > 0 || !hasCondition(scene, body, name))
-      rollers.insert(name);
+  const auto orElse = [&](const auto& isRoller) {
+    if (rollers.empty())
+      std::copy_if(names.on.begin(), names.on.end(),
+                   std::inserter(rollers, rollers.end()), isRoller);
+  };
+  orElse([](const std::string& name) {
+    return name == Symmetry::boundary || name == Symmetry::unnamed;
+  });
+  orElse([&](const std::string& name) {
+    return names.off.count(name) > 0 || !hasCondition(scene, body, name);
+  });
+  orElse([&](const std::string& name) { return !meetsObstacle(scene, body, name); });
   return rollers;
 }
 
@@ -115,7 +130,8 @@ void checkUnnamed(const Symmetry& symmetry, const Names& names, const std::strin
   const auto refuse = [&](const std::string& path) {
     throw InputError(path, ": these edges lie on the line of symmetry, ", symmetry.line(),
                      " (Geometry->Symmetry); they are rollers by themselves, without "
-                     "heat across; remove it");
+                     "heat across; remove it, or leave a gap to the line if the body is "
+                     "one of two mirrored copies");
   };
   for (const std::string& name : names) {
     for (const char* part : {"Boundary Conditions", "Thermal Conditions"})

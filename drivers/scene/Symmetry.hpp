@@ -22,7 +22,7 @@ struct Symmetry {
     across(v) = -across(v);
     return v;
   }
-  /// Does the line cut the body, so that the outline has an edge on it?  Otherwise the
+  /// Does the line cut the body, so that the outline has a roller on it?  Otherwise the
   /// body has a mirror image.
   bool cuts(const bem::Outline& outline) const;
   /// "x = 0"
@@ -40,9 +40,11 @@ Symmetry parseSymmetry(const Teuchos::ParameterList& geometry);
 /// The outlines of all bodies of a validated scene, in order: vertices near the line are
 /// moved onto it, and rollers on it are named Symmetry::boundary.  Those are the edges on it
 /// named `symmetry` or `any`; of a body without such all those without a condition of their own.
-/// Others on it, such as cracks, keep their condition or are free.
+/// Others on it, such as cracks, keep their condition or are free.  A body whose edges on it
+/// all meet obstacles touches its mirror image.
 /// \throws bem::InputError if they lie on both sides of the line, if no edge is on it or one
-///   off it is named Symmetry::boundary, or if a condition or a contact names rollers.
+///   off it is named Symmetry::boundary, if a condition or a contact names rollers, or if a
+///   body without rollers has a load, a support or another body at edges on the line.
 std::vector<bem::Loops> alignedWith(const Symmetry& symmetry,
                                     std::vector<bem::Loops> loops,
                                     const Teuchos::ParameterList& scene);

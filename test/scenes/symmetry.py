@@ -396,6 +396,59 @@ refused("condition", changed(on_obstacle(False), "block", "Boundary Conditions",
     "Type": "Neumann", "Traction X": 1}), "Boundary Conditions->any", "rollers by themselves")
 refused("contact", two_blocks(False), "Contacts->joint", "upper:any",
         Contacts={"joint": {"Between": ["upper:any", "lower:top"]}})
+
+
+# a body on the line without a roller: a load or support does not tell a half from a copy
+def named(body, boundary="line", **condition):
+    """The line's edge of a block has a name and a condition of its own."""
+    body["Geometry"]["Edges"] = [boundary if e == "any" else e for e in body["Geometry"]["Edges"]]
+    if condition:
+        body["Boundary Conditions"][boundary] = {
+            key.replace("_", " "): value for key, value in condition.items()}
+    return body
+
+
+def stacked(**condition):
+    """The upper one of two blocks under a force, its edge on the line named."""
+    scene = two_blocks(False)
+    scene["upper"]["Boundary Conditions"]["top"] = {"Type": "Neumann", "Traction Y": -0.01}
+    named(scene["upper"], **condition)
+    return scene
+
+
+for which, condition in (("a roller by hand", {"Type": "Dirichlet", "Displacement_X": 0}),
+                         ("a clamp", {"Type": "Dirichlet", "Displacement_X": 0,
+                                      "Displacement_Y": 0}),
+                         ("a pressure", {"Type": "Neumann", "Traction_X": 0.01})):
+    scene = stacked(**condition)
+    scene["upper"].pop("Rigid Motions")
+    refused(which, scene, "Bodies->upper->Boundary Conditions->line",
+            "rollers by themselves", "leave a gap", Contacts=JOINT)
+refused("met by a body", stacked(), "Contacts->other->Between: 'upper:line'", Contacts={
+    **JOINT, "other": {"Between": ["upper:line", "lower:side"]}})
+tall = stacked(Type="Contact")
+corners = tall["upper"]["Geometry"]["Vertices"]
+tall["upper"]["Geometry"].update(Vertices=corners + [[0, 0.5]],
+                                 Edges=["bottom", "side", "top", "line", "slit"])
+tall["upper"]["Mesh"] = {"Elements per Edge": [2, 2, 2, 1, 1]}
+tall["upper"]["Boundary Conditions"]["slit"] = {"Type": "Neumann", "Traction X": 0.01}
+refused("obstacle and pressure", tall, "Bodies->upper->Boundary Conditions->slit",
+        Contacts=JOINT)
+# under 0.01 on what is drawn a half carries 0.02, a copy 0.01; the lower one, a half, bears 0.02
+vertex = stacked()
+vertex["upper"]["Geometry"]["Vertices"] = [[0.25, 0], [0.75, 0], [1, 1], [0, 1]]
+gap = stacked()
+gap["upper"]["Geometry"]["Vertices"] = [[0.01, 0], [0.99, 0], [1.01, 1], [0.01, 1]]
+for which, scene, copies in (("a half", stacked(), 1),
+                             ("pressing its image", stacked(Type="Contact"), 2),
+                             ("touching in a corner", vertex, 2), ("beside the line", gap, 2)):
+    folder = solved(which, file_of(which, scene, False, Contacts=JOINT),
+                    "Discretization->Degree=2")[0]
+    loads = {r["body"]: r for r in rows(folder, "bodies.csv")}
+    claim(abs(loads["upper"]["load_y"] + 0.02 / copies) < 1e-12 and
+          abs(loads["lower"]["contact_y"] + 0.02) < 1e-6,
+          "%s: %g on the upper block, %g on the lower one" % (
+              which, loads["upper"]["load_y"], loads["lower"]["contact_y"]))
 refused("across", changed(punch(False), "punch", "Motion", Displacement_X="0"),
         "Motion->Displacement X", "no motion across", Contacts=STAMP)
 refused("moment", changed(punch(False), "punch", "Motion", Moment="1"), "Motion->Moment",
