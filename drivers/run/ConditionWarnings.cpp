@@ -102,43 +102,56 @@ std::pair<double, double> steepest(double low, double high, const F& at) {
   return {low, high};
 }
 
-/// A jump of a prescribed displacement on a side: between samples whose difference departs most
-/// from those beside it, or beside these, where it is steepest; a continuous function leaves
-/// nothing of it.
-void findJump(const Body& body, const std::string& boundary, const char* axis,
-              const bem::Function& given, Warnings& warn) {
+/// A jump of what is prescribed on a boundary: on an edge, between samples whose difference departs
+/// most from those beside it, or beside these, where it is steepest; a continuous function leaves
+/// nothing of it.  Or where two edges meet, whose normals differ.
+void findJump(const Body& body, const std::string& path, const std::string& boundary,
+              const bem::Function& given, const char* consequence, Warnings& warn) {
   constexpr int samples = 400;
   constexpr double share = 0.2;
+  constexpr double rounding = 1e-6;  // of what areAlike compares with
+  if (!given)
+    return;
+  const auto on = [&](const bem::Edge& edge, double t) {
+    return valueAt(given, pointOf(body, edge, t)).value_or(std::nan(""));
+  };
+  const auto tell = [&](double jump, double size, bem::Vec2 x) {
+    if (std::isfinite(jump) && !areAlike(jump, 0, size, body))
+      warn.once("jump " + path, path, ": jumps by ", jump, " at (", x.x, ", ", x.y, "); ",
+                consequence, "; let it rise over some length");
+  };
+  double largest = 0;
   for (const bem::Edge& edge : body.outline->edges()) {
-    if (!given || edge.boundary != boundary)
+    if (edge.boundary != boundary)
       continue;
-    const auto at = [&](double t) {
-      return valueAt(given, pointOf(body, edge, t)).value_or(std::nan(""));
-    };
+    const auto at = [&](double t) { return on(edge, t); };
     const auto place = [](int k) { return -1 + 2.0 * k / samples; };
     const auto step = [&](int k) { return at(place(k + 1)) - at(place(k)); };
     double excess = 0;
-    int largest = 1;
-    for (int k = 1; k + 1 < samples; ++k)
+    double size = 0;
+    int farthest = 1;
+    for (int k = 1; k + 1 < samples; ++k) {
+      size = std::max(size, std::abs(at(place(k))));
       if (const double here = std::abs(2 * step(k) - step(k - 1) - step(k + 1));
           here > excess) {
         excess = here;
-        largest = k;
+        farthest = k;
       }
-    for (const int k : {largest - 1, largest, largest + 1}) {
+    }
+    largest = std::max(largest, size);
+    for (const int k : {farthest - 1, farthest, farthest + 1}) {
       const auto [low, high] = steepest(place(k), place(k + 1), at);
       const double before = at(low);
       const double jump = at(high) - before;
-      const bem::Vec2 x = pointOf(body, edge, low);
-      if (std::abs(jump) > share * excess && !areAlike(jump, 0, std::abs(before), body))
-        warn.once(
-            message("jump ", body.name, boundary, axis), "Bodies->", body.name,
-            "->Boundary Conditions->", boundary, "->Displacement ", axis, ": jumps by ",
-            jump, " at (", x.x, ", ", x.y,
-            "); a jump has no finite energy, between edges neither: stresses there grow "
-            "with every level; let it rise over some length");
+      if (std::abs(jump) > share * excess)
+        tell(jump, std::max(std::abs(before), rounding * size), pointOf(body, edge, low));
     }
   }
+  forEachCorner(body,
+                [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2 corner) {
+                  if (edge.boundary == boundary && next.boundary == boundary)
+                    tell(on(next, -1) - on(edge, 1), largest, corner);
+                });
 }
 
 /// Beside an end of a side, to where it would go on: a gap need not exist at corners.
@@ -260,10 +273,23 @@ void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& 
 /// What a body's conditions at some time say that is probably not meant.
 void findInConditions(const Body& body, const contact::Conditions& conditions,
                       Warnings& warn) {
-  for (const auto& [boundary, given] : conditions.dirichlet) {
-    findJump(body, boundary, "X", given.x, warn);
-    findJump(body, boundary, "Y", given.y, warn);
-  }
+  for (const auto& [boundary, given] : conditions.dirichlet)
+    for (const auto& [axis, along] : {std::pair("->Displacement X", &given.x),
+                                      std::pair("->Displacement Y", &given.y)})
+      findJump(body,
+               message("Bodies->", body.name, "->Boundary Conditions->", boundary, axis),
+               boundary, *along,
+               "a jump has no finite energy, between edges neither: stresses there grow "
+               "with every level",
+               warn);
+  if (conditions.heat)
+    for (const auto& [boundary, given] : conditions.heat->temperatures)
+      findJump(
+          body, message(conditions.heat->path, "->", boundary, "->Temperature"), boundary,
+          given,
+          "a temperature does not jump, between edges neither: heat flows there grow "
+          "with every level",
+          warn);
   findJumps(body, conditions, warn);
   findSlidingAcross(body, conditions, warn);
   findPressedCorners(body, conditions, warn);

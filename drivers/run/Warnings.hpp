@@ -36,8 +36,9 @@ class Warnings {
 std::vector<std::string> warningsOf(const Scene& scene);
 
 /// Adds what boundary conditions say that is probably not meant, at the end of a path and at some
-/// times before it, each sentence once: displacements that jump, at a corner or on a side, or go
-/// through an obstacle at a corner, loads narrower than their elements can see.
+/// times before it, each sentence once: displacements or temperatures that jump, at a
+/// corner or on a side, displacements that go through an obstacle at a corner, loads narrower than
+/// their elements can see.
 void findInConditions(const Scene& scene, Warnings& warn);
 
 /// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less

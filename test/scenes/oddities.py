@@ -6,8 +6,8 @@ import subprocess
 
 from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, fails, finish, fresh, levels, options,
                   read, refused, rows, run, scene, table, write)
-from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, geometry, history,
-                     listed, mesh, written)
+from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, disc, geometry,
+                     history, listed, mesh, with_more, written)
 
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
 SHORT = {"fretting.xml": ["History->Times={1, 2}", "History->Steps={1, 1}"],
@@ -69,6 +69,21 @@ for sentence, setting, *words in [
     code, text = epafi("check", scene("coulomb.xml"), settings=[
         setting, FIXED if "top" in setting else HELD, *["History->Times={0.5, 1}"] * ("t*(" in setting)])
     warnings = [line for line in text.splitlines() if line.startswith("warning: ")]
+    claim(code == 0 and len(warnings) == len(words) and all(
+        word in line for word, line in zip(words, warnings)), "%s: %s" % (sentence, warnings))
+# what follows the normal jumps where edges of one boundary meet, not where they are one curve
+for sentence, outline, x, y, jumps in [
+        ("nx and ny", geometry(block(0, 0, 1, 1), ["side"] * 4), "0.01*nx", "0.01*ny", "XY"),
+        ("ny along x", geometry(block(0, 0, 1, 1), ["side"] * 4), "0.01*ny", 0, "X"),
+        ("normals of a disc", disc(1, "side"), "0.01*nx", "0.01*ny", ""),
+        ("a function of place", geometry(block(0, 0, 1, 1), ["side"] * 4), "0.01*sqrt(x)", "y/99", "")]:
+    text = with_more(body("b", outline, 1, condition(
+        "side", "Dirichlet", Displacement_X=x, Displacement_Y=y)), listed(
+            "Thermal Conditions", side={"Temperature": "5 + 1e3*" + x}), Thermal_Expansion=1e-6)
+    code, said = epafi("check", written("normal", [text], form="Density"))
+    warnings = [line for line in said.splitlines() if line.startswith("warning: ")]
+    words = ["->side->Displacement %s: jumps by" % axis for axis in jumps] + [
+        "->Thermal Conditions->side->Temperature: jumps by"] * bool(jumps)
     claim(code == 0 and len(warnings) == len(words) and all(
         word in line for word, line in zip(words, warnings)), "%s: %s" % (sentence, warnings))
 for sentence, file, setting, words in [
