@@ -13,7 +13,7 @@ import warnings
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish  # noqa: E402
+from claims import absent, claim, finish, raises  # noqa: E402
 
 WORK = absent(sys.argv[2])
 COUNT = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -233,6 +233,11 @@ for kind in KINDS:
     if COUNT > 1:
         claim(np.median(errors[900]) < max(1e-7, 0.3 * np.median(errors[400])), "%s: at 900 to %.1e, %.1e" % (
             kind, max(errors[900]), np.median(errors[900])))
+with raises(epafi.NotConverged, "one update of the slip bounds is not enough") as caught:
+    epafi.run(made, threads=1, set={"Solver->Coulomb Iteration": "Fixed Point",
+                                    "Solver->Coulomb Maximum Iterations": 1})
+notes = caught[0].run.intensities()["note"]
+claim(len(notes) and all("not converged" in note for note in notes), "its intensities say so")
 claim(within >= 0.95 * total, "the true error is within the stated one in %d of %d" % (within, total))
 
 for normal, shear, pressure in ((0.01, 0, 0), (0.006, 0.008, 0), (0, 0.008, 0.01))[0 if COUNT > 1 else 1:]:
