@@ -45,8 +45,8 @@ def numbers_at(run: Run, step: Optional[int]) -> dict[str, Any]:
 def loaded(run: Run, step: Optional[int]) -> set[str]:
     """Bodies with loads inside."""
     scene = run.numbers
-    return {name for name, body in scene["Bodies"].items() if body.get("Body Loads") or (
-        "Body Loads" not in body and scene.get("Body Loads"))} | reacting(run, step)
+    return {name for name, body in scene["Bodies"].items()
+            if body.get("Body Loads") or scene.get("Body Loads")} | reacting(run, step)
 
 
 def reacting(run: Run, step: Optional[int]) -> set[str]:

@@ -13,7 +13,7 @@ import warnings
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import absent, claim, finish  # noqa: E402
+from claims import absent, claim, finish, raises  # noqa: E402
 
 WORK = absent(sys.argv[2])
 COUNT = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -168,9 +168,10 @@ def compared(name, wedges, found, parts, table):
     return lambdas, wrong
 
 
-def griffith(dof, normal, shear, pressure=0):
+def griffith(dof, normal, shear, pressure=0, stiffer=1, first="upper", **keys):
     """A crack |x| < 1 in two bonded halves of a square, the tractions of the infinite plane's solution
-    on its sides (Westergaard, Z = z / sqrt(z^2 - 1)); under pressure it is closed and slides."""
+    on its sides (Westergaard, Z = z / sqrt(z^2 - 1)); under pressure it is closed and slides.  The
+    upper half may be stiffer, either may carry the bond's stresses."""
     r = "sqrt(sqrt((x-1)^2+y^2)*sqrt((x+1)^2+y^2))"
     t = "((atan2(y,x-1)+atan2(y,x+1))/2)"
     re, im = "(x*cos(%s)+y*sin(%s))/%s" % (t, t, r), "(y*cos(%s)-x*sin(%s))/%s" % (t, t, r)
@@ -181,9 +182,9 @@ def griffith(dof, normal, shear, pressure=0):
     xy = "%g*(-y*%s)+%g*(%s-y*%s)" % (normal, dre, shear, re, dim)
     far = {"Type": "Neumann", "Traction X": "(%s)*nx+(%s)*ny" % (xx, xy),
            "Traction Y": "(%s)*nx+(%s)*ny" % (xy, yy)}
-    material = {"Young's Modulus": 1000.0, "Poisson's Ratio": NU}
+    material = {"Young's Modulus": 1000.0, "Poisson's Ratio": NU, "Thermal Expansion": 1e-8}
     bodies = {
-        "upper": {"Material": material, "Geometry": {
+        "upper": {"Material": {**material, "Young's Modulus": 1000.0 * stiffer}, "Geometry": {
             "Vertices": [[-3, 0], [-1, 0], [1, 0], [3, 0], [3, 3], [-3, 3]],
             "Edges": ["bond", "crack", "bond", "far", "far", "far"]}},
         "lower": {"Material": material, "Geometry": {
@@ -192,11 +193,13 @@ def griffith(dof, normal, shear, pressure=0):
             "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}
     for body in bodies.values():
         body["Boundary Conditions"] = {"far": far}
-    contacts = {"bond": {"Between": ["upper:bond", "lower:bond"], "Friction": {"Law": "Tied"}}}
+    sides = ["upper:bond", "lower:bond"][::1 if first == "upper" else -1]
+    contacts = {"bond": {"Between": sides, "Friction": {"Law": "Tied"}}}
     if pressure:
         contacts["crack"] = {"Between": ["lower:crack", "upper:crack"]}
     return epafi.run(epafi.Scene({
-        "Bodies": bodies, "Contacts": contacts, "Discretization": {"Mesh Size": 1.0}}), threads=1, set=graded(dof))
+        "Bodies": bodies, "Contacts": contacts, "Discretization": {"Mesh Size": 1.0}, **keys}),
+        threads=1, set=graded(dof))
 
 
 def graded(dof):
@@ -230,6 +233,11 @@ for kind in KINDS:
     if COUNT > 1:
         claim(np.median(errors[900]) < max(1e-7, 0.3 * np.median(errors[400])), "%s: at 900 to %.1e, %.1e" % (
             kind, max(errors[900]), np.median(errors[900])))
+with raises(epafi.NotConverged, "one update of the slip bounds is not enough") as caught:
+    epafi.run(made, threads=1, set={"Solver->Coulomb Iteration": "Fixed Point",
+                                    "Solver->Coulomb Maximum Iterations": 1})
+notes = caught[0].run.intensities()["note"]
+claim(len(notes) and all("not converged" in note for note in notes), "its intensities say so")
 claim(within >= 0.95 * total, "the true error is within the stated one in %d of %d" % (within, total))
 
 for normal, shear, pressure in ((0.01, 0, 0), (0.006, 0.008, 0), (0, 0.008, 0.01))[0 if COUNT > 1 else 1:]:
@@ -244,9 +252,32 @@ for normal, shear, pressure in ((0.01, 0, 0), (0.006, 0.008, 0), (0, 0.008, 0.01
               normal, shear, pressure, off.max() / size))
 
 
-def with_data(angle, faces, stresses="000", **keys):
+def interface(**keys):
+    """K of the crack between unlike halves and its errors, of each end as the upper half has it."""
+    table = griffith(800, 0.006, 0.008, stiffer=50, **keys).intensities()
+    order = np.lexsort((table["exponent"], table["x"], table["body"]))
+    order = [row for row in order if abs(table["exponent"][row] + 0.5) < 1e-9]
+    claim(len(order) == 4 and (abs(table["exponent_imaginary"][order]) > 0.05).all(),
+          "both ends of a crack between unlike halves oscillate")
+    return [np.array([table[name + end][order] for name in ("k_normal", "k_shear")])
+            for end in ("", "_error")]
+
+
+plain, error = interface()
+for what, keys in {
+        "taken from the other side of the bond": {"first": "lower"},
+        "under a temperature that both halves follow": {"Body Loads": {"Temperature": "1+2*x-y"}}}.items():
+    changed, others = interface(**keys)
+    off = np.abs(changed - plain)
+    claim((off <= error + others).all() and others.max() < 5e-3 * np.abs(plain).max(),
+          "K of a crack between unlike halves %s: to %.0e, stated %.0e" % (
+              what, off.max() / np.abs(plain).max(), others.max() / np.abs(plain).max()))
+
+
+def with_data(angle, faces, stresses="000", step=None, **keys):
     """The largest errors of K, relative, and whether they are stated: of an exact solution with other
-    stresses (xx, yy, xy), a load or a motion that leaves K unchanged."""
+    stresses (xx, yy, xy), a load or a motion that leaves K unchanged; at a step of a path at whose
+    end these stresses are zero."""
     wedges = wedges_of(math.radians(angle))
     found = williams.exponents(wedges, faces)
     parts = [williams.solution(wedges, faces, (), lam) for lam in found]
@@ -255,17 +286,23 @@ def with_data(angle, faces, stresses="000", **keys):
         part[0].unknowns = part[0].unknowns * 0.01 / size
     made = scene(wedges, faces, None, parts, False)
     body = made["Bodies"]["b0"]
-    xx, yy, xy = stresses
+    xx, yy, xy = (text + "*t*(2-t)" if step else text for text in stresses)
+    if step:
+        made["History"] = {"Times": [1, 2], "Steps": [1, 1]}
     extra = {"Traction X": "(%s)*nx+(%s)*ny" % (xx, xy), "Traction Y": "(%s)*nx+(%s)*ny" % (xy, yy)}
     far = body["Boundary Conditions"]["far"]
     far.update({key: far[key] + "+" + text for key, text in extra.items()})
     for name, face in zip(("low", "high"), faces):
         if face == FREE and stresses != "000":
-            body["Boundary Conditions"][name] = {"Type": "Neumann", **extra}
+            end = wedges[0][0] + PI if name == "low" else wedges[0][1]
+            normal = {"nx": "(%.17g)" % -math.sin(end), "ny": "(%.17g)" % math.cos(end)}
+            body["Boundary Conditions"][name] = {"Type": "Neumann", **{
+                key: text.replace("nx", normal["nx"]).replace("ny", normal["ny"])
+                for key, text in extra.items()}}
     for key, value in keys.items():
         body[key.replace("_", " ")] = {**body.get(key.replace("_", " "), {}), **value}
     _, wrong = compared(str(keys), wedges, found, parts, epafi.run(
-        epafi.Scene(made), threads=1, set=graded(400)).intensities())
+        epafi.Scene(made), threads=1, set=graded(400)).intensities(step))
     return max(error for error, _ in wrong), all(good for _, good in wrong)
 
 
@@ -273,6 +310,11 @@ for what, (off, stated) in {
         "linear stresses on free faces": with_data(
             270, (FREE, FREE), ("0.01*y", "0.005", "-0.004")),
         "weight": with_data(270, (FREE, FREE), ("0.002", "0.01*y", "0"), Body_Loads={"Force Y": -0.01}),
+        "stresses on faces that are zero at the end of a path": with_data(
+            270, (FREE, FREE), ("0.01", "0.005", "-0.004"), step=1),
+        "steady heat conduction, which free bodies do not feel": with_data(
+            270, (FREE, FREE), Material={"Thermal Expansion": 1e-4, "Conductivity": 1.0}, Thermal_Conditions={
+                "low": {"Temperature": 0}, "high": {"Temperature": 0}, "far": {"Heat Flux": 1}}),
         "a temperature that free bodies do not feel": with_data(
             270, (FREE, FREE), Material={"Thermal Expansion": 0.01}, Body_Loads={"Temperature": "1+2*x-y"}),
         "a clamp that moves and turns": with_data(200, (CLAMPED, FREE), Boundary_Conditions={"low": {
