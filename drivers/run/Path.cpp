@@ -34,6 +34,26 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
   return most;
 }
 
+/// The error of a number in time from its differences, each between a solution and the one in
+/// steps twice as long.
+class Remainder {
+ public:
+  /// Of the last one: d/(r - 1), d the difference, r their ratio: 2 in first order, 4 in second.
+  /// r is the smaller of the last two, for one may be large by chance; below 3 first order.
+  /// Both solutions may miss what happens in between: d is at least the one before over r.
+  double behind(double difference) {
+    const double before = std::exchange(last_, difference);
+    const double falls = before > 0 ? before / std::max(difference, 0.25 * before) : 0;
+    const double least = std::min(falls, std::exchange(fell_, falls));
+    const double ratio = least < 3 ? 2 : least;
+    return std::max(difference, before / ratio) / (ratio - 1);
+  }
+
+ private:
+  double last_ = 0;  ///< difference
+  double fell_ = 0;  ///< by which it fell
+};
+
 class Follower {
  public:
   Follower(const BodySpaces& spaces, const contact::ContactSystem& atZero,
@@ -95,8 +115,7 @@ class Follower {
     const double whole = time - before.t;
     const double shortest = history.shortest(whole);
     double step = inSteps(time, whole, shortest);
-    contact::PathMemory::Difference last;
-    double lastSum = 0;
+    Remainder ofSum, ofWork, ofSlip, ofVolume;
     // kinks of single coefficients add up to less than they are, to nothing only by chance
     constexpr double leastShare = 0.1;
     while (history.tolerance > 0 && here_.t == time &&
@@ -110,10 +129,8 @@ class Follower {
       const contact::PathMemory::Difference now = here_.memory.apart(there.memory);
       const double sum = std::abs(here_.memory.friction() - there.memory.friction());
       const contact::PathMemory::Difference error{
-          std::max(left(sum, lastSum), leastShare * left(now.work, last.work)),
-          left(now.slip, last.slip), left(now.volume, last.volume)};
-      last = now;
-      lastSum = sum;
+          std::max(ofSum.behind(sum), leastShare * ofWork.behind(now.work)),
+          ofSlip.behind(now.slip), ofVolume.behind(now.volume)};
       points().back().workError = error.work;
       points().back().volumeError = error.volume;
       const double work = workOf(before, whole);
@@ -126,14 +143,6 @@ class Follower {
                                     history.tolerance * volumeOf(before, whole)))
         break;
     }
-  }
-
-  /// The error of a solution from its difference to that in steps twice as long and from the one
-  /// before: all of it where that falls to a half, as of first order, a third where to a quarter, as
-  /// of second.  Where it falls further both may have missed what happens in between.
-  static double left(double difference, double before) {
-    const double now = std::max(difference, 0.25 * before);
-    return now > 0 ? now / (std::clamp(before / now, 2.0, 4.0) - 1) : 0;
   }
 
   /// All but the first ones; what they cost stays.
