@@ -150,15 +150,6 @@ Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numberi
   return all;
 }
 
-void addRigidPart(const Loads& loads, const Numbering& numbering, std::size_t b,
-                  const TraceCoupling& own, const TraceCoupling& opposite, Vector& r) {
-  if (!loads.rigidPart.empty())
-    axpy(1,
-         onAllMultipliers(numbering, b, own.apply(loads.rigidPart), opposite,
-                          loads.rigidPart),
-         r);
-}
-
 double loadSize(const Problem& problem, const Vector& given, const Vector& lengths,
                 double moved, double own, const RigidDrives& drives) {
   constexpr double rounding = 1e-13;

@@ -1,18 +1,11 @@
 #pragma once
 
-#include "contact/body/Loads.hpp"
 #include "contact/opposite/RigidDrives.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 
 namespace epafi::contact {
 
 /// For each coefficient about the integral of its function.
 Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numbering);
-
-/// Adds to r what the rigid part of the prescribed displacement of body b does on all multipliers.
-/// \param own, opposite see motionsOnContacts
-void addRigidPart(const Loads& loads, const Numbering& numbering, std::size_t b,
-                  const TraceCoupling& own, const TraceCoupling& opposite, Vector& r);
 
 /// Size of tractions, deformations and penetrations, dimensionless: unit of the residual and of the
 /// states.  Rigid motions, common or apart, add nothing to it: penetrations are those that are
