@@ -7,7 +7,7 @@
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/opposite/Obstacle.hpp"
+#include "contact/system/GivenPenetration.hpp"
 #include "contact/system/LoadSize.hpp"
 
 #include <algorithm>
@@ -209,31 +209,32 @@ Balance balanceOf(const BodySpaces& spaces,
   contact::Vector given(bem::at(numbering.size()));
   drives.addGiven(given);
   double ofBodies = 0;
+  std::vector<contact::MultiplierSpace> multipliers;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    multipliers.push_back(spaces.multiplier(b).under(conditions[b]));
+  std::vector<contact::ContactSide> sides;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    sides.push_back({spaces.space(b), multipliers[b], *spaces.opposite(b)});
+    contact::addObstacle(contact::makeObstacle(spaces.space(b).mesh(), multipliers[b],
+                                               *spaces.opposite(b), scene.units()),
+                         numbering, b, numbers, given);
+  }
+  contact::addBodyLoads(sides, numbering, given);
   double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const contact::MultiplierSpace multiplier = spaces.multiplier(b).under(conditions[b]);
-    const contact::Obstacle obstacle = contact::makeObstacle(
-        spaces.space(b).mesh(), multiplier, *spaces.opposite(b), scene.units());
-    for (const contact::Tangential& tangential : obstacle.tangentials)
-      numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
     const contact::Loads loads =
         contact::makeLoads(spaces.space(b), conditions[b], scene.units());
     const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
     ofBodies += loads.size();
     moved = std::max(moved, bem::largestEntry(loads.rigidPart));
-    for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
-      const bool isNormal = i < numbering.normalsOf(b);
-      given[bem::at(numbering(b, i))] -=
-          obstacle.jump[bem::at(i)] + (isNormal ? obstacle.gap[bem::at(i)] : 0);
-    }
     for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
     if (balance.free[b].empty() && loads.rigidPart.empty())
       continue;
-    const contact::Coupling own = contact::makeCoupling(spaces.space(b), multiplier, none,
-                                                        scene.lame(b), scene.units());
+    const contact::Coupling own = contact::makeCoupling(
+        spaces.space(b), multipliers[b], none, scene.lame(b), scene.units());
     contact::addRigidPart(loads, numbering, b, own.trace, opposite[b], given);
     for (Vector& column : motionsOnContacts(holding, holding.fixed(), numbering, b,
                                             own.trace, opposite[b]))

@@ -39,6 +39,13 @@ for law, (yields, exact) in EXACT.items():
         claim(off < 1e-12 * 5 and closes < 1e-11,
               "confined block, %s, %s: pressure to %.1e, closing to %.1e" % (
                   law, form, off, closes))
+# surfaces so soft that bodies hardly press: contact is what the surface lets press
+for law, yields, exact in (("Linear", normal("Linear", Compliance=1e10), 1e-12),
+                           ("Power", normal("Power", Length=1e4, Pressure=1, Exponent=0.5), 1e-12)):
+    folder, text = solved("soft " + law, pushed_down("soft" + law, yields))
+    off = worst(rows(folder), exact)
+    claim(off < 1e-6 and all(p["contact"] == 1 for p in rows(folder)) and "never closes" not in text,
+          "soft surface, %s: pressure to %.1e, all closed" % (law, off))
 for basis in ("Gauss-Lobatto-Lagrange", "Bernstein"):
     for form in ("None", "Density", "Projected"):
         folder, _ = solved("%s %s" % (basis, form), pushed_down(basis + form, LINEAR, form, basis))

@@ -2,10 +2,9 @@
 
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/quadrature/Gauss.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/opposite/SidePoints.hpp"
+#include "contact/system/GivenPenetration.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -15,45 +14,6 @@ namespace epafi::contact {
 
 using bem::axpy;
 using bem::dot;
-
-namespace {
-
-/// The share of body loads in r: ∫ χ_i d · (u_p - u_p∘P) ds, u_p the particular solutions of the body
-/// and of the opposite one, P the projection onto that one, added to r.
-///                                                             [doc/theory/body-loads.md]
-void addBodyLoads(const std::vector<ContactBody>& bodies, const Numbering& numbering,
-                  Vector& r) {
-  const auto insideOf = [&](std::size_t b) -> const BodyLoadSolution& {
-    return bodies[b].multiplier().conditions().inside;
-  };
-  bool anywhere = false;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    anywhere = anywhere || insideOf(b);
-  for (std::size_t b = 0; b < bodies.size() && anywhere; ++b) {
-    const ContactBody& own = bodies[b];
-    const bem::Mesh& mesh = own.space().mesh();
-    forEachSidePoint(
-        mesh, own.multiplier(), own.opposite(),
-        [](const auto& contact, const Opposite::Point&) {
-          return &bem::gaussForGiven(contact.degree);
-        },
-        [&](const SidePoint& point) {
-          const Opposite::Point& there = point.opposite;
-          bem::Vec2 u;
-          if (insideOf(b))
-            u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
-          if (there.element >= 0 && insideOf(at(there.body)))
-            u = u - insideOf(at(there.body))
-                        ->displacement(bodies[at(there.body)].space().mesh(),
-                                       there.element, there.t);
-          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
-            r[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
-          });
-        });
-  }
-}
-
-}  // namespace
 
 std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
     const std::vector<BodyInput>& inputs) {
@@ -230,23 +190,13 @@ void ContactSystem::finish() {
       for (const auto& element : multiplier.elements())
         numbers_.amplification =
             std::max(numbers_.amplification, amplification(element.degree));
-    for (const Tangential& tangential : obstacle.tangentials)
-      numbers_.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
-    for (Index i = 0; i < numbering_.sizeOf(b); ++i) {
-      const Index k = numbering_(b, i);
-      if (i < numbering_.normalsOf(b))
-        gap_[k] = obstacle.gap[i];
-      given_[k] = -obstacle.jump[i] - (i < numbering_.normalsOf(b) ? gap_[k] : 0);
-      if (const Vector& stabilised = body(b).loads().residual.terms; !stabilised.empty())
-        given_[k] += stabilised[bem::at(i)];
-    }
-    for (const auto& [row, column, value] : obstacle.surface.linear)
-      numbers_.surface.linear.push_back(
-          {numbering_(b, row), numbering_(b, column), value});
-    for (const auto& [i, length, law] : obstacle.surface.places)
-      numbers_.surface.places.push_back({numbering_(b, i), length, law});
+    addObstacle(obstacle, numbering_, b, numbers_, given_);
+    for (Index i = 0; i < numbering_.normalsOf(b); ++i)
+      gap_[numbering_(b, i)] = obstacle.gap[i];
+    for (std::size_t i = 0; i < body(b).loads().residual.terms.size(); ++i)
+      given_[numbering_(b, Index(i))] += body(b).loads().residual.terms[i];
   }
-  addBodyLoads(*bodies_, numbering_, given_);
+  addBodyLoads(sides(), numbering_, given_);
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
 }
@@ -272,6 +222,8 @@ double ContactSystem::loadSize() const {
   for (std::size_t b = 0; b < size(); ++b) {
     const Loads& loads = body(b).loads();
     addRigidPart(loads, numbering_, b, body(b).coupling().trace, (*opposite_)[b], given);
+    for (std::size_t i = 0; i < loads.residual.terms.size(); ++i)  // no penetration
+      given[at(numbering_(b, Index(i)))] -= loads.residual.terms[i];
     own += loads.size();
     moved = std::max(moved, bem::largestEntry(loads.rigidPart));
   }

@@ -14,7 +14,7 @@ using bem::largestEntry;
 
 namespace {
 
-/// The bed of springs, a convex and piecewise quadratic function of α.
+/// The bed of springs and surfaces, a convex function of α.
 class Bed {
  public:
   Bed(const Problem& problem, const Vector& given, const Vector& lengths, Vector pulls)
@@ -22,9 +22,21 @@ class Bed {
         given_(given),
         bounds_(problem.slipBounds({})),
         pulls_(std::move(pulls)),
+        lengths_(lengths),
+        compliances_(given.size(), 1.0),
+        laws_(given.size()),
         rows_(given.size()) {
-    for (const double length : lengths)
-      compliances_.push_back(length > 0 ? 1 / length : 0);
+    const Surface& surface = problem.surface;
+    Vector closing(given.size());  // L 1
+    addTimes(1,
+             {surface.linear.begin(),
+              surface.linear.end() - static_cast<std::ptrdiff_t>(surface.wearing)},
+             Vector(given.size(), 1.0), closing);
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (lengths[i] > 0)
+        compliances_[i] += std::max(closing[i], 0.0) / lengths[i];
+    for (const Surface::Place& place : surface.places)
+      laws_[at(place.coefficient)] = &place;
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       for (Index i = 0; i < problem.size(); ++i)
         if (const double g = problem.rigid(i, j); g != 0)
@@ -34,23 +46,23 @@ class Bed {
   struct Point {
     Vector alpha;
     Vector pressures;
-    std::vector<char> yields;  ///< do they change with r?
+    Vector slopes;       ///< of pressures by r
+    double closing = 0;  ///< the largest of springs and surfaces
     double energy = 0;
   };
   Point pointAt(Vector alpha) const {
-    Point point{std::move(alpha), Vector(rows_.size()), std::vector<char>(rows_.size())};
+    Point point{std::move(alpha), Vector(rows_.size()), Vector(rows_.size())};
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       double r = given_[i];
       for (const auto& [j, g] : rows_[i])
         r += g * point.alpha[at(j)];
-      const double z = r * compliances_[i];
-      const double most = mostOf(i);
-      const double least = i < at(problem_.normals) ? 0 : -most;
-      const double pressure = std::clamp(z, least, most);
-      point.pressures[i] = pressure;
-      point.yields[i] = static_cast<char>(least < z && z < most);
-      if (compliances_[i] > 0)
-        point.energy += pressure * (z - pressure / 2) / compliances_[i];
+      if (!(lengths_[i] > 0))
+        continue;
+      const Spring spring = springAt(i, r / lengths_[i]);
+      point.pressures[i] = spring.pressure;
+      point.slopes[i] = spring.slope / lengths_[i];
+      point.closing = std::max(point.closing, spring.closing);
+      point.energy += lengths_[i] * spring.energy;
     }
     for (std::size_t j = 0; j < point.alpha.size(); ++j)
       point.energy +=
@@ -72,7 +84,7 @@ class Bed {
         step[at(j)] -= g * point.pressures[i];
         sizes[at(j)] += std::abs(g * point.pressures[i]);
         for (const auto& [k, h] : rows_[i])
-          hessian(j, k) += point.yields[i] != 0 ? g * h * compliances_[i] : 0;
+          hessian(j, k) += g * h * point.slopes[i];
       }
     double largest = 0;
     bool rests = true;
@@ -96,6 +108,29 @@ class Bed {
   }
 
  private:
+  struct Spring {
+    double pressure = 0;
+    double slope = 0;
+    double closing = 0;
+    double energy = 0;
+  };
+  /// With the surface on it, compressed by z.
+  Spring springAt(std::size_t i, double z) const {
+    if (laws_[i] != nullptr) {
+      const double share = laws_[i]->length / lengths_[i];
+      const PointClosing& law = laws_[i]->law;
+      const double p = law.resolvent(share, z);
+      if (!(p > 0))
+        return {};
+      return {p, 1 / (1 + share * law.slope(p)), z, p * p / 2 + share * law.energy(p)};
+    }
+    const double most = mostOf(i);
+    const double least = i < at(problem_.normals) ? 0 : -most;
+    const double free = z / compliances_[i];
+    const double p = std::clamp(free, least, most);
+    return {p, least < free && free < most ? 1 / compliances_[i] : 0,
+            std::abs(p) * compliances_[i], p * (z - compliances_[i] * p / 2)};
+  }
   double mostOf(std::size_t i) const {
     return i < at(problem_.normals) ? std::numeric_limits<double>::infinity()
                                     : bounds_[i - at(problem_.normals)];
@@ -103,9 +138,11 @@ class Bed {
 
   const Problem& problem_;
   const Vector& given_;
-  Vector compliances_;  ///< 1 / w
   Vector bounds_;
   Vector pulls_;
+  const Vector& lengths_;
+  Vector compliances_;                       ///< of springs with linear surfaces
+  std::vector<const Surface::Place*> laws_;  ///< of others, or null
   std::vector<std::vector<std::pair<Index, double>>> rows_;  ///< of G
 };
 
@@ -150,15 +187,6 @@ Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numberi
   return all;
 }
 
-void addRigidPart(const Loads& loads, const Numbering& numbering, std::size_t b,
-                  const TraceCoupling& own, const TraceCoupling& opposite, Vector& r) {
-  if (!loads.rigidPart.empty())
-    axpy(1,
-         onAllMultipliers(numbering, b, own.apply(loads.rigidPart), opposite,
-                          loads.rigidPart),
-         r);
-}
-
 double loadSize(const Problem& problem, const Vector& given, const Vector& lengths,
                 double moved, double own, const RigidDrives& drives) {
   constexpr double rounding = 1e-13;
@@ -173,7 +201,7 @@ double loadSize(const Problem& problem, const Vector& given, const Vector& lengt
     moved = std::max(moved, std::abs(alpha));
   const double pressed = largestEntry(point.pressures);
   return own + drives.loadSize(point.alpha.data() + (motions - ofRigid)) +
-         (pressed > rounding * moved ? pressed : 0);
+         (point.closing > rounding * moved ? pressed : 0);
 }
 
 }  // namespace epafi::contact

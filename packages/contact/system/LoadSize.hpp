@@ -1,27 +1,21 @@
 #pragma once
 
-#include "contact/body/Loads.hpp"
 #include "contact/opposite/RigidDrives.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 
 namespace epafi::contact {
 
 /// For each coefficient about the integral of its function.
 Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numbering);
 
-/// Adds to r what the rigid part of the prescribed displacement of body b does on all multipliers.
-/// \param own, opposite see motionsOnContacts
-void addRigidPart(const Loads& loads, const Numbering& numbering, std::size_t b,
-                  const TraceCoupling& own, const TraceCoupling& opposite, Vector& r);
-
 /// Size of tractions, deformations and penetrations, dimensionless: unit of the residual and of the
 /// states.  Rigid motions, common or apart, add nothing to it: penetrations are those that are
-/// left where the free motions α settle, as pressures of contact on springs of stiffness one,
+/// left where the free motions α settle, as pressures of contact on springs of stiffness one in a row
+/// with the compliance of the surfaces,
 ///
 ///   min over α of  Σ_i w_i Π(r_i / w_i) + ½ αᵀ K α - f · α,   r = given + G α,   w: lengths,
 ///
 /// Π the potential of the pressure that the laws allow: z⁺ normal to a side, z along it, but at most
-/// the slip bound without pressure.  Shear has the size of what presses, however far that slides.
+/// the slip bound without pressure, z the compression of the springs alone.  Shear has the size of what presses, however far that slides.
 /// Zero: nothing acts.                                                [doc/theory/contact.md]
 ///
 /// \param problem  laws, G and K
