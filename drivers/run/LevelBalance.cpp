@@ -40,7 +40,7 @@ std::string contactForces(const SolvedStep& step) {
 std::string told(const Imbalance& imbalance, const SolvedStep& step) {
   const std::string rest =
       message(", where the largest force is ", imbalance.largest, ", rounding may leave ",
-              imbalance.rounding, " and Solver->Tolerance ", imbalance.unsolved);
+              imbalance.rounding, " and the solver ", imbalance.unsolved);
   if (!imbalance.body)
     return message(
         "contact forces on all bodies do not add up to zero: ", pairOf(imbalance.missing),
@@ -74,18 +74,18 @@ void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
                                    [](const Imbalance& one) { return one.isBroken(); });
   if (!run.processes.agreed(broken != step.imbalances.end()))
     return;
-  level.unbalanced =
-      message("level ", level.level.number,
-              step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
-              // what rank 0 says is told
-              broken != step.imbalances.end() ? told(*broken, step) : "",
-              ".  Nothing of this level can be relied on: look at what lies opposite to "
-              "sides in contact, at units and loads, and at bodies slender by more than "
-              "1 : 1000",
-              level.row.isCompressed()
-                  ? "; dense operators (Solver->Linear->Method = Dense) keep two to six "
-                    "digits more of such bodies and of nearly incompressible ones"
-                  : "");
+  level.unbalanced = message(
+      "level ", level.level.number,
+      step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
+      // what rank 0 says is told
+      broken != step.imbalances.end() ? told(*broken, step) : "",
+      ".  Nothing of this level can be relied on: look at what lies opposite to "
+      "sides in contact, at units and loads, and at bodies slender by more than "
+      "1 : 1000",
+      level.row.isCompressed()
+          ? "; dense operators (Solver->Linear->Method = Dense) keep more digits of "
+            "such bodies and of nearly incompressible ones"
+          : "");
   level.row.report.status = contact::Status::NotConverged;
   level.level.reason = level.unbalanced;
 }

@@ -82,9 +82,9 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
       warn("Bodies->", nameOf(level.last().imbalances[b], scene),
            ": its forces are out of balance by ", worst, " of the largest; ",
            isRounding ? why
-                      : "Solver->Tolerance leaves these, relative to the load of the "
-                        "whole scene: take a smaller one, or no loads of a far larger "
-                        "size beside");
+                      : "the solver leaves these, relative to the load of the whole "
+                        "scene: take a smaller Solver->Tolerance, or no far larger load "
+                        "beside");
   }
   double missed = 0;
   double largest = 0;  // of a step without load displacements are rounding, too
