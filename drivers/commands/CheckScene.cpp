@@ -53,7 +53,7 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
                           units);
   }
   try {
-    checkBalance(spaces, conditions, t);
+    checkUnheld(spaces, conditions, t);
   } catch (const bem::InputError& error) {  // a warning may explain it
     std::string words = error.what();
     for (const std::string& warning : warningsOf(scene))

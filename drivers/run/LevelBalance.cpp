@@ -38,46 +38,54 @@ std::string contactForces(const SolvedStep& step) {
 }
 
 std::string told(const Imbalance& imbalance, const SolvedStep& step) {
-  const std::string rest = message(", where the largest force is ", imbalance.largest,
-                                   " and rounding may leave ", imbalance.bound);
+  const std::string rest =
+      message(", where the largest force is ", imbalance.largest, ", rounding may leave ",
+              imbalance.rounding, " and the solver ", imbalance.unsolved);
   if (!imbalance.body)
     return message(
         "contact forces on all bodies do not add up to zero: ", pairOf(imbalance.missing),
         " is missing", rest, ": ", contactForces(step));
-  const Scene& scene = step.spaces.scene();
-  const std::size_t b = *imbalance.body;
-  const std::string& name = b < scene.bodies.size()
-                                ? scene.bodies[b].name
-                                : scene.rigid[b - scene.bodies.size()].name;
-  return message("Bodies->", name, " is not in balance: a force of ",
-                 pairOf(imbalance.missing), " and a moment of ", imbalance.missing.moment,
+  return message("Bodies->", nameOf(imbalance, step.spaces.scene()),
+                 " is not in balance: a force of ", pairOf(imbalance.missing),
+                 " and a moment of ", imbalance.missing.moment,
                  " about its middle are missing", rest);
 }
 
 }  // namespace
 
+const std::string& nameOf(const Imbalance& imbalance, const Scene& scene) {
+  const std::size_t b = imbalance.body.value();
+  return b < scene.bodies.size() ? scene.bodies[b].name
+                                 : scene.rigid[b - scene.bodies.size()].name;
+}
+
 contact::Balance balanceOf(const Scene& scene) {
-  double compressibility = 1;
+  bem::Vector compressibilities;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    compressibility = std::min(compressibility, 1 - 2 * scene.lame(b).nu);
-  return contact::Balance(compressibility);
+    compressibilities.push_back(1 - 2 * scene.lame(b).nu);
+  return contact::Balance(std::move(compressibilities));
 }
 
 void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
                   SolvedLevel& level) {
-  step.imbalances = balance.of(*step.system, step.at, step.bodies, step.summaries());
+  step.imbalances = balance.of(*step.system, step.at, step.bodies, step.summaries(),
+                               level.row.report.tolerance);
   const auto broken = std::find_if(step.imbalances.begin(), step.imbalances.end(),
                                    [](const Imbalance& one) { return one.isBroken(); });
   if (!run.processes.agreed(broken != step.imbalances.end()))
     return;
-  level.unbalanced =
-      message("level ", level.level.number,
-              step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
-              // what rank 0 says is told
-              broken != step.imbalances.end() ? told(*broken, step) : "",
-              ".  Nothing of this level can be relied on: look at what lies opposite to "
-              "sides in contact, at units and loads, and at bodies slender by more than "
-              "1 : 1000");
+  level.unbalanced = message(
+      "level ", level.level.number,
+      step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
+      // what rank 0 says is told
+      broken != step.imbalances.end() ? told(*broken, step) : "",
+      ".  Nothing of this level can be relied on: look at what lies opposite to "
+      "sides in contact, at units and loads, and at bodies slender by more than "
+      "1 : 1000",
+      level.row.isCompressed()
+          ? "; dense operators (Solver->Linear->Method = Dense) keep more digits of "
+            "such bodies and of nearly incompressible ones"
+          : "");
   level.row.report.status = contact::Status::NotConverged;
   level.level.reason = level.unbalanced;
 }

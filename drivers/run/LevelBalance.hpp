@@ -4,10 +4,14 @@
 
 namespace epafi::drivers {
 
+/// \pre imbalance.body
+const std::string& nameOf(const contact::Imbalance& imbalance, const Scene& scene);
+
 /// Of the bodies of a scene, before the first step.
 contact::Balance balanceOf(const Scene& scene);
 
-/// Sets the imbalances of a step that has converged.  Where one is larger than rounding, the level is
+/// Sets the imbalances of a step that has converged.  Where one is larger than rounding and what the
+/// solver's tolerance allows, the level is
 /// not converged, and its reason, which is in `unbalanced` too, says which body lacks what.
 /// Collective.
 void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,

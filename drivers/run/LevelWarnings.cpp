@@ -1,5 +1,6 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/results/Solved.hpp"
+#include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -68,14 +69,22 @@ void findLostDigits(const SolvedLevel& level, Warnings& warn) {
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
       "1000, and where a motion is 1e10 times what deforms: look at units and loads";
   const Scene& scene = level.last().spaces.scene();
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < scene.bodies.size() + scene.rigid.size(); ++b) {
     double worst = 0;
+    bool isRounding = true;
     for (const auto& step : level.steps)
-      if (const contact::Imbalance& own = step->imbalances[b]; own.size > 0)
-        worst = std::max(worst, own.size / own.largest);
+      if (const contact::Imbalance& own = step->imbalances[b];
+          own.size > worst * own.largest) {
+        worst = own.size / own.largest;
+        isRounding = own.isRounding();
+      }
     if (worst > smallImbalance)
-      warn("Bodies->", scene.bodies[b].name, ": its forces are out of balance by ", worst,
-           " of the largest; ", why);
+      warn("Bodies->", nameOf(level.last().imbalances[b], scene),
+           ": its forces are out of balance by ", worst, " of the largest; ",
+           isRounding ? why
+                      : "the solver leaves these, relative to the load of the whole "
+                        "scene: take a smaller Solver->Tolerance, or no far larger load "
+                        "beside");
   }
   double missed = 0;
   double largest = 0;  // of a step without load displacements are rounding, too

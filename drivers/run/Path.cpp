@@ -231,6 +231,8 @@ class Follower {
       solved.report.newtonIterations = point.newtonIterations;
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
+      solved.report.tolerance =  // at most
+          std::max(scene_.solver.contact.tolerance, scene_.solver.coulomb.tolerance);
     } else {
       attempt =
           run_.timer.run(Phase::Newton, [&] { return this->attempt(*system, next); });

@@ -189,20 +189,20 @@ std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers
 
 /// What contact feels of free rigid motions and what loads do along them, the part of a contact
 /// system that needs no operators.
-struct Balance {
+struct FreeBalance {
   contact::Problem numbers;  ///< without D and d0
   FreeMotions free;
 };
 
-Balance balanceOf(const BodySpaces& spaces,
-                  const std::vector<contact::Conditions>& conditions, double t) {
+FreeBalance freeBalanceOf(const BodySpaces& spaces,
+                          const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
   const contact::Numbering numbering(spaces.sides());
   const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
   const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
   contact::Stabilization none;  // rigid motions have no tractions
   none.form = contact::Stabilization::Form::None;
-  Balance balance{{}, FreeMotions(spaces.size())};
+  FreeBalance balance{{}, FreeMotions(spaces.size())};
   contact::Problem& numbers = balance.numbers;
   numbers.normals = numbering.normals();
   std::vector<Vector> columns;
@@ -308,7 +308,8 @@ std::vector<double> unbalanced(const BodySpaces& spaces,
   const auto isBalanced = [&](double t) {
     if (!mayMove)
       return true;
-    const contact::Problem numbers = balanceOf(spaces, spaces.conditionsAt(t), t).numbers;
+    const contact::Problem numbers =
+        freeBalanceOf(spaces, spaces.conditionsAt(t), t).numbers;
     mayMove = numbers.rigidMotions() > 0;
     return contact::unresistedMotion(numbers).amplitudes.empty();
   };
@@ -339,10 +340,10 @@ void checkRoom(const BodySpaces& spaces, double t) {
           "a smaller Poisson's Ratio");
 }
 
-void checkBalance(const BodySpaces& spaces,
-                  const std::vector<contact::Conditions>& conditions, double t) {
+void checkUnheld(const BodySpaces& spaces,
+                 const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
-  const Balance balance = balanceOf(spaces, conditions, t);
+  const FreeBalance balance = freeBalanceOf(spaces, conditions, t);
   requireResistance(scene, balance.numbers.rigid, balance.free);
   const std::string motion = unresisted(spaces, balance.numbers, balance.free);
   if (!motion.empty())

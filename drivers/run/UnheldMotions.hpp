@@ -30,7 +30,7 @@ void checkRoom(const BodySpaces& spaces, double t);
 /// Both checks for the conditions at time t, without solving.
 /// \throws bem::InputError for a body that nothing holds, or a load that neither contact
 ///   nor friction can balance
-void checkBalance(const BodySpaces& spaces,
-                  const std::vector<contact::Conditions>& conditions, double t);
+void checkUnheld(const BodySpaces& spaces,
+                 const std::vector<contact::Conditions>& conditions, double t);
 
 }  // namespace epafi::drivers

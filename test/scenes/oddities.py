@@ -6,8 +6,8 @@ import subprocess
 
 from runs import (EPAFI, SCENES, WORK, changed, claim, epafi, fails, finish, fresh, levels, options,
                   read, refused, rows, run, scene, table, write)
-from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, disc, geometry,
-                     history, listed, mesh, with_more, written)
+from written import (CLAMPED, NONE, QUARTERS, block, body, circle, condition, contact, disc,
+                     geometry, history, listed, mesh, with_more, written)
 
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
 SHORT = {"fretting.xml": ["History->Times={1, 2}", "History->Steps={1, 1}"],
@@ -154,11 +154,14 @@ for sentence, file, settings in [
     claim(code == 0, sentence + ": " + text.strip().splitlines()[-1][-90:])
 
 # digits that rounding takes
+COULOMB = listed("Friction", Law="Coulomb", Coefficient=0.3)
+
+
 def beam(slender, friction):
     """Clamped at its left, over a plane; without friction far above it."""
     height = 1 / slender
     load = "-1e-8*%g*(0.3 + sin(40*x))" % height if friction else "-%g" % (1e-3 * height ** 3)
-    law = listed("Friction", Law="Coulomb", Coefficient=0.3) if friction else NONE
+    law = COULOMB if friction else NONE
     return written("beam", [body("beam", block(0, 0, 1, height), 1, condition(
         "bottom", "Contact", law, Gap=0 if friction else 1) + condition(
             "top", "Neumann", Traction_Y=load) + condition("left", "Dirichlet", CLAMPED),
@@ -186,6 +189,29 @@ claim(code == 2 and "Bodies->beam is not in balance: a force of (" in text and "
       "what is not in balance ends the run: exit %d, %s" % (code, text[-400:]))
 claim([row["status"] for row in rows("lost", "history.csv")] == ["not converged"] and
       os.path.exists(os.path.join(WORK, "lost", "solution.hdf")), "and is written")
+claim("Solver->Linear->Method = Dense" in text, "compressed operators are named")
+
+
+# what the solver leaves of free motions is none of rounding
+def resting(load, tolerance, law=NONE, beside=()):
+    """A disc on a block, in balance by contact alone."""
+    weight = listed("Body Loads", Force_X=0.1 * load, Force_Y=-load)
+    return written("resting", [
+        body("disc", disc(1, "rim", 0, 1), 1000, inside=weight),
+        body("block", block(-2, -2, 2, 0), 1000, condition("bottom", "Dirichlet", CLAMPED)), *beside],
+        contact("pair", "disc:rim", "block:top", COULOMB, law), "Projected", 0.3,
+        more=listed("Solver", Tolerance=tolerance))
+
+
+power = listed("Normal", Law="Power", Length=0.01, Pressure=1, Exponent=3)
+heavy = body("heavy", block(5, 0, 7, 2), 1000, condition("bottom", "Dirichlet", CLAMPED) +
+             condition("top", "Neumann", Traction_Y=-1000))
+for sentence, values in [("of a large tolerance", (1, 1e-3, power)),
+                         ("of a light body beside a heavy one", (1e-6, 1e-12, NONE, [heavy]))]:
+    code, warnings = told(resting(*values), "resting", ["Solver->Coulomb Iteration=Fixed Point"])
+    claim(code == 0 and any("Bodies->disc: its forces are out of balance by" in line and
+                            "Solver->Tolerance" in line for line in warnings),
+          "an imbalance %s is a warning: exit %d, %s" % (sentence, code, warnings))
 
 # encodings
 text = read(scene("patch.xml"))

@@ -3,6 +3,7 @@
 #include "contact/opposite/Numbering.hpp"
 #include "contact/problem/Problem.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -19,6 +20,11 @@ struct Drive {
     double end = 0;        ///< motion of the spring's other end
   };
   std::array<Component, 3> components{};
+
+  bool isFree() const {
+    return std::any_of(components.begin(), components.end(),
+                       [](const Component& one) { return one.free; });
+  }
 };
 
 /// The bodies of a system that do not deform: how they are driven now, and what their motions
@@ -32,6 +38,8 @@ class RigidDrives {
 
   const std::vector<Drive>& drives() const { return drives_; }
   Index freeMotions() const;
+  /// Largest distance of a body's contact from its reference point.
+  double lever(std::size_t k) const { return (*traces_)[k].lever; }
   /// Forces with which springs pull at α = 0, entries of q; without springs: zero.
   Vector pulls() const;
   /// Forces, of springs at these α, as pressures on opposite sides: Σ over bodies.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -13,7 +14,8 @@ namespace {
 
 using bem::Vec2;
 
-constexpr double farAway = 1e-6;  // moments of a body there lose digits
+constexpr double smallest = 1e-14;  // what rounding takes of a product
+constexpr double farAway = 1e-6;    // moments of a body there lose digits
 
 /// Of F.  Pressures in an incompressible body that is thin lose more digits.
 double ofForces(double compressibility) { return compressibility > 1e-12 ? 1e-9 : 1e-3; }
@@ -21,7 +23,7 @@ double ofForces(double compressibility) { return compressibility > 1e-12 ? 1e-9 
 /// Of μ |u|.
 double ofMotions(double compressibility, bool isFormed) {
   constexpr double least = 1e-7;
-  return (isFormed ? 1e-14 : 5e-12) * (1 + 0.2 / std::max(compressibility, least));
+  return (isFormed ? smallest : 5e-12) * (1 + 0.2 / std::max(compressibility, least));
 }
 
 double forceOf(const Resultant& r) { return std::hypot(r.x, r.y); }
@@ -64,11 +66,10 @@ ContactForces contactForces(const Solved& solved) {
 /// holds the component.
 std::pair<double, double> heldBy(const Drive::Component& drive, double motion,
                                  double reaction) {
-  constexpr double rounding = 1e-14;
   if (drive.stiffness == 0)
     return {reaction, 0};
   return {drive.stiffness * (drive.end - motion),
-          rounding * drive.stiffness * (std::abs(drive.end) + std::abs(motion))};
+          smallest * drive.stiffness * (std::abs(drive.end) + std::abs(motion))};
 }
 
 /// Without what the forces of all say of it.  Where forces cancel they are as large as what moves the
@@ -98,7 +99,8 @@ Imbalance ofElastic(const Solved& solved, const Summary& summary, double around,
   return imbalance;
 }
 
-Imbalance ofRigid(const Drive& drive, const RigidMotion& motion,
+/// \param reach  moments count over this, dimensionless
+Imbalance ofRigid(const Drive& drive, const RigidMotion& motion, double reach,
                   const std::array<double, 3>& contact, const bem::Units& units) {
   const double force = units.stress * units.length;
   const double motions[] = {motion.slide.x, motion.slide.y, motion.turn};
@@ -109,12 +111,13 @@ Imbalance ofRigid(const Drive& drive, const RigidMotion& motion,
     const double acts = contact[c] + one.inside + (one.free ? one.value : 0);
     const auto [held, rounding] = heldBy(one, motions[c], one.free ? 0 : -acts);
     missing[c] = force * (acts + held);
-    imbalance.bound = std::max(imbalance.bound, force * rounding);
+    const double unit = force / (c < 2 ? 1 : reach);
+    imbalance.rounding = std::max(imbalance.rounding, unit * rounding);
     for (const double x : {contact[c], one.inside, held})
-      imbalance.largest = std::max(imbalance.largest, force * std::abs(x));
+      imbalance.largest = std::max(imbalance.largest, unit * std::abs(x));
   }
   imbalance.missing = {missing[0], missing[1], units.length * missing[2]};
-  imbalance.size = std::max(forceOf(imbalance.missing), std::abs(missing[2]));
+  imbalance.size = std::max(forceOf(imbalance.missing), std::abs(missing[2]) / reach);
   return imbalance;
 }
 
@@ -122,43 +125,53 @@ Imbalance ofRigid(const Drive& drive, const RigidMotion& motion,
 
 std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configuration& at,
                                    const std::vector<Solved>& bodies,
-                                   const std::vector<Summary>& summaries) {
+                                   const std::vector<Summary>& summaries,
+                                   double tolerance) {
   const bem::Units units = bodies.front().units;
   const double force = units.stress * units.length;
-  for (const RigidMotion& motion : at.rigid)
-    motion_ = std::max({motion_, norm(motion.slide), std::abs(motion.turn)});
-  double modulus = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    motion_ = std::max(motion_, bem::largestEntry(at.displacements[b]));
-    modulus = std::max(
-        modulus, bodies[b].motions != nullptr ? bodies[b].motions->shearModuli[b] : 1);
-  }
-  const double rounding = force * modulus * motion_;
+  const Vector lengths = system.lengths();
+  const double unsolved = 2 * tolerance * system.numbers().stress * force *
+                          std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const bool isFormed = system.body(0).elastic()->isFormed();
+  double ofAll = 0;
   std::vector<Imbalance> all;
   Imbalance contact;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    all.push_back(ofElastic(bodies[b], summaries[b], motion_, rounding));
-    const ContactForces own = contactForces(bodies[b]);
-    contact.largest = std::max(contact.largest, own.all);
-    contact.missing.x += summaries[b].contact.x - own.ofObstacles.x;
-    contact.missing.y += summaries[b].contact.y - own.ofObstacles.y;
+    motions_[b] = std::max(motions_[b], bem::largestEntry(at.displacements[b]));
+    const double modulus =
+        bodies[b].motions != nullptr ? bodies[b].motions->shearModuli[b] : 1;
+    const double size = force * modulus * motions_[b];
+    ofAll = std::max(ofAll, size);
+    Imbalance& own =
+        all.emplace_back(ofElastic(bodies[b], summaries[b], motions_[b], size));
+    own.rounding = ofMotions(compressibilities_[b], isFormed) * size;
+    own.unsolved = at.bodies[b].rigid.empty() ? 0 : unsolved;
+    const ContactForces pressed = contactForces(bodies[b]);
+    contact.largest = std::max(contact.largest, pressed.all);
+    contact.missing.x += summaries[b].contact.x - pressed.ofObstacles.x;
+    contact.missing.y += summaries[b].contact.y - pressed.ofObstacles.y;
   }
   const auto forces = system.rigidForces(at.state);
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    all.push_back(ofRigid(system.drives()[k], at.rigid[k], forces[k], units));
+    const Drive& drive = system.drives()[k];
+    Imbalance& own = all.emplace_back(
+        ofRigid(drive, at.rigid[k], std::max(1.0, system.lever(k)), forces[k], units));
+    own.rounding += smallest * ofAll;
+    own.unsolved = drive.isFree() ? unsolved : 0;
     contact.missing.x += force * forces[k][0];
     contact.missing.y += force * forces[k][1];
   }
   contact.size = forceOf(contact.missing);
+  contact.rounding = smallest * ofAll;
   all.push_back(contact);
-  const double share = ofMotions(compressibility_, system.body(0).elastic()->isFormed());
   largest_.resize(all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k + 1 < all.size())
       all[k].body = k;
     largest_[k] = std::max({largest_[k], all[k].largest, contact.largest});
     all[k].largest = largest_[k];
-    all[k].bound += ofForces(compressibility_) * all[k].largest + share * rounding;
+    all[k].rounding +=
+        ofForces(k < bodies.size() ? compressibilities_[k] : 1) * largest_[k];
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include "contact/system/ContactSystem.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace epafi::contact {
@@ -13,38 +14,53 @@ namespace epafi::contact {
 struct Imbalance {
   std::optional<std::size_t>
       body{};           ///< elastic bodies first, then rigid ones; none: all
-  Resultant missing{};  ///< the moment about the middle of the body
-  double size = 0;      ///< the larger of force, and of moment over diameter
+  Resultant missing{};  ///< the moment about the middle or reference point
+  double size = 0;      ///< the larger of force, and of moment over length
   double largest = 0;   ///< F below
-  double bound = 0;     ///< what rounding may leave
+  double rounding = 0;  ///< what rounding may leave
+  double unsolved = 0;  ///< and what the tolerance of the solver may leave
 
-  bool isBroken() const { return !(size <= bound); }
+  bool isBroken() const { return !(size <= rounding + unsolved); }
+  bool isRounding() const { return size <= rounding; }
 };
 
-/// Forces and moments of solved states, one after the other along a path.  What rounding may leave is
+/// Forces and moments of solved states, one after the other along a path.  What rounding may leave of
+/// an elastic body is
 ///
-///   1e-9 F + 1e-14 (1 + 0.2/(1 - 2ν)) max μ |u|,
+///   1e-9 F + 1e-14 (1 + 0.2/(1 - 2ν)) μ |u|,
 ///
 /// with compressed operators 5e-12 in place of 1e-14, 1 - 2ν at least 1e-7, and at ν = 1/2 1e-3 in
 /// place of 1e-9, since pressures lose digits there; F the largest force on the body (where forces
 /// cancel, what moves it by |u| at its strain energy), or ∫ |λ| ds of all contact of one body if that
-/// is larger, until then; μ the shear modulus, u displacements: those of bodies slender by more than
-/// 1 : 1000 are that large.  A spring's force k (end - motion) may have 1e-14 k (|end| + |motion|)
-/// more.                                              [doc/theory/contact.md, Several bodies]
+/// is larger, until then; ν, μ and u of the body, μ the shear modulus, |u| the largest until then:
+/// those of bodies slender by more than 1 : 1000 are that large.  Of the contact forces and of a
+/// rigid body, which nothing is computed in, it is 1e-9 F + 1e-14 max μ |u|; a spring's force
+/// k (end - motion) may have 1e-14 k (|end| + |motion|) more.
+///
+/// The rows G'λ + K α = q of free motions, elastic and rigid ones, are solved to the tolerance over
+/// Problem::stress times Σ |G|, at most 2 l: l the length of all contact.  A body with a free motion may
+/// miss 2 tolerance stress l more.
+///
+/// Moments count over the body's diameter; those of a rigid body over the unit of length, or over
+/// the largest lever arm of its contact if that is longer.
+///                                                  [doc/theory/contact.md, Several bodies]
 class Balance {
  public:
-  /// \param compressibility the smallest 1 - 2ν of the bodies, in plane strain
-  explicit Balance(double compressibility) : compressibility_(compressibility) {}
+  /// \param compressibilities 1 - 2ν of each elastic body, in plane strain
+  explicit Balance(Vector compressibilities)
+      : compressibilities_(std::move(compressibilities)),
+        motions_(compressibilities_.size()) {}
 
   /// Of each body and, last, of the contact forces.
+  /// \param tolerance  that of the scaled residual, see Report
   std::vector<Imbalance> of(const ContactSystem& system, const Configuration& at,
                             const std::vector<Solved>& bodies,
-                            const std::vector<Summary>& summaries);
+                            const std::vector<Summary>& summaries, double tolerance);
 
  private:
-  double compressibility_;
+  Vector compressibilities_;
+  Vector motions_;  ///< max |u| of each elastic body, dimensionless
   Vector largest_;
-  double motion_ = 0;  ///< max |u|, dimensionless
 };
 
 }  // namespace epafi::contact

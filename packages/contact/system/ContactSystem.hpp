@@ -113,6 +113,8 @@ class ContactSystem {
   std::vector<std::array<double, 3>> rigidForces(const State& state) const {
     return rigid_.forces(state.multiplier);
   }
+  /// See RigidDrives.
+  double lever(std::size_t rigid) const { return rigid_.lever(rigid); }
   /// Energy stored by the springs of rigid bodies.
   double energyOfSprings(const State& state) const {
     return rigid_.energyOfSprings(state.multiplier);
