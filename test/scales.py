@@ -9,8 +9,8 @@ ASIDE = ("seconds_", "memory_")
 FAMILIES = ("energy_", "_length", "eta_")
 ROOTS = ("eta_", "estimate", "worst_step_estimate")
 FORCES = ("force_", "reaction_", "load_", "contact_x", "contact_y", "contact_moment")
-SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound", "stress_t"),
-          ("pressure", "shear"), ("motion_x", "motion_y"))
+SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound"),
+          ("pressure", "shear"))
 
 
 def numbers(rows, name):
