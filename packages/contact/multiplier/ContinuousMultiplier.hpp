@@ -4,7 +4,7 @@
 
 namespace epafi::contact {
 
-/// Coefficients of λ + Σ c_i w_i, which does the same work as λ on all continuous displacements
+/// Coefficients of λ + Σ c_i w_i on the sides of a body, which does the same work as λ on all continuous displacements
 /// v of the space but has no jumps at nodes.
 ///
 /// The discrete equations contain λ only in ⟨λ, v⟩, v continuous, so that at every node between
@@ -19,7 +19,7 @@ namespace epafi::contact {
 /// (it keeps λ = 0), and for shear where the direction of slip changes, with |λₜ| = `bounds` on
 /// both sides.  Bases that share nodes have no jumps.
 /// \param bounds slip bounds in place of the tangential coefficients
-Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
+Vector withoutJumps(const MultiplierSpace& space, std::size_t body,
                     const Vector& multiplier, const Vector& bounds);
 
 }  // namespace epafi::contact

@@ -9,35 +9,27 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-ForeignPressure::ForeignPressure(std::size_t b, const std::vector<Solved>& bodies)
-    : body_(static_cast<int>(b)) {
-  for (const Solved& solved : bodies) {
-    const std::vector<int> opposites = solved.problem.opposite().bodies();
-    if (std::find(opposites.begin(), opposites.end(), body_) != opposites.end())
-      carriers_.push_back(&solved);
-  }
-}
+ForeignPressure::ForeignPressure(const Solved& solved)
+    : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
 
 Vec2 ForeignPressure::at(int element, double t) const {
   Vec2 sum;
-  for (const Solved* side : carriers_)
-    for (const auto& source : side->problem.opposite().sources(body_, element, t)) {
-      const auto stress = side->problem.multiplier().at(side->state.multiplier,
-                                                        *source.element, source.t);
-      const bem::Curve& curve = side->space.mesh()[source.element->element].curve;
-      sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
-                                       stress.tangential * curve.tangent(source.t));
-    }
+  if (body_ == nullptr)
+    return sum;
+  for (const auto& source :
+       body_->opposite().sources(static_cast<int>(body_->number()), element, t)) {
+    const auto stress = body_->multiplier().at(*multiplier_, *source.element, source.t);
+    const bem::Curve& curve = source.element->geometry().curve;
+    sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
+                                     stress.tangential * curve.tangent(source.t));
+  }
   return sum;
 }
 
 Vector ForeignPressure::breaks(int element) const {
-  Vector result;
-  for (const Solved* side : carriers_) {
-    const Vector more = side->problem.opposite().sourceBreaks(body_, element);
-    result.insert(result.end(), more.begin(), more.end());
-  }
-  return result;
+  return body_ == nullptr
+             ? Vector()
+             : body_->opposite().sourceBreaks(static_cast<int>(body_->number()), element);
 }
 
 namespace {
@@ -45,10 +37,13 @@ namespace {
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
 Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
-  const Vector zero(body.multiplier().normals(), 0.0);
-  Vector result = zero;
-  for (const Tangential& tangential : body.obstacle().tangentials)
-    result.push_back(tangential.bound(multiplier.empty() ? zero : multiplier));
+  const Index normals = body.multiplier().normals();
+  const Vector zero(multiplier.empty() ? at(normals) : 0);
+  Vector result(at(body.multiplier().size()));
+  for (const Index i : body.columns())
+    if (i >= normals)
+      result[at(i)] = body.obstacle().tangentials[at(i - normals)].bound(
+          multiplier.empty() ? zero : multiplier);
   return result;
 }
 
@@ -91,7 +86,7 @@ MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
 }
 
 Vector ContactFields::continuous() const {
-  return withoutJumps(solved_.space.mesh(), multiplierSpace(), multiplier_, bounds_);
+  return withoutJumps(multiplierSpace(), solved_.problem.number(), multiplier_, bounds_);
 }
 
 ContactPoint ContactFields::at(const Element& element, double t) const {

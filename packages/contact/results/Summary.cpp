@@ -51,21 +51,20 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   const bem::Mesh& mesh = solved.space.mesh();
   const MultiplierBasis& basis = solved.problem.multiplier().basis();
   const bem::Element& side = mesh[element.element];
-  forEachPointOf(
-      element, mesh, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
-        const auto stress = fields.stress(element, point.t);
-        const double weight = length * point.weight;
-        summary.forceNormal += weight * stress.normal;
-        summary.forceTangential += weight * stress.tangential;
-        summary.pressureMax = std::max(summary.pressureMax, stress.normal);
-        if (solved.wear != nullptr)
-          summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
-      });
+  forEachPointOf(element, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
+    const auto stress = fields.stress(element, point.t);
+    const double weight = length * point.weight;
+    summary.forceNormal += weight * stress.normal;
+    summary.forceTangential += weight * stress.tangential;
+    summary.pressureMax = std::max(summary.pressureMax, stress.normal);
+    if (solved.wear != nullptr)
+      summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
+  });
   for (const double end : {-1.0, 1.0})
     summary.pressureMax =
         std::max(summary.pressureMax, fields.stress(element, end).normal);
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(element, mesh, basis,
+  forEachPointOf(element, basis,
                  bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
                  [&](const SidePoint& point) {
                    const auto stress = fields.stress(element, point.t);
@@ -232,30 +231,31 @@ std::map<std::string, double> contactLengths(const Solved& solved) {
 
 namespace {
 
-/// The force of one body's multiplier on the bodies that it meets, where it acts on them.
-void addReaction(const std::vector<Solved>& bodies, const Solved& side,
-                 std::vector<Summary>& summaries) {
-  const ContactFields fields(side);
-  const bem::Mesh& mesh = side.space.mesh();
+/// The forces of multipliers on the bodies that they meet, where they act on them.
+void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summaries) {
+  const ContactBody& any = bodies.front().problem;
+  const bem::Units units = bodies.front().units;
   forEachSidePoint(
-      mesh, side.problem.multiplier(), side.problem.opposite(),
+      any.multiplier(), any.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
         return middle.element >= 0
-                   ? &mortarRule(element, mesh[element.element],
-                                 bodies[middle.body].space.mesh()[middle.element])
+                   ? &mortarRule(element,
+                                 any.multiplier().mesh(at(middle.body))[middle.element])
                    : nullptr;
       },
       [&](const SidePoint& point) {
         const Opposite::Point& there = point.opposite;
         if (there.element < 0)
           return;
-        const auto stress = fields.stress(point.contact, point.t);
+        const auto stress =
+            any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
         const Vec2 force =
-            side.units.length * point.weight *
+            units.length * units.stress * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
-        addForce(force,
-                 bodies[there.body].space.mesh().physicalPoint(there.element, there.t),
-                 summaries[there.body].contact);
+        addForce(
+            force,
+            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t),
+            summaries[at(there.body)].contact);
       });
 }
 
@@ -266,9 +266,8 @@ std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
   summaries.reserve(bodies.size());
   for (const Solved& solved : bodies)
     summaries.push_back(summarize(solved));
-  for (const Solved& solved : bodies)
-    if (!solved.problem.opposite().bodies().empty())
-      addReaction(bodies, solved, summaries);
+  if (!bodies.front().problem.opposite().isStill())
+    addReactions(bodies, summaries);
   return summaries;
 }
 
