@@ -26,15 +26,12 @@ struct SidePoint {
   }
 
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
-  /// clamped ends.  d: normal or tangent.
+  /// clamped ends.
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
-    for (int i = 0; i <= contact.degree; ++i) {
-      if (!contact.normal.holdsNothing(i))
-        visit(contact.normalOf(i), chi[at(i)], normal);
-      if (contact.shears() && !contact.tangential.holdsNothing(i))
-        visit(contact.tangentialOf(i), chi[at(i)], tangent);
-    }
+    for (int i = 0; i < contact.coefficients(); ++i)
+      if (!contact.of(i).holdsNothing(contact.functionOf(i)))
+        visit(contact.numberOf(i), chiOf(i), directionOf(i));
   }
 };
 
