@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -102,21 +104,26 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
     own.addTo(couplings[at(contact.body)]);
     if (opposite.degree(contact) == 0)
       return;
+    std::map<std::pair<int, int>, Works> facing;  // by body and element
     for (const Stretch& stretch : stretches(opposite, contact)) {
       const Opposite::Point middle = opposite.at(contact, stretch.middle);
       if (middle.element < 0)
         continue;
       checkEnds(contact, multiplier.basis());
-      const bem::Space& other = *spaces[at(middle.body)];
-      Works facing(contact, other, middle.element);
       forEachPointOf(
-          contact, multiplier.basis(), mortarRule(contact, other.mesh()[middle.element]),
+          contact, multiplier.basis(),
+          mortarRule(contact, spaces[at(middle.body)]->mesh()[middle.element]),
           [&](const SidePoint& point) {
-            facing.add(point, -point.weight, point.opposite.t);
+            const int body = point.opposite.body;
+            const int element = point.opposite.element;
+            if (element >= 0)  // else a grazing normal, but for rounding
+              facing.try_emplace({body, element}, contact, *spaces[at(body)], element)
+                  .first->second.add(point, -point.weight, point.opposite.t);
           },
           stretch);
-      facing.addTo(couplings[at(middle.body)]);
     }
+    for (const auto& [where, works] : facing)
+      works.addTo(couplings[at(where.first)]);
   });
   return couplings;
 }
