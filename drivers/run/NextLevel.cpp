@@ -10,6 +10,7 @@
 #include "bem/geometry/NormalRay.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/MatchedSides.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ std::vector<bem::Piece> halvedAtEnds(const bem::Mesh& mesh,
 
 Level firstLevel(const Scene& scene) {
   Level first = firstMeshes(scene);
+  first.meshes = matchedAtBonds(scene, std::move(first.meshes));
   constexpr int most = 12;
   Level finer = first;
   const std::vector<double> times =
@@ -301,6 +303,10 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
     worst = withFacing(scene, meshes, std::move(worst));
+  std::vector<const bem::Mesh*> all;
+  for (const SingularMesh& mesh : meshes)
+    all.push_back(&mesh.mesh);
+  shareMarked(scene, all, worst);
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
@@ -308,6 +314,7 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
                                      gradingOf(scene)};
     marks.push_back(adaptivity::decide(strategy, data, processes));
   }
+  shareMarks(scene, all, marks);
   return marks;
 }
 

@@ -130,15 +130,21 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
         continue;
       // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
+      Body& body = scene.bodies[pair.opposite.body];
+      bem::Vector places;
       for (const double t : {stretch.begin, stretch.end}) {
         const bem::Curve& curve = opposite.curves.curves()[k];
         const auto there =
             bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
-        if (there)
-          addNode(other, opposite.edges[k],
-                  curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)),
-                  scene.bodies[pair.opposite.body].nodes);
+        if (!there)
+          continue;
+        places.push_back(curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
+        addNode(other, opposite.edges[k], places.back(), body.nodes);
       }
+      if (places.size() == 2)
+        body.conditions.facing.push_back({opposite.edges[k],
+                                          std::min(places[0], places[1]),
+                                          std::max(places[0], places[1])});
     }
   }
   for (const contact::Conditions::Part& part : parts)

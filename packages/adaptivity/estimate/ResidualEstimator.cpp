@@ -320,6 +320,11 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
   }
+  const std::vector<int>& stabilised = solved.problem.coupling().elements;
+  for (std::size_t k = touching.size(); k < stabilised.size(); ++k)
+    if (const auto e = static_cast<std::size_t>(stabilised[k]); !fields[e].empty())
+      of(squares[e], Source::Density) +=
+          factors[static_cast<std::size_t>(Source::Density)] * dot(means[k], means[k]);
   return gathered(squares, processes);
 }
 

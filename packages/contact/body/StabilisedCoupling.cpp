@@ -143,12 +143,109 @@ class ElementCoupling {
   Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
 };
 
+/// What sides of other bodies have of G and M on an element that they see, with Form Density.
+class FacingCoupling {
+ public:
+  FacingCoupling(const MultiplierSpace& multiplier, const Opposite& opposite,
+                 std::size_t body, int number)
+      : basis_(multiplier.basis()),
+        number_(number),
+        element_(multiplier.mesh(body)[number]),
+        seen_(opposite.seen(static_cast<int>(body), number)) {}
+
+  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+    for (const Opposite::Seen& seen : seen_) {
+      const ContactElement& side = *seen.by;
+      const int size = side.coefficients();
+      Matrix parts(rows(), size);
+      Matrix mass(size, size);
+      const int degree = std::max(side.degree, (side.degree + element_.densities) / 2);
+      const int turning = std::max(side.geometry().curve.pointsOfTurning(),
+                                   element_.curve.pointsOfTurning());
+      forEachPoint(
+          seen, bem::gaussLegendre(degree + 1 + turning), [&](const SidePoint& point) {
+            const auto legendre = legendreAt(point.opposite.t);
+            for (int i = 0; i < size; ++i) {
+              const double value = point.weight * point.chiOf(i);
+              addForce(-value * point.directionOf(i), legendre.data(), parts.column(i),
+                       rows());
+              for (int k = 0; k < size; ++k)
+                if (side.isTangential(k) == side.isTangential(i))
+                  mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
+            }
+          });
+      for (int i = 0; i < size; ++i) {
+        if (holdsNothing(side, i))
+          continue;
+        for (Index row = 0; row < rows(); ++row)
+          coupling.weights.push_back(
+              {firstRow + row, side.numberOf(i), gamma * parts(row, i)});
+        for (int k = 0; k < size; ++k)
+          if (mass(i, k) != 0 && !holdsNothing(side, k))
+            coupling.mass.push_back(
+                {side.numberOf(i), side.numberOf(k), gamma * mass(i, k)});
+      }
+    }
+  }
+
+  /// A traction t in the residual t + ψ - λ∘P⁻¹ ds_A/ds_f.
+  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
+                  const std::vector<BoundaryTraction>& tested,
+                  Loads::InResidual& moments) const {
+    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[at(q)];
+      const Vec2 force =
+          gamma * element_.half * rule.weights[at(q)] * traction(number_, t);
+      addForce(force, legendreAt(t).data(), moments.weights.data() + firstRow, rows());
+      for (std::size_t k = 0; k < tested.size(); ++k)
+        moments.means[k] += dot(force, tested[k](number_, t));
+    }
+    for (const Opposite::Seen& seen : seen_)
+      forEachPoint(
+          seen, bem::gaussForGiven(seen.by->degree), [&](const SidePoint& point) {
+            const Vec2 force = gamma * point.weight * traction(number_, point.opposite.t);
+            point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
+              moments.terms[at(i)] += chi * dot(force, direction);
+            });
+          });
+  }
+
+ private:
+  Index rows() const { return 2 * static_cast<Index>(element_.densities); }
+  std::array<double, bem::largestDegree + 2> legendreAt(double t) const {
+    std::array<double, bem::largestDegree + 2> legendre{};
+    bem::legendreValues(element_.densities - 1, t, legendre.data());
+    return legendre;
+  }
+  static bool holdsNothing(const ContactElement& side, int i) {
+    return side.of(i).holdsNothing(side.functionOf(i));
+  }
+
+  template <class Visit>
+  void forEachPoint(const Opposite::Seen& seen, const bem::Rule& rule,
+                    const Visit& visit) const {
+    forEachPointOf(
+        *seen.by, basis_, rule,
+        [&](const SidePoint& point) {
+          if (point.opposite.element == number_)  // a grazing normal may miss it
+            visit(point);
+        },
+        seen.stretch);
+  }
+
+  const MultiplierBasis& basis_;
+  int number_;
+  const bem::Element& element_;
+  std::vector<Opposite::Seen> seen_;
+};
+
 }  // namespace
 
 Coupling stabilised(Coupling plain, const bem::Space& space,
-                    const MultiplierSpace& multiplier, std::size_t body,
-                    const Stabilization& stabilization, const bem::Lame& lame,
-                    bem::Units units, std::vector<Index> start) {
+                    const MultiplierSpace& multiplier, const Opposite& opposite,
+                    std::size_t body, const Stabilization& stabilization,
+                    const bem::Lame& lame, bem::Units units, std::vector<Index> start) {
   Coupling coupling = std::move(plain);
   coupling.stabilization = stabilization;
   if (stabilization.isOn() && !multiplier.elements(body).empty())
@@ -157,21 +254,29 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
       densityCompliance(space, multiplier.conditions(body), stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
-  for (const ContactElement& contact : multiplier.elements(body)) {
-    const double gamma =
-        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
-    const Index first = coupling.start[coupling.gamma.size()];
+  const std::vector<ContactElement>& contacts = multiplier.elements(body);
+  coupling.elements =
+      stabilisedElements(space.mesh(), multiplier.conditions(body), stabilization);
+  for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
+    const int e = coupling.elements[k];
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame, units);
+    const Index first = coupling.start[k];
     if (ofDensities)
-      coupling.start.push_back(first + 2 * contact.geometry().densities);
+      coupling.start.push_back(first + 2 * Index{space.mesh()[e].densities});
     coupling.gamma.push_back(gamma);
-    if (gamma != 0)
-      ElementCoupling(multiplier.basis(), stabilization, contact)
+    if (gamma == 0)
+      continue;
+    if (k < contacts.size())
+      ElementCoupling(multiplier.basis(), stabilization, contacts[k])
           .addTo(gamma, first, coupling);
+    else
+      FacingCoupling(multiplier, opposite, body, e).addTo(gamma, first, coupling);
   }
   return coupling;
 }
 
-Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t body,
+Loads::InResidual tractionMoments(const MultiplierSpace& multiplier,
+                                  const Opposite& opposite, std::size_t body,
                                   const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested) {
@@ -179,11 +284,18 @@ Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t
   moments.weights.assign(at(coupling.start.back()), 0.0);
   moments.terms.assign(at(multiplier.size()), 0.0);
   moments.means.assign(tested.size(), 0.0);
-  for (std::size_t k = 0; k < multiplier.elements(body).size(); ++k)
-    if (coupling.gamma[k] != 0)
-      ElementCoupling(multiplier.basis(), coupling.stabilization,
-                      multiplier.elements(body)[k])
-          .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
+  const std::vector<ContactElement>& contacts = multiplier.elements(body);
+  for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
+    const double gamma = coupling.gamma[k];
+    if (gamma == 0)
+      continue;
+    if (k < contacts.size())
+      ElementCoupling(multiplier.basis(), coupling.stabilization, contacts[k])
+          .addMoments(gamma, coupling.start[k], traction, tested, moments);
+    else
+      FacingCoupling(multiplier, opposite, body, coupling.elements[k])
+          .addMoments(gamma, coupling.start[k], traction, tested, moments);
+  }
   return moments;
 }
 

@@ -24,6 +24,14 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
+/// ds of a side over ds of what it sees along its normal: the foot runs along the side with the part
+/// of the way that is along it, which an arc draws in or out by the distance from its centre.
+double stretching(const bem::Curve& side, double t, const bem::Curve& other, double there,
+                  double distance) {
+  return std::abs(dot(other.tangent(there), side.tangent(t))) /
+         std::abs(1 + side.curvature() * distance);
+}
+
 /// An element has nodes where what lies opposite ends, but for slivers, which take part with what is
 /// next to them.  A multiplier that acts beyond would press on nothing.
 void checkCovered(const ContactElement& element,
@@ -104,6 +112,7 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   assert(found);
   point.gap = (element.ties() ? 0 : found->distance) + givenGap(element, t);
   point.t = std::clamp(found->t, -1.0, 1.0);
+  point.stretching = stretching(own, t, other, point.t, found->distance);
   if (side.body >= 0) {
     point.body = side.body;
     point.element = side.elements[k];
@@ -146,13 +155,10 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
     for (const double foot : feetOn(own, other.point(t) - here.side->shift)) {
       if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
         continue;
-      // the foot runs along the side with the part of the way that is along it, which an arc
-      // draws in or out by the distance from its centre
       const double distance =
           dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-      const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
-                           std::abs(1 + own.curvature() * distance);
-      result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+      result.push_back({here.element, std::clamp(foot, -1.0, 1.0),
+                        stretching(own, foot, other, t, distance)});
     }
   });
   return result;
@@ -166,6 +172,15 @@ Vector Opposite::sourceBreaks(int body, int element) const {
       if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
                                     here.side->curves.curves()[stretch.curve]))
         result.push_back(std::clamp(hit->t, -1.0, 1.0));
+  });
+  return result;
+}
+
+std::vector<Opposite::Seen> Opposite::seen(int body, int element) const {
+  std::vector<Seen> result;
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& part) {
+    result.push_back(
+        {here.element, {(part.begin + part.end) / 2, (part.end - part.begin) / 2, this}});
   });
   return result;
 }

@@ -36,6 +36,15 @@ struct OppositeSide {
   bem::Vec2 pole{};              ///< reference point of what does not deform
 };
 
+class Opposite;
+
+/// A part of an element, t = middle + half s, |s| <= 1, on which Opposite::at is smooth.
+struct Stretch {
+  double middle = 0;
+  double half = 1;
+  const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
+};
+
 /// The opposite side as a function of points of the sides that carry the multiplier, of all bodies:
 /// outlines of other bodies for contacts with a name, found along the normals of the contact side;
 /// fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
@@ -55,12 +64,13 @@ class Opposite {
            const std::map<std::string, OppositeSide>& sides);
 
   struct Point {
-    double gap = 0;    ///< along the outward normal, dimensionless
-    int element = -1;  ///< of the opposite body; -1: not deformable
-    double t = 0;      ///< parameter on that element
-    int body = 0;      ///< index of the deformable body
-    int rigid = -1;    ///< index of the rigid body; -1: none, or fixed
-    bem::Vec2 arm{};   ///< from its reference point, dimensionless
+    double gap = 0;         ///< along the outward normal, dimensionless
+    int element = -1;       ///< of the opposite body; -1: not deformable
+    double t = 0;           ///< parameter on that element
+    int body = 0;           ///< index of the deformable body
+    int rigid = -1;         ///< index of the rigid body; -1: none, or fixed
+    bem::Vec2 arm{};        ///< from its reference point, dimensionless
+    double stretching = 1;  ///< ds of the side over ds of the opposite one
   };
   /// \pre -1 <= t <= 1.
   Point at(const MultiplierSpace::ContactElement& element, double t) const;
@@ -81,6 +91,13 @@ class Opposite {
   std::vector<Source> sources(int body, int element, double t) const;
   /// Where these bend or jump inside that element, within [-1, 1], in any order.
   Vector sourceBreaks(int body, int element) const;
+
+  /// The parts of contact elements that see an element of a deformable body.
+  struct Seen {
+    const MultiplierSpace::ContactElement* by;
+    Stretch stretch;
+  };
+  std::vector<Seen> seen(int body, int element) const;
 
   /// Does nothing opposite move at all?
   bool isStill() const { return sides_.empty(); }
@@ -109,12 +126,7 @@ class Opposite {
       facing_{};
 };
 
-/// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.
-struct Stretch {
-  double middle = 0;
-  double half = 1;
-  const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
-};
+/// All of an element.
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);
 

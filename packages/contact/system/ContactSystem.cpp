@@ -69,7 +69,8 @@ ContactSystem::MakeFlexibility ContactSystem::addBodies(
     add(
         [&](const BodyInput& input, std::size_t b, const Holds& holding,
             const Coupling& coupling) {
-          return makeDenseBody(input, multiplier(), b, holding, coupling);
+          return makeDenseBody(input, multiplier(), *obstacle_->opposite, b, holding,
+                               coupling);
         },
         dense);
     return [dense](const Columns& r, const Columns& s) {
@@ -80,8 +81,8 @@ ContactSystem::MakeFlexibility ContactSystem::addBodies(
   add(
       [&](const BodyInput& input, std::size_t b, const Holds& holding,
           Coupling coupling) {
-        return std::make_shared<const CompressedBody>(input, multiplier(), b, holding,
-                                                      std::move(coupling));
+        return std::make_shared<const CompressedBody>(
+            input, multiplier(), *obstacle_->opposite, b, holding, std::move(coupling));
       },
       compressed);
   return [compressed, normals = multiplier().normals(),

@@ -1,5 +1,6 @@
 // What the stabilisation stores in a state of a body.
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/quadrature/Piecewise.hpp"
 #include "contact/opposite/SidePoints.hpp"
 #include "contact/system/ContactBody.hpp"
 
@@ -8,7 +9,8 @@ namespace epafi::contact {
 using bem::dot;
 using bem::Vec2;
 
-// With E = λ + ψ + t_p - Σ ρ r, on pins of their elements' means:
+// With E = λ + ψ + t_p - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
+// their elements' means:
 //   Σ ∫ γ E · (E - t_p),   and what t_p does through f, r and the means of what Fix holds
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
                                         const Vector& contactForce) const {
@@ -20,21 +22,38 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
   const Vector psi = density(state, displacement, contactForce);
   const Vector rho = fixedReactions(contactForce);
   double twice = 0;
-  for (std::size_t k = 0; k < elements().size(); ++k) {
-    const auto& element = elements()[k];
-    const int e = element.element;
+  const auto add = [&](int e, double t, double weight, Vec2 pressed) {
+    Vec2 own = pressed + space_->densityAt(psi, e, t);
+    for (const int mode : holding().fixedModes)
+      own = own - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, t));
+    const Vec2 whole = inside ? own + inside->traction(mesh, e, t) : own;
+    twice += weight * dot(whole, own);
+  };
+  for (std::size_t k = 0; k < elements().size(); ++k)
     forEachPointOf(
-        element, multiplier().basis(), bem::gaussForGiven(element.degree),
+        elements()[k], multiplier().basis(), bem::gaussForGiven(elements()[k].degree),
         [&](const SidePoint& point) {
-          const auto stress = multiplier().at(state.multiplier, element, point.t);
-          Vec2 own = stress.normal * point.normal + stress.tangential * point.tangent +
-                     space_->densityAt(psi, e, point.t);
-          for (const int mode : holding().fixedModes)
-            own = own -
-                  rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
-          const Vec2 whole = inside ? own + inside->traction(mesh, e, point.t) : own;
-          twice += coupling().gamma[k] * point.weight * dot(whole, own);
+          const auto stress = multiplier().at(state.multiplier, elements()[k], point.t);
+          add(elements()[k].element, point.t, coupling().gamma[k] * point.weight,
+              stress.normal * point.normal + stress.tangential * point.tangent);
         });
+  for (std::size_t k = elements().size(); k < coupling().elements.size(); ++k) {
+    const int e = coupling().elements[k];
+    const auto faced = static_cast<int>(number_);
+    const bem::Rule rule = bem::piecewiseRule(opposite().sourceBreaks(faced, e),
+                                              bem::gaussForGiven(mesh[e].degree).size());
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[at(q)];
+      Vec2 pressed;
+      for (const Opposite::Source& source : opposite().sources(faced, e, t)) {
+        const auto stress = multiplier().at(state.multiplier, *source.element, source.t);
+        const bem::Curve& curve = source.element->geometry().curve;
+        pressed =
+            pressed - source.stretching * (stress.normal * curve.normal(source.t) +
+                                           stress.tangential * curve.tangent(source.t));
+      }
+      add(e, t, coupling().gamma[k] * mesh[e].half * rule.weights[at(q)], pressed);
+    }
   }
   const Loads::InResidual all = inResidual(contactForce);
   const Loads::InResidual& ofInside = loads_.residual;
