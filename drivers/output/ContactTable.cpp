@@ -111,7 +111,9 @@ std::string ContactTable::next(const SolvedStep& step) {
         const auto stress = fields.inUnits(continuous, element, t);
         append(row, {{"normal_closing", exactly(p.closing)},
                      {"pressure", exactly(stress.normal)},
-                     {"shear", exactly(stress.tangential)}});
+                     {"shear", exactly(stress.tangential)},
+                     {"d_x", exactly(p.direction.x)},
+                     {"d_y", exactly(p.direction.y)}});
         addRow(row, csv);
       }
     }

@@ -233,8 +233,9 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
     }
     if (balance.free[b].empty() && loads.rigidPart.empty())
       continue;
-    const contact::Coupling own = contact::makeCoupling(
-        spaces.space(b), multipliers[b], none, scene.lame(b), scene.units());
+    const contact::Coupling own =
+        contact::makeCoupling(spaces.space(b), multipliers[b], *spaces.opposite(b), none,
+                              scene.lame(b), scene.units());
     contact::addRigidPart(loads, numbering, b, own.trace, opposite[b], given);
     for (Vector& column : motionsOnContacts(holding, holding.fixed(), numbering, b,
                                             own.trace, opposite[b]))

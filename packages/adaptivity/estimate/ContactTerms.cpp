@@ -117,15 +117,19 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bool acts = solved.conditions.inside || solved.insideBefore();
   const int degreeOfMotion =
       acts ? std::min(std::max(degree, p + forTurning), bem::largestDegree) : degree;
-  const auto component = [&](const auto& direction, bool since) {
-    return Polynomial(
-        [&, since](double t) {
-          bem::Vec2 u = solved.displacementAt(element.element, t);
-          if (since)
-            u = u - solved.displacementBeforeAt(element.element, t);
-          return dot(u, direction(t));
-        },
-        degreeOfMotion);
+  const auto ownMotion = [&](bool since) {
+    const auto component = [&](double bem::Vec2::*part) {
+      return Polynomial(
+          [&](double t) {
+            const bem::Vec2 u = solved.displacementAt(element.element, t);
+            return since ? (u - solved.displacementBeforeAt(element.element, t)).*part
+                         : u.*part;
+          },
+          degreeOfMotion);
+    };
+    return [x = component(&bem::Vec2::x), y = component(&bem::Vec2::y)](double t) {
+      return bem::Vec2{x(t), y(t)};
+    };
   };
   const auto stress = [&](auto part, const auto& direction) {
     return Polynomial(
@@ -139,17 +143,10 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         degree);
   };
   using Value = contact::MultiplierSpace::Value;
-  const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
-  const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
-  const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial normal = component(across, false);
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
   const int e = element.element;
   const contact::Opposite& opposite = solved.problem.opposite();
-  const auto motion = [&solved](const contact::Opposite::Point& there) {
-    return motionAt(solved.motions, there);
-  };
   // several profiles ask for the same point one after the other
   using OppositePoint = contact::Opposite::Point;
   const auto last = std::make_shared<std::pair<std::optional<double>, OppositePoint>>();
@@ -157,6 +154,12 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     if (last->first != t)
       *last = {t, opposite.at(element, t)};
     return last->second;
+  };
+  const auto across = [oppositeAt](double t) { return oppositeAt(t).direction.unit; };
+  const auto along = [across](double t) { return turnLeft(across(t)); };
+  const Polynomial pressure = stress(&Value::normal, across);
+  const auto motion = [&solved](const contact::Opposite::Point& there) {
+    return motionAt(solved.motions, there);
   };
   const auto closing = [&mesh, &condition, units, e, pressure](double t) {
     return condition.normal
@@ -169,13 +172,15 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
                ? 0
                : contact::MultiplierSpace::throughPoints(wear->depth, element, t);
   };
-  const auto opening = [oppositeAt, worn, across, normal, motion, closing](double t) {
+  const auto opening = [oppositeAt, worn, &solved, u = ownMotion(false),
+                        closing](double t) {
     const OppositePoint there = oppositeAt(t);
-    return there.gap + closing(t) + worn(t) + dot(motion(there), across(t)) - normal(t);
+    return there.gap + closing(t) + worn(t) - solved.approach(u(t), there);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
-  const Polynomial own = component(along, !ties && solved.displacementBefore != nullptr);
+  const auto own = [along, u = ownMotion(!ties && solved.displacementBefore != nullptr)](
+                       double t) { return dot(u(t), along(t)); };
   const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
   const auto tangential = [oppositeAt, along, own, motion, before](double t) {
     const OppositePoint there = oppositeAt(t);

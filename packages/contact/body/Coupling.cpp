@@ -31,9 +31,11 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
 class ElementCoupling {
  public:
   ElementCoupling(const bem::Space& space, const MultiplierBasis& basis,
-                  const Stabilization& stabilization, const ContactElement& contact)
+                  const Opposite& opposite, const Stabilization& stabilization,
+                  const ContactElement& contact)
       : space_(space),
         basis_(basis),
+        opposite_(opposite),
         byDensity_(stabilization.byDensity()),
         byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
@@ -69,8 +71,10 @@ class ElementCoupling {
                   Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPointOf(
-        contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
+    forEachPoint(
+        [&](const Opposite::Point&) -> const auto& {
+          return bem::gaussForGiven(element_.degree);
+        },
         [&](const SidePoint& point) {
           const auto legendre = orthonormal(point.t);
           const Vec2 force = point.weight * traction(contact_.element, point.t);
@@ -84,7 +88,7 @@ class ElementCoupling {
           }
           for (Index i = 0; i < size() && isWhole(); ++i)
             moments.terms[at(numberOf(i))] -=
-                gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point));
+                gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point).unit);
         });
     const auto timesParts = [&](const double* column) {
       return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
@@ -103,7 +107,7 @@ class ElementCoupling {
   bool isTangential(Index i) const { return i >= functions(); }
   std::size_t functionOf(Index i) const { return at(i % functions()); }
   Index numberOf(Index i) const { return own(i).number(static_cast<int>(functionOf(i))); }
-  Vec2 directionOf(Index i, const SidePoint& point) const {
+  const Direction& directionOf(Index i, const SidePoint& point) const {
     return isTangential(i) ? point.tangent : point.normal;
   }
   const Coefficients& own(Index i) const {
@@ -140,11 +144,19 @@ class ElementCoupling {
   /// the product of what they take.
   bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
 
+  template <class RuleOf, class Visit>
+  void forEachPoint(const RuleOf& ruleOf, const Visit& visit) const {
+    for (const Stretch& stretch : stretches(opposite_, contact_))
+      forEachPointOf(contact_, space_.mesh(), basis_,
+                     ruleOf(opposite_.at(contact_, stretch.middle)), visit, stretch);
+  }
+
   void integrate() {
-    const int p = element_.degree;
-    forEachPointOf(contact_, space_.mesh(), basis_,
-                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
-                   [&](const SidePoint& point) { add(point); });
+    forEachPoint(
+        [&](const Opposite::Point& middle) -> const auto& {
+          return ruleOfForces(contact_, middle);
+        },
+        [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
   }
@@ -156,10 +168,11 @@ class ElementCoupling {
     const Vec2 rest = space_.rotationRest(contact_.element, point.t);
     for (Index i = 0; i < size(); ++i) {
       const double value = point.weight * point.chi[functionOf(i)];
-      const Vec2 force = value * directionOf(i, point);
+      const Direction& direction = directionOf(i, point);
+      const Vec2 force = value * direction.unit;
       addForce(force, phi.data(), traces_.column(i), traces_.rows());
       addForce(force, legendre.data(), parts_.column(i), rows());
-      rests_[at(i)] += dot(force, rest);
+      rests_[at(i)] += dot(force, rest) - value * direction.ownTurn;
       for (Index k = 0; k < size(); ++k)
         if (isTangential(k) == isTangential(i))
           mass_(i, k) += value * point.chi[functionOf(k)];
@@ -177,6 +190,7 @@ class ElementCoupling {
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
+  const Opposite& opposite_;
   bool byDensity_;
   bool byTractions_;
   const ContactElement& contact_;
@@ -190,8 +204,8 @@ class ElementCoupling {
 }  // namespace
 
 Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                      const Stabilization& stabilization, const bem::Lame& lame,
-                      bem::Units units, std::vector<Index> start) {
+                      const Opposite& opposite, const Stabilization& stabilization,
+                      const bem::Lame& lame, bem::Units units, std::vector<Index> start) {
   const Vector none(at(multiplier.size()));
   Coupling coupling;
   coupling.trace = {{}, space.rotation(), none};
@@ -209,7 +223,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
     if (ofDensities)
       coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
     coupling.gamma.push_back(gamma);
-    ElementCoupling(space, multiplier.basis(), stabilization, contact)
+    ElementCoupling(space, multiplier.basis(), opposite, stabilization, contact)
         .addTo(gamma, first, coupling);
   }
   return coupling;
@@ -217,7 +231,7 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
 
 Loads::InResidual tractionMoments(const bem::Space& space,
                                   const MultiplierSpace& multiplier,
-                                  const Coupling& coupling,
+                                  const Opposite& opposite, const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested) {
   Loads::InResidual moments;
@@ -226,7 +240,7 @@ Loads::InResidual tractionMoments(const bem::Space& space,
   moments.means.assign(tested.size(), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
     if (coupling.gamma[k] != 0)
-      ElementCoupling(space, multiplier.basis(), coupling.stabilization,
+      ElementCoupling(space, multiplier.basis(), opposite, coupling.stabilization,
                       multiplier.elements()[k])
           .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
   return moments;

@@ -78,8 +78,8 @@ Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier)
 
 Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
                     const Tractions& tractions) {
-  return makeCoupling(input.space, multiplier, input.stabilization, input.lame,
-                      input.units,
+  return makeCoupling(input.space, multiplier, *input.opposite, input.stabilization,
+                      input.lame, input.units,
                       tractions != nullptr ? tractions->start : std::vector<Index>());
 }
 

@@ -21,8 +21,8 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                                std::shared_ptr<const Holding> holding)
     : ElasticBody(input.space, std::move(holding),
-                  makeCoupling(input.space, multiplier, input.stabilization, input.lame,
-                               input.units)),
+                  makeCoupling(input.space, multiplier, *input.opposite,
+                               input.stabilization, input.lame, input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {
   restriction_.held.assign(at(operators_->size()), 1);

@@ -72,9 +72,10 @@ bem::LocalCoupling localCoupling(const std::vector<ContactSide>& bodies,
   local.bodies.resize(at(numbering.size()));
   Index first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& [space, multiplier, unused] = bodies[b];
+    const auto& [space, multiplier, opposed] = bodies[b];
     const Index densities = first + space.displacements();
-    const Coupling own = makeCoupling(space, multiplier, stabilization, lames[b], units);
+    const Coupling own =
+        makeCoupling(space, multiplier, opposed, stabilization, lames[b], units);
     const auto numberOf = [&, b](Index i) { return further + numbering(b, i); };
     Vector& rests = local.rotations.emplace_back(at(numbering.size()));
     for (const bem::Entry& entry : own.trace.entries)

@@ -8,19 +8,19 @@ namespace epafi::contact {
 /// A quadrature point of a contact side.
 struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
-  int number;     ///< of the point in its rule
-  double t;       ///< parameter on the element
-  double weight;  ///< quadrature weight, by arc length
-  Vector chi;     ///< χ_i(t) of the element
-  bem::Vec2 normal;
-  bem::Vec2 tangent;
+  int number;                ///< of the point in its rule
+  double t;                  ///< parameter on the element
+  double weight;             ///< quadrature weight, by arc length
+  Vector chi;                ///< χ_i(t) of the element
   Opposite::Point opposite;  ///< of a loop that has been given what lies opposite
+  Direction normal;          ///< d of contact
+  Direction tangent;         ///< d turned left
 
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
 
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
-  /// clamped ends.  d: normal or tangent.
+  /// clamped ends.  d: `normal` or `tangent`.
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
     for (int i = 0; i <= contact.degree; ++i) {
@@ -42,11 +42,20 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::M
   const bem::Element& element = side[contact.element];
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
-    visit(SidePoint{contact, q, t, stretch.half * rule.weights[at(q)] * element.half,
-                    basis.values(contact.degree, t), element.curve.normal(t),
-                    element.curve.tangent(t),
-                    stretch.opposite != nullptr ? stretch.opposite->at(contact, t)
-                                                : Opposite::Point{}});
+    const Opposite::Point opposite = stretch.opposite != nullptr
+                                         ? stretch.opposite->at(contact, t)
+                                         : Opposite::Point{};
+    const Direction normal = stretch.opposite != nullptr
+                                 ? opposite.direction
+                                 : Direction{element.curve.normal(t)};
+    visit(SidePoint{contact,
+                    q,
+                    t,
+                    stretch.half * rule.weights[at(q)] * element.half,
+                    basis.values(contact.degree, t),
+                    opposite,
+                    normal,
+                    {turnLeft(normal.unit)}});
   }
 }
 

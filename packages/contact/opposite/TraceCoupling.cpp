@@ -52,10 +52,8 @@ void addMortar(const std::vector<ContactSide>& bodies, std::size_t a, int b,
   forEachSidePoint(
       side, multiplier, opposite,
       [&](const ContactElement& contact, const Opposite::Point& middle) {
-        return middle.element >= 0 && middle.body == b
-                   ? &mortarRule(contact, side[contact.element],
-                                 other.mesh()[middle.element])
-                   : nullptr;
+        return middle.element >= 0 && middle.body == b ? &ruleOfForces(contact, middle)
+                                                       : nullptr;
       },
       [&](const SidePoint& point) {
         const int opposed = point.opposite.element;
@@ -65,10 +63,11 @@ void addMortar(const std::vector<ContactSide>& bodies, std::size_t a, int b,
         std::array<double, bem::largestDegree + 1> phi{};
         bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
         const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
-        point.forEachCoefficient([&](Index own, double chi, Vec2 direction) {
+        point.forEachCoefficient([&](Index own, double chi, const Direction& direction) {
           const Index i = numbering(a, own);
-          coupling.rests[at(i)] -= point.weight * dot(direction, rest) * chi;
-          const double components[2] = {direction.x, direction.y};
+          coupling.rests[at(i)] -=
+              point.weight * (dot(direction.unit, rest) - direction.oppositeTurn) * chi;
+          const double components[2] = {direction.unit.x, direction.unit.y};
           for (int k = 0; k <= degree; ++k)
             for (int c = 0; c < 2; ++c)
               entries.push_back({other.displacement(opposed, k, c), i,
@@ -149,13 +148,6 @@ void TraceCoupling::addTo(Matrix& transposed,
       for (Index j = 0; j < transposed.rows(); ++j)
         transposed(j, columnOf(static_cast<Index>(i))) +=
             rests[i] * rotation->functional()[at(j)];
-}
-
-const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,
-                            const bem::Element& other) {
-  const int turning =
-      std::max(side.curve.pointsOfTurning(), other.curve.pointsOfTurning());
-  return bem::gaussLegendre((contact.degree + other.degree) / 2 + 1 + turning);
 }
 
 }  // namespace epafi::contact

@@ -51,10 +51,4 @@ void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& moti
 std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
                                              const Numbering& numbering);
 
-/// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
-/// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this
-/// rule, so that they balance.
-const bem::Rule& mortarRule(const MultiplierSpace::ContactElement& contact,
-                            const bem::Element& side, const bem::Element& other);
-
 }  // namespace epafi::contact

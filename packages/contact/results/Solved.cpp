@@ -24,9 +24,10 @@ Vec2 ForeignPressure::at(int element, double t) const {
     for (const auto& source : side->problem.opposite().sources(body_, element, t)) {
       const auto stress = side->problem.multiplier().at(side->state.multiplier,
                                                         *source.element, source.t);
-      const bem::Curve& curve = side->space.mesh()[source.element->element].curve;
-      sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
-                                       stress.tangential * curve.tangent(source.t));
+      const Vec2 across =
+          side->problem.opposite().at(*source.element, source.t).direction.unit;
+      sum = sum + source.stretching *
+                      (stress.normal * across + stress.tangential * turnLeft(across));
     }
   return sum;
 }
@@ -98,16 +99,17 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
   const bem::Mesh& mesh = solved_.space.mesh();
-  const bem::Element& geometry = mesh[element.element];
   const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
-  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
 
   ContactPoint point;
   point.place = mesh.physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.normal = units_.length * dot(u, geometry.curve.normal(t));
-  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
+  point.direction = opposite.direction.unit;
+  const Vec2 u = solved_.displacementAt(element.element, t);
+  point.normal = units_.length * solved_.approach(u, opposite);
+  point.tangential = units_.length * dot(u - motionAt(solved_.motions, opposite),
+                                         turnLeft(point.direction));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
   if (condition.sliding)

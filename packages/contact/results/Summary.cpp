@@ -35,10 +35,6 @@ void add(const Resultant& more, Resultant& sum) {
   sum.moment += more.moment;
 }
 
-void addForce(Vec2 force, Vec2 place, Resultant& sum) {
-  add({force.x, force.y, cross(place, force)}, sum);
-}
-
 double closedPart(const ContactFields& fields, const Element& element) {
   return positivePart([&](double t) { return fields.closing(element, t); },
                       element.degree);
@@ -65,19 +61,23 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
     summary.pressureMax =
         std::max(summary.pressureMax, fields.stress(element, end).normal);
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(element, mesh, basis,
-                 bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
-                 [&](const SidePoint& point) {
-                   const auto stress = fields.stress(element, point.t);
-                   const Vec2 force =
-                       -length * point.weight *
-                       (stress.normal * point.normal + stress.tangential * point.tangent);
-                   const Vec2 place = mesh.physicalPoint(element.element, point.t);
-                   addForce(force, place, summary.contact);
-                   if (point.opposite.element < 0)
-                     addForce(force, place, summary.obstacle);
-                 },
-                 {0, 1, &solved.problem.opposite()});
+  const Opposite& opposite = solved.problem.opposite();
+  for (const Stretch& stretch : stretches(opposite, element))
+    forEachPointOf(
+        element, mesh, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
+        [&](const SidePoint& point) {
+          const auto stress = fields.stress(element, point.t);
+          const double weight = -length * point.weight;
+          const Vec2 force = weight * (stress.normal * point.normal.unit +
+                                       stress.tangential * point.tangent.unit);
+          const Vec2 place = mesh.physicalPoint(element.element, point.t);
+          Resultant sum{force.x, force.y, cross(place, force)};
+          sum.moment -= weight * length * stress.normal * point.normal.ownTurn;
+          add(sum, summary.contact);
+          if (point.opposite.element < 0)
+            add(sum, summary.obstacle);
+        },
+        stretch);
   summary.contactLength += length * side.half * closedPart(fields, element);
   if (element.shears())
     summary.slipLength +=
@@ -240,22 +240,23 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
   forEachSidePoint(
       mesh, side.problem.multiplier(), side.problem.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
-        return middle.element >= 0
-                   ? &mortarRule(element, mesh[element.element],
-                                 bodies[middle.body].space.mesh()[middle.element])
-                   : nullptr;
+        return middle.element >= 0 ? &ruleOfForces(element, middle) : nullptr;
       },
       [&](const SidePoint& point) {
         const Opposite::Point& there = point.opposite;
         if (there.element < 0)
           return;
         const auto stress = fields.stress(point.contact, point.t);
+        const double length = side.units.length;
         const Vec2 force =
-            side.units.length * point.weight *
-            (stress.normal * point.normal + stress.tangential * point.tangent);
-        addForce(force,
-                 bodies[there.body].space.mesh().physicalPoint(there.element, there.t),
-                 summaries[there.body].contact);
+            length * point.weight *
+            (stress.normal * point.normal.unit + stress.tangential * point.tangent.unit);
+        const Vec2 place =
+            bodies[there.body].space.mesh().physicalPoint(there.element, there.t);
+        const double turned =
+            length * length * point.weight * stress.normal * point.normal.oppositeTurn;
+        add({force.x, force.y, cross(place, force) - turned},
+            summaries[there.body].contact);
       });
 }
 

@@ -57,8 +57,9 @@ Vector sum(Vector x, const Vector& y) {
 
 /// \throws bem::InputError if the multiplier does not go with the form.
 std::shared_ptr<const ElasticBody> makeElastic(
-    const BodyInput& input, const MultiplierSpace& multiplier,
-    const std::shared_ptr<const Holding>& holding) {
+    BodyInput input, const std::shared_ptr<const Opposite>& opposite,
+    const MultiplierSpace& multiplier, const std::shared_ptr<const Holding>& holding) {
+  input.opposite = opposite;
   if (input.basis.sharesNodes && input.stabilization.isOn())
     throw bem::InputError("the multiplier '", input.basis.name,
                           "' needs the stabilisation's form None");
@@ -78,7 +79,7 @@ ContactBody::ContactBody(const BodyInput& input)
       opposite_(input.opposite
                     ? input.opposite
                     : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
-      elastic_(makeElastic(input, multiplier_, holding_)),
+      elastic_(makeElastic(input, opposite_, multiplier_, holding_)),
       obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
   reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();

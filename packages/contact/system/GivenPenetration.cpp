@@ -45,8 +45,8 @@ void addBodyLoads(const std::vector<ContactSide>& sides, const Numbering& number
             u = u - insideOf(at(there.body))
                         ->displacement(sides[at(there.body)].space.mesh(), there.element,
                                        there.t);
-          point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
-            r[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+          point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
+            r[at(numbering(b, i))] += point.weight * chi * dot(u, direction.unit);
           });
         });
   }
