@@ -2,6 +2,7 @@
 
 #include "bem/space/LocalField.hpp"
 #include "contact/path/PathMemory.hpp"
+#include "contact/results/Resolution.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
 
@@ -86,6 +87,7 @@ std::string ContactTable::next(const SolvedStep& step) {
                            last->condition == element.condition;
       start = follows ? start + 2 * mesh[last->element].half : 0;
       last = &element;
+      const auto doubt = contact::resolutionOf(fields, element).error;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
         const ContactPoint p = fields.at(element, t);
@@ -112,6 +114,8 @@ std::string ContactTable::next(const SolvedStep& step) {
         append(row, {{"normal_closing", exactly(p.closing)},
                      {"pressure", exactly(stress.normal)},
                      {"shear", exactly(stress.tangential)},
+                     {"pressure_error", exactly(doubt.normal)},
+                     {"shear_error", exactly(doubt.tangential)},
                      {"d_x", exactly(p.direction.x)},
                      {"d_y", exactly(p.direction.y)}});
         addRow(row, csv);
