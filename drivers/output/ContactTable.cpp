@@ -116,8 +116,8 @@ std::string ContactTable::next(const SolvedStep& step) {
                      {"shear", exactly(stress.tangential)},
                      {"pressure_error", exactly(doubt.normal)},
                      {"shear_error", exactly(doubt.tangential)},
-                     {"d_x", exactly(p.direction.x)},
-                     {"d_y", exactly(p.direction.y)}});
+                     {"d_x", exactly(p.direction.unit.x)},
+                     {"d_y", exactly(p.direction.unit.y)}});
         addRow(row, csv);
       }
     }

@@ -24,6 +24,13 @@ struct Direction {
   double oppositeTurn = 0;
 };
 
+/// The direction of contact, d, and what it is worth.
+struct ContactDirection : Direction {
+  double angle = 0;  ///< between the sides: of -n₂ against n₁
+  double parting =
+      0;  ///< κ₁ κ₂ / (κ₁ + κ₂): convex sides that slide by δ part by half of that times δ²
+};
+
 /// The direction of the linearised gap, of pressure and opening, at a point and what is opposite to it, the same whichever
 /// side is the first,
 ///
@@ -33,6 +40,6 @@ struct Direction {
 /// turns the normal into the other one on the way to it, which fades out at a quarter of a line or
 /// circle; two straight sides turn at their next corners, however far.
 ///                                                      [doc/theory/contact.md, Directions]
-Direction directionBetween(const SideShape& own, const SideShape& opposite);
+ContactDirection directionBetween(const SideShape& own, const SideShape& opposite);
 
 }  // namespace epafi::contact

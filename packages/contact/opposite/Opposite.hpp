@@ -60,7 +60,7 @@ class Opposite {
            const std::map<std::string, OppositeSide>& sides);
 
   struct Point {
-    Direction direction{};
+    ContactDirection direction{};
     double gap = 0;  ///< along it, dimensionless
     int turning =
         0;  ///< Gauss points, beyond those for polynomials, for what turns there

@@ -105,11 +105,11 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.place = mesh.physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.direction = opposite.direction.unit;
+  point.direction = opposite.direction;
   const Vec2 u = solved_.displacementAt(element.element, t);
   point.normal = units_.length * solved_.approach(u, opposite);
   point.tangential = units_.length * dot(u - motionAt(solved_.motions, opposite),
-                                         turnLeft(point.direction));
+                                         turnLeft(point.direction.unit));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
   if (condition.sliding)

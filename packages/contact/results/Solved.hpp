@@ -86,11 +86,11 @@ enum class FrictionKind {
 /// contact, see Opposite, tangential along d turned counter-clockwise; λ = -σ(u) n.
 struct ContactPoint {
   bem::SurfacePoint place;
-  bem::Vec2 direction;    ///< d
-  double pressure = 0;    ///< λₙ [stress]
-  double shear = 0;       ///< λₜ [stress]
-  double normal = 0;      ///< uₙ, relative to the opposite side [length]
-  double tangential = 0;  ///< uₜ, relative to the opposite side [length]
+  ContactDirection direction;  ///< d, dimensionless
+  double pressure = 0;         ///< λₙ [stress]
+  double shear = 0;            ///< λₜ [stress]
+  double normal = 0;           ///< uₙ, relative to the opposite side [length]
+  double tangential = 0;       ///< uₜ, relative to the opposite side [length]
   double sliding = 0;   ///< given, of the opposite side; slip is uₜ - sliding [length]
   double gap = 0;       ///< [length]
   double bound = 0;     ///< slip bound s(λₙ) [stress]
