@@ -50,14 +50,15 @@ test::BodyScene body(double length, double nu, const std::vector<int>& elements,
 
 std::unique_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
                                                   const bem::SteklovPoincare& stiffness) {
-  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier,
+  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, 0,
                                 std::make_shared<const contact::Holding>(
                                     makeHolding(scene.space, scene.conditions)));
 }
 
 double worstImbalance(const test::BodyScene& scene) {
   const bem::SteklovPoincare stiffness = scene.dense();
-  const contact::ContactBody problem(scene.input(stiffness));
+  const contact::ContactSystem system({scene.input(stiffness)});
+  const contact::ContactBody& problem = system.body(0);
   contact::State state;
   state.multiplier.assign(problem.multiplier().size(), 0.0);
   const Vector u = problem.displacement(state);
@@ -280,7 +281,7 @@ TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused
                                  "Gauss-Legendre-Lagrange",
                                  stabilization});
     const bem::SteklovPoincare stiffness = scene.dense();
-    return contact::ContactBody(scene.input(stiffness)).coupling().gamma0;
+    return contact::ContactSystem({scene.input(stiffness)}).body(0).coupling().gamma0;
   };
   const double first = stabilization.firstGamma0();
   const double weakened = used();

@@ -270,7 +270,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
   const Residuals residuals(solved, lame, weights);
-  const auto& touching = solved.problem.multiplier().elements();
+  const auto& touching = solved.problem.elements();
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
   };
@@ -286,7 +286,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
   // λ̃ does the same work as λʰ on this body, but not on an opposite one
-  const bool alone = solved.problem.opposite().bodies().empty();
+  const bool alone = !solved.problem.opposite().meetsDeformable(solved.problem.number());
   const std::vector<AtEnds> correction =
       sharp && alone ? corrections(solved, lame, factors, moments, processes)
                      : std::vector<AtEnds>(touching.size());

@@ -50,20 +50,20 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
-                                  const contact::ContactState& states) {
+                                  std::size_t body, const contact::ContactState& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
-    const auto& element = multiplier.elements()[k];
+  const auto& elements = multiplier.elements(body);
+  for (const auto& element : elements) {
     const auto places = multiplier.basis().places(element.degree);
-    const auto stateAt = [&](std::size_t where, int i) {
-      return pointState(multiplier, multiplier.elements()[where], i, states);
+    const auto stateAt = [&](const auto& where, int i) {
+      return pointState(multiplier, where, i, states);
     };
-    if (const auto next = multiplier.follower(k);
-        next && stateAt(k, element.degree) != stateAt(*next, 0))
+    if (element.follower &&
+        stateAt(element, element.degree) != stateAt(elements[*element.follower], 0))
       points.nodes[mesh[element.element].endNode] = Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
-      if (stateAt(k, i) != stateAt(k, i + 1))
+      if (stateAt(element, i) != stateAt(element, i + 1))
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;

@@ -39,7 +39,7 @@ class ElementCoupling {
         byDensity_(stabilization.byDensity()),
         byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
-        element_(space.mesh()[contact.element]),
+        element_(contact.geometry()),
         traces_(2 * (element_.degree + 1), size()),
         parts_(rows(), size()),
         mass_(size(), size()),
@@ -147,8 +147,8 @@ class ElementCoupling {
   template <class RuleOf, class Visit>
   void forEachPoint(const RuleOf& ruleOf, const Visit& visit) const {
     for (const Stretch& stretch : stretches(opposite_, contact_))
-      forEachPointOf(contact_, space_.mesh(), basis_,
-                     ruleOf(opposite_.at(contact_, stretch.middle)), visit, stretch);
+      forEachPointOf(contact_, basis_, ruleOf(opposite_.at(contact_, stretch.middle)),
+                     visit, stretch);
   }
 
   void integrate() {
@@ -204,24 +204,26 @@ class ElementCoupling {
 }  // namespace
 
 Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const Stabilization& stabilization,
-                      const bem::Lame& lame, bem::Units units, std::vector<Index> start) {
+                      const Opposite& opposite, std::size_t body,
+                      const Stabilization& stabilization, const bem::Lame& lame,
+                      bem::Units units, std::vector<Index> start) {
   const Vector none(at(multiplier.size()));
   Coupling coupling;
   coupling.trace = {{}, space.rotation(), none};
   coupling.completion = coupling.trace;
   coupling.stabilization = stabilization;
-  if (stabilization.isOn() && !multiplier.elements().empty())
+  if (stabilization.isOn() && !multiplier.elements(body).empty())
     coupling.gamma0 = stabilization.firstGamma0();
-  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
+  coupling.compliance =
+      densityCompliance(space, multiplier.conditions(body), stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
-  for (const ContactElement& contact : multiplier.elements()) {
+  for (const ContactElement& contact : multiplier.elements(body)) {
     const double gamma =
         gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
     const Index first = coupling.start[coupling.gamma.size()];
     if (ofDensities)
-      coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
+      coupling.start.push_back(first + 2 * contact.geometry().densities);
     coupling.gamma.push_back(gamma);
     ElementCoupling(space, multiplier.basis(), opposite, stabilization, contact)
         .addTo(gamma, first, coupling);
@@ -231,17 +233,18 @@ Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier
 
 Loads::InResidual tractionMoments(const bem::Space& space,
                                   const MultiplierSpace& multiplier,
-                                  const Opposite& opposite, const Coupling& coupling,
+                                  const Opposite& opposite, std::size_t body,
+                                  const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested) {
   Loads::InResidual moments;
   moments.weights.assign(at(coupling.start.back()), 0.0);
   moments.terms.assign(at(multiplier.size()), 0.0);
   moments.means.assign(tested.size(), 0.0);
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
+  for (std::size_t k = 0; k < multiplier.elements(body).size(); ++k)
     if (coupling.gamma[k] != 0)
       ElementCoupling(space, multiplier.basis(), opposite, coupling.stabilization,
-                      multiplier.elements()[k])
+                      multiplier.elements(body)[k])
           .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
   return moments;
 }

@@ -61,16 +61,18 @@ struct Coupling {
                                     const Vector& ofInside) const;
 };
 
+/// Of a body's own multiplier.
 /// \param start of the elements' columns in R; empty: those of the densities, as without columns
 Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const Stabilization& stabilization,
-                      const bem::Lame& lame, bem::Units units,
-                      std::vector<Index> start = {});
+                      const Opposite& opposite, std::size_t body,
+                      const Stabilization& stabilization, const bem::Lame& lame,
+                      bem::Units units, std::vector<Index> start = {});
 
 /// The `weights` and `terms` of a traction t, and <γ t, r> for the `tested` r.
 Loads::InResidual tractionMoments(const bem::Space& space,
                                   const MultiplierSpace& multiplier,
-                                  const Opposite& opposite, const Coupling& coupling,
+                                  const Opposite& opposite, std::size_t body,
+                                  const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested);
 

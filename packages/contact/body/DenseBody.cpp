@@ -69,16 +69,21 @@ Matrix halfBetween(const bem::TractionRows& tractions, const Vector& gamma, Inde
 }
 
 /// Of the forms that insert S u; else null.
-Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier) {
+Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier,
+                      std::size_t body) {
   const auto form = input.stabilization.tractions();
-  return form ? bem::tractionRows(input.space, input.lame, input.stiffness,
-                                  multiplier.meshElements(), *form)
-              : nullptr;
+  if (!form)
+    return nullptr;
+  std::vector<int> elements;
+  for (const auto& contact : multiplier.elements(body))
+    elements.push_back(contact.element);
+  return bem::tractionRows(input.space, input.lame, input.stiffness, elements, *form);
 }
 
 Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
+                    const Opposite& opposite, std::size_t body,
                     const Tractions& tractions) {
-  return makeCoupling(input.space, multiplier, *input.opposite, input.stabilization,
+  return makeCoupling(input.space, multiplier, opposite, body, input.stabilization,
                       input.lame, input.units,
                       tractions != nullptr ? tractions->start : std::vector<Index>());
 }
@@ -173,35 +178,38 @@ Matrix DenseBody::forward(Matrix rows) const {
   return factor_.forward(rowsAt(free_, std::move(rows)));
 }
 
-Matrix DenseBody::transposedCoupling(const Numbering& numbering, std::size_t b,
-                                     const TraceCoupling& opposite) const {
-  Matrix result(space_.displacements(), numbering.size());
-  coupling_.trace.addTo(result, [&](Index own) { return numbering(b, own); });
+Matrix DenseBody::transposedCoupling(const TraceCoupling& opposite) const {
+  Matrix result(space_.displacements(), static_cast<Index>(coupling_.trace.rests.size()));
+  coupling_.trace.addTo(result);
   for (const bem::Entry& entry : coupling_.weights) {
     const double* traction = columns_->column(entry.row);
-    double* column = result.column(numbering(b, entry.column));
+    double* column = result.column(entry.column);
     for (Index j = 0; j < result.rows(); ++j)
       column[j] -= entry.value * traction[j];
   }
-  opposite.addTo(result, [](Index i) { return i; });
+  opposite.addTo(result);
   return result;
 }
 
 // M - Gᵀ X G, G by columns
-void DenseBody::addMultiplierMass(const Numbering& numbering, std::size_t b,
-                                  Matrix& d) const {
+void DenseBody::addMultiplierMass(const std::vector<Index>& columns, Matrix& d) const {
   for (const bem::Entry& entry : coupling_.mass)
-    d(numbering(b, entry.row), numbering(b, entry.column)) += entry.value;
+    d(entry.row, entry.column) += entry.value;
   if (response_ == nullptr)
     return;
   const Matrix& x = response_->density;
-  Matrix half(x.rows(), numbering.sizeOf(b));
-  for (const bem::Entry& entry : coupling_.weights)
+  Matrix half(x.rows(), static_cast<Index>(columns.size()));
+  const auto placeOf = [&](Index column) {
+    return std::lower_bound(columns.begin(), columns.end(), column) - columns.begin();
+  };
+  for (const bem::Entry& entry : coupling_.weights) {
+    double* column = half.column(placeOf(entry.column));
     for (Index i = 0; i < x.rows(); ++i)
-      half(i, entry.column) += entry.value * x(i, entry.row);
+      column[i] += entry.value * x(i, entry.row);
+  }
   for (Index j = 0; j < half.columns(); ++j)
     for (const bem::Entry& entry : coupling_.weights)
-      d(numbering(b, entry.column), numbering(b, j)) -= entry.value * half(entry.row, j);
+      d(entry.column, columns[at(j)]) -= entry.value * half(entry.row, j);
 }
 
 Vector DenseBody::density(const Vector& u, const Vector& w) const {
@@ -322,10 +330,11 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
       limitGamma0(limit) {}
 
 std::unique_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier,
+    const BodyInput& input, const Obstacle& contact, std::size_t body,
     const std::shared_ptr<const Holding>& holding) {
-  const Tractions tractions = tractionsOf(input, multiplier);
-  Coupling coupling = couplingOf(input, multiplier, tractions);
+  const Tractions tractions = tractionsOf(input, contact.multiplier, body);
+  Coupling coupling =
+      couplingOf(input, contact.multiplier, *contact.opposite, body, tractions);
   const auto response = input.stiffness.response();
   if (coupling.byDensity()
           ? response == nullptr || response->densities != coupling.compliance.densities
@@ -352,10 +361,11 @@ double limitGamma0(const BodyInput& input) {
   if (!input.stabilization.tractions())
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
-  const Tractions tractions = tractionsOf(input, multiplier);
+  const Tractions tractions = tractionsOf(input, multiplier, 0);
   return limitGamma0(
       input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
-      couplingOf(input, multiplier, tractions), tractions);
+      couplingOf(input, multiplier, Opposite(input.units.length), 0, tractions),
+      tractions);
 }
 
 }  // namespace epafi::contact

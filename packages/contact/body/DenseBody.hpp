@@ -29,12 +29,10 @@ class DenseBody final : public ElasticBody {
   DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
             Coupling coupling, Tractions tractions);
 
-  /// Bᵀ of the multipliers of all bodies, this one's number b: `opposite` as in
-  /// oppositeCouplings.
-  Matrix transposedCoupling(const Numbering& numbering, std::size_t b,
-                            const TraceCoupling& opposite) const;
-  /// D += M
-  void addMultiplierMass(const Numbering& numbering, std::size_t b, Matrix& d) const;
+  /// Bᵀ of the multipliers of all bodies: `opposite` as in oppositeCouplings.
+  Matrix transposedCoupling(const TraceCoupling& opposite) const;
+  /// D += M, `columns` those of the body
+  void addMultiplierMass(const std::vector<Index>& columns, Matrix& d) const;
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
 
@@ -73,7 +71,7 @@ class DenseBody final : public ElasticBody {
 /// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.
 /// \pre input.stiffness is formed  \throws IndefiniteStiffness if a given γ₀ is too large
 std::unique_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier,
+    const BodyInput& input, const Obstacle& contact, std::size_t body,
     const std::shared_ptr<const Holding>& holding);
 
 /// γ₀ at which A loses its definiteness: 1 / the largest eigenvalue of (S^/γ₀, S).  Infinite without

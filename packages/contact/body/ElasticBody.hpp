@@ -2,6 +2,7 @@
 
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
+#include "contact/opposite/Obstacle.hpp"
 
 #include <memory>
 #include <utility>
@@ -17,9 +18,6 @@ struct BodyInput {
   const Conditions& conditions;  ///< must outlive the problem
   const MultiplierBasis& basis;
   Stabilization stabilization;
-  /// Opposite sides of its contact sides, bodies numbered as in the problem; null: obstacles at
-  /// the gap of the conditions.
-  std::shared_ptr<const Opposite> opposite{};
   /// With compressed operators, the largest number of multiplier coefficients of all bodies for
   /// which D is formed, since this is then cheaper than eliminations in the tree.
   Index formedUpTo = 1000;

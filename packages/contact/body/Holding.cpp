@@ -189,14 +189,15 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
 }
 
 std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
-                                      const Numbering& numbering, std::size_t b,
                                       const TraceCoupling& own,
                                       const TraceCoupling& opposite) {
   std::vector<Vector> columns;
   if (first == holding.allowed.columns())
     return columns;
   const auto apply = [&](const Vector& u) {
-    return onAllMultipliers(numbering, b, own.apply(u), opposite, u);
+    Vector moved = own.apply(u);
+    opposite.addApplied(u.data(), moved);
+    return moved;
   };
   const Vector alongX = apply(columnOf(holding.modes.motions, 0));
   const Vector alongY = apply(columnOf(holding.modes.motions, 1));

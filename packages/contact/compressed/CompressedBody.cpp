@@ -18,10 +18,10 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
   return leaves;
 }
 
-CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
-                               std::shared_ptr<const Holding> holding)
+CompressedBody::CompressedBody(const BodyInput& input, const Obstacle& contact,
+                               std::size_t body, std::shared_ptr<const Holding> holding)
     : ElasticBody(input.space, std::move(holding),
-                  makeCoupling(input.space, multiplier, *input.opposite,
+                  makeCoupling(input.space, contact.multiplier, *contact.opposite, body,
                                input.stabilization, input.lame, input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {

@@ -13,7 +13,7 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
-  CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
+  CompressedBody(const BodyInput& input, const Obstacle& contact, std::size_t body,
                  std::shared_ptr<const Holding> holding);
 
   Vector solve(const Vector& force) const override;

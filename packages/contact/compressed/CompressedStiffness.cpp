@@ -10,10 +10,11 @@ namespace epafi::contact {
 
 namespace {
 
-/// Calls visit(coefficient, mesh element) for the coefficients of all contact elements.
+/// Calls visit(coefficient, mesh element) for the coefficients of the contact elements of a body.
 template <class Visit>
-void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+void forEachHome(const MultiplierSpace& multiplier, std::size_t body,
+                 const Visit& visit) {
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements(body))
     for (int i = 0; i <= contact.degree; ++i) {
       visit(at(contact.normalOf(i)), contact.element);
       if (contact.shears())
@@ -21,17 +22,17 @@ void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
     }
 }
 
-/// Element to which each coefficient is assigned.  A leaf shall have no more coefficients
+/// Elements to which the coefficients of a body are assigned.  A leaf shall have no more coefficients
 /// than displacements coupled to them: among the elements that number displacements
 /// coupled to it, the one with the largest entry, preferably within the support of its
 /// function.  Tangential coefficients go to the element of their pressure.  Control
 /// points, whose bounds depend on all pressures of an element, go to that element.
-std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
-                            const Coupling& coupling) {
-  std::vector<int> elements(at(multiplier.size()), 0);
+void assignElements(const bem::Space& space, const MultiplierSpace& multiplier,
+                    std::size_t body, const Coupling& coupling,
+                    std::vector<int>& elements) {
   if (multiplier.basis().controlPoints) {
-    forEachHome(multiplier, [&](std::size_t k, int e) { elements[k] = e; });
-    return elements;
+    forEachHome(multiplier, body, [&](std::size_t k, int e) { elements[k] = e; });
+    return;
   }
   std::vector<int> elementOf(at(space.displacements()));
   for (int e = 0; e < space.mesh().size(); ++e)
@@ -39,7 +40,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
          i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
       elementOf[at(i)] = e;
   std::vector<std::vector<int>> homes(elements.size());
-  forEachHome(multiplier, [&](std::size_t k, int e) { homes[k].push_back(e); });
+  forEachHome(multiplier, body, [&](std::size_t k, int e) { homes[k].push_back(e); });
   constexpr double rounding = 1e-6;
   Vector largest(elements.size(), 0.0);
   for (const bem::Entry& entry : coupling.trace.entries) {
@@ -52,47 +53,45 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
       elements[at(entry.column)] = e;
     }
   }
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements(body))
     for (int i = 0; i <= contact.degree && contact.shears(); ++i)
       elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
-  return elements;
 }
 
 /// The sparse matrices of all multipliers and bodies, and where the multipliers belong.
-bem::LocalCoupling localCoupling(const std::vector<ContactSide>& bodies,
+bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
                                  const std::vector<bem::Lame>& lames,
+                                 const MultiplierSpace& multiplier,
+                                 const Opposite& opposite,
                                  const Stabilization& stabilization, bem::Units units) {
-  const Numbering numbering(bodies);
-  const std::vector<TraceCoupling> opposite = oppositeCouplings(bodies, numbering);
+  const std::vector<TraceCoupling> facing =
+      oppositeCouplings(spaces, multiplier, opposite);
   Index further = 0;
-  for (const ContactSide& body : bodies)
-    further += body.space.displacements() + body.space.densities();
+  for (const bem::Space* space : spaces)
+    further += space->displacements() + space->densities();
   bem::LocalCoupling local;
-  local.elements.resize(at(numbering.size()));
-  local.bodies.resize(at(numbering.size()));
+  local.elements.resize(at(multiplier.size()));
+  local.bodies.resize(at(multiplier.size()));
   Index first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& [space, multiplier, opposed] = bodies[b];
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = *spaces[b];
     const Index densities = first + space.displacements();
     const Coupling own =
-        makeCoupling(space, multiplier, opposed, stabilization, lames[b], units);
-    const auto numberOf = [&, b](Index i) { return further + numbering(b, i); };
-    Vector& rests = local.rotations.emplace_back(at(numbering.size()));
-    for (const bem::Entry& entry : own.trace.entries)
-      local.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
-    for (std::size_t i = 0; space.rotation() && i < own.trace.rests.size(); ++i)
-      rests[at(numbering(b, static_cast<Index>(i)))] = own.trace.rests[i];
-    for (const bem::Entry& entry : opposite[b].entries)
-      local.entries.push_back({first + entry.row, further + entry.column, entry.value});
-    if (space.rotation() && !opposite[b].rests.empty())
-      bem::axpy(1, opposite[b].rests, rests);
+        makeCoupling(space, multiplier, opposite, b, stabilization, lames[b], units);
+    Vector& rests = local.rotations.emplace_back(at(multiplier.size()));
+    for (const TraceCoupling* trace : {&own.trace, &facing[b]}) {
+      for (const bem::Entry& entry : trace->entries)
+        local.entries.push_back({first + entry.row, further + entry.column, entry.value});
+      if (space.rotation() && !trace->rests.empty())
+        bem::axpy(1, trace->rests, rests);
+    }
     for (const bem::Entry& entry : own.weights)
       local.entries.push_back({densities + own.compliance.densities[at(entry.row)],
-                               numberOf(entry.column), -entry.value});
+                               further + entry.column, -entry.value});
     for (const bem::Entry& entry : own.mass)
       if (entry.row >= entry.column)
         local.entries.push_back(
-            {numberOf(entry.row), numberOf(entry.column), -entry.value});
+            {further + entry.row, further + entry.column, -entry.value});
     const auto comply = [&](Index density, double value) {
       local.entries.push_back({densities + density, densities + density, -value});
     };
@@ -100,12 +99,9 @@ bem::LocalCoupling localCoupling(const std::vector<ContactSide>& bodies,
       comply(own.compliance.densities[k], own.compliance.diagonal[k]);
     for (const auto& [density, value] : own.compliance.pinned)
       comply(density, value);
-    const std::vector<int> elements = elementsOf(space, multiplier, own);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Index k = numbering(b, static_cast<Index>(i));
-      local.elements[at(k)] = elements[i];
-      local.bodies[at(k)] = static_cast<int>(b);
-    }
+    assignElements(space, multiplier, b, own, local.elements);
+    for (const Index i : multiplier.columns(b))
+      local.bodies[at(i)] = static_cast<int>(b);
     first = densities + space.densities();
   }
   return local;
@@ -121,19 +117,22 @@ std::string whyNotCompressed(const Stabilization& stabilization) {
 }
 
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
-    const std::vector<ContactSide>& bodies, const std::vector<bem::Lame>& lames,
+    const std::vector<const bem::Space*>& spaces, const std::vector<bem::Lame>& lames,
+    const MultiplierSpace& multiplier, const Opposite& opposite,
     const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
     const bem::Compression& options) {
   const std::string reason = whyNotCompressed(stabilization);
   if (!reason.empty())
     throw bem::InputError("the operators cannot be compressed: " + reason);
   std::vector<bem::CompressedOperators::Body> operands;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    operands.push_back({bodies[b].space, lames[b]});
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    operands.push_back({*spaces[b], lames[b]});
   const auto operators = std::make_shared<const bem::CompressedOperators>(
-      operands, options, localCoupling(bodies, lames, stabilization, units), processes);
+      operands, options,
+      localCoupling(spaces, lames, multiplier, opposite, stabilization, units),
+      processes);
   std::vector<bem::SteklovPoincare> result;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
+  for (std::size_t b = 0; b < spaces.size(); ++b)
     result.emplace_back(operators, b);
   return result;
 }

@@ -36,10 +36,10 @@ struct SidePoint {
 /// element, in order.
 /// \param stretch one of stretches(), or all of the element without what lies opposite
 template <class Visit>
-void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::Mesh& side,
+void forEachPointOf(const MultiplierSpace::ContactElement& contact,
                     const MultiplierBasis& basis, const bem::Rule& rule,
                     const Visit& visit, const Stretch& stretch = {}) {
-  const bem::Element& element = side[contact.element];
+  const bem::Element& element = contact.geometry();
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
     const Opposite::Point opposite = stretch.opposite != nullptr
@@ -59,26 +59,26 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::M
   }
 }
 
-/// The same on all contact elements of a body, by the p + 1 Gauss points of each, which integrate
-/// χ_i χ_j exactly.
+/// The same on all contact elements, by the p + 1 Gauss points of each, which integrate χ_i χ_j
+/// exactly.
 template <class Visit>
-void forEachGaussPoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                       const Visit& visit) {
-  for (const auto& contact : multiplier.elements())
-    forEachPointOf(contact, side, multiplier.basis(),
-                   bem::gaussLegendre(contact.degree + 1), visit);
+void forEachGaussPoint(const MultiplierSpace& multiplier, const Visit& visit) {
+  multiplier.forEachElement([&](const auto& contact) {
+    forEachPointOf(contact, multiplier.basis(), bem::gaussLegendre(contact.degree + 1),
+                   visit);
+  });
 }
 
 /// The same with what lies opposite: on each stretch on which that is smooth by *ruleOf(contact
 /// element, opposite point of its midpoint); stretches with a null rule are skipped.
 template <class RuleOf, class Visit>
-void forEachSidePoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const RuleOf& ruleOf,
-                      const Visit& visit) {
-  for (const auto& contact : multiplier.elements())
+void forEachSidePoint(const MultiplierSpace& multiplier, const Opposite& opposite,
+                      const RuleOf& ruleOf, const Visit& visit) {
+  multiplier.forEachElement([&](const auto& contact) {
     for (const Stretch& stretch : stretches(opposite, contact))
       if (const bem::Rule* rule = ruleOf(contact, opposite.at(contact, stretch.middle)))
-        forEachPointOf(contact, side, multiplier.basis(), *rule, visit, stretch);
+        forEachPointOf(contact, multiplier.basis(), *rule, visit, stretch);
+  });
 }
 
 }  // namespace epafi::contact

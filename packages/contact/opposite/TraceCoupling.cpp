@@ -31,77 +31,60 @@ std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
   return result;
 }
 
-void checkEnds(const MultiplierSpace& multiplier) {
-  for (const ContactElement& element : multiplier.elements())
+void checkEnds(const MultiplierSpace& multiplier, const Opposite& opposite) {
+  multiplier.forEachElement([&](const ContactElement& element) {
     for (const Coefficients* own : {&element.normal, &element.tangential})
       for (const Coefficients::End& end : own->ends)
-        if (!element.condition->name.empty() && (end.clamped || !end.added.empty()))
+        if (!element.condition->name.empty() && (end.clamped || !end.added.empty()) &&
+            opposite.meetsDeformable(at(element.body)))
           throw bem::InputError(
               "the multiplier '", multiplier.basis().name,
               "' cannot end at a clamp or at another contact side where it stands "
               "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
+  });
 }
 
-/// Adds to `coupling` that of the multiplier of body a with the displacements of body b.
-void addMortar(const std::vector<ContactSide>& bodies, std::size_t a, int b,
-               const Numbering& numbering, TraceCoupling& coupling) {
-  const auto& [space, multiplier, opposite] = bodies[a];
-  const bem::Mesh& side = space.mesh();
-  const bem::Space& other = bodies[at(b)].space;
-  std::vector<bem::Entry> entries;
+}  // namespace
+
+std::vector<TraceCoupling> oppositeCouplings(const std::vector<const bem::Space*>& spaces,
+                                             const MultiplierSpace& multiplier,
+                                             const Opposite& opposite) {
+  std::vector<TraceCoupling> result(spaces.size());
+  if (opposite.isStill())
+    return result;
+  checkEnds(multiplier, opposite);
   forEachSidePoint(
-      side, multiplier, opposite,
+      multiplier, opposite,
       [&](const ContactElement& contact, const Opposite::Point& middle) {
-        return middle.element >= 0 && middle.body == b ? &ruleOfForces(contact, middle)
-                                                       : nullptr;
+        return middle.element >= 0 ? &ruleOfForces(contact, middle) : nullptr;
       },
       [&](const SidePoint& point) {
         const int opposed = point.opposite.element;
         if (opposed < 0)  // a grazing normal, but for rounding
           return;
+        const bem::Space& other = *spaces[at(point.opposite.body)];
+        TraceCoupling& coupling = result[at(point.opposite.body)];
+        coupling.rests.resize(at(multiplier.size()));
         const int degree = other.mesh()[opposed].degree;
         std::array<double, bem::largestDegree + 1> phi{};
         bem::DisplacementBasis::values(degree, point.opposite.t, phi.data());
         const Vec2 rest = other.rotationRest(opposed, point.opposite.t);
-        point.forEachCoefficient([&](Index own, double chi, const Direction& direction) {
-          const Index i = numbering(a, own);
+        point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
           coupling.rests[at(i)] -=
               point.weight * (dot(direction.unit, rest) - direction.oppositeTurn) * chi;
           const double components[2] = {direction.unit.x, direction.unit.y};
           for (int k = 0; k <= degree; ++k)
             for (int c = 0; c < 2; ++c)
-              entries.push_back({other.displacement(opposed, k, c), i,
-                                 -point.weight * components[c] * chi * phi[k]});
+              coupling.entries.push_back({other.displacement(opposed, k, c), i,
+                                          -point.weight * components[c] * chi * phi[k]});
         });
       });
-  entries = summed(std::move(entries));
-  coupling.entries.insert(coupling.entries.end(), entries.begin(), entries.end());
-}
-
-}  // namespace
-
-std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
-                                             const Numbering& numbering) {
-  std::vector<TraceCoupling> result(bodies.size());
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (const int b : bodies[a].opposite.bodies()) {
-      checkEnds(bodies[a].multiplier);
-      TraceCoupling& coupling = result[at(b)];
-      coupling.rotation = bodies[at(b)].space.rotation();
-      coupling.rests.resize(at(numbering.size()));
-      addMortar(bodies, a, b, numbering, coupling);
+  for (std::size_t b = 0; b < result.size(); ++b)
+    if (!result[b].rests.empty()) {
+      result[b].rotation = spaces[b]->rotation();
+      result[b].entries = summed(std::move(result[b].entries));
     }
   return result;
-}
-
-Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector& own,
-                        const TraceCoupling& opposite, const Vector& u) {
-  Vector all(at(numbering.size()));
-  for (Index i = 0; i < numbering.sizeOf(b); ++i)
-    all[at(numbering(b, i))] = own[at(i)];
-  if (!opposite.rests.empty())
-    bem::axpy(1, opposite.apply(u), all);
-  return all;
 }
 
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
@@ -139,15 +122,13 @@ void TraceCoupling::addTranspose(double s, const double* multiplier,
     force[j] += work * rotation->functional()[j];
 }
 
-void TraceCoupling::addTo(Matrix& transposed,
-                          const std::function<Index(Index)>& columnOf) const {
+void TraceCoupling::addTo(Matrix& transposed) const {
   for (const bem::Entry& entry : entries)
-    transposed(entry.row, columnOf(entry.column)) += entry.value;
+    transposed(entry.row, entry.column) += entry.value;
   for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
-        transposed(j, columnOf(static_cast<Index>(i))) +=
-            rests[i] * rotation->functional()[at(j)];
+        transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
 }
 
 }  // namespace epafi::contact

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/opposite/Numbering.hpp"
+#include "contact/opposite/Opposite.hpp"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,14 +22,9 @@ struct TraceCoupling {
   void addApplied(const double* u, Vector& r) const;
   /// force += s Cᵀ λ
   void addTranspose(double s, const double* multiplier, double* force) const;
-  /// transposed += Cᵀ, a multiplier's column by its number.
-  void addTo(Matrix& transposed, const std::function<Index(Index)>& columnOf) const;
+  /// transposed += Cᵀ
+  void addTo(Matrix& transposed) const;
 };
-
-/// On all multipliers, the displacement u of body b: `own`, what it does to those of the body, and
-/// by `opposite`, see oppositeCouplings, what it does to those of others.
-Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector& own,
-                        const TraceCoupling& opposite, const Vector& u);
 
 /// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its
 /// hole does not press on it.
@@ -44,11 +37,12 @@ void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& moti
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// the coefficients in the order of `numbering`; empty: B is opposite to no other body.
+/// empty: B is opposite to no other body.
 /// \pre all bodies share Units
 /// \throws bem::InputError for a multiplier that shares nodes where contact with another body
 ///   meets a clamp or another contact side.
-std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
-                                             const Numbering& numbering);
+std::vector<TraceCoupling> oppositeCouplings(const std::vector<const bem::Space*>& spaces,
+                                             const MultiplierSpace& multiplier,
+                                             const Opposite& opposite);
 
 }  // namespace epafi::contact

@@ -47,7 +47,7 @@ ContactForces contactForces(const Solved& solved) {
   for (const auto& element : fields.elements()) {
     const bem::Curve& side = mesh[element.element].curve;
     forEachPointOf(
-        element, mesh, solved.problem.multiplier().basis(),
+        element, solved.problem.multiplier().basis(),
         bem::gaussLegendre(element.degree + std::max(2, side.pointsOfTurning())),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
@@ -145,7 +145,7 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
     Imbalance& own =
         all.emplace_back(ofElastic(bodies[b], summaries[b], motions_[b], size));
     own.rounding = ofMotions(compressibilities_[b], isFormed) * size;
-    own.unsolved = at.bodies[b].rigid.empty() ? 0 : unsolved;
+    own.unsolved = system.body(b).holding().free() == 0 ? 0 : unsolved;
     const ContactForces pressed = contactForces(bodies[b]);
     contact.largest = std::max(contact.largest, pressed.all);
     contact.missing.x += summaries[b].contact.x - pressed.ofObstacles.x;

@@ -9,36 +9,27 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-ForeignPressure::ForeignPressure(std::size_t b, const std::vector<Solved>& bodies)
-    : body_(static_cast<int>(b)) {
-  for (const Solved& solved : bodies) {
-    const std::vector<int> opposites = solved.problem.opposite().bodies();
-    if (std::find(opposites.begin(), opposites.end(), body_) != opposites.end())
-      carriers_.push_back(&solved);
-  }
-}
+ForeignPressure::ForeignPressure(const Solved& solved)
+    : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
 
 Vec2 ForeignPressure::at(int element, double t) const {
   Vec2 sum;
-  for (const Solved* side : carriers_)
-    for (const auto& source : side->problem.opposite().sources(body_, element, t)) {
-      const auto stress = side->problem.multiplier().at(side->state.multiplier,
-                                                        *source.element, source.t);
-      const Vec2 across =
-          side->problem.opposite().at(*source.element, source.t).direction.unit;
-      sum = sum + source.stretching *
-                      (stress.normal * across + stress.tangential * turnLeft(across));
-    }
+  if (body_ == nullptr)
+    return sum;
+  for (const auto& source :
+       body_->opposite().sources(static_cast<int>(body_->number()), element, t)) {
+    const auto stress = body_->multiplier().at(*multiplier_, *source.element, source.t);
+    const Vec2 across = body_->opposite().at(*source.element, source.t).direction.unit;
+    sum = sum + source.stretching *
+                    (stress.normal * across + stress.tangential * turnLeft(across));
+  }
   return sum;
 }
 
 Vector ForeignPressure::breaks(int element) const {
-  Vector result;
-  for (const Solved* side : carriers_) {
-    const Vector more = side->problem.opposite().sourceBreaks(body_, element);
-    result.insert(result.end(), more.begin(), more.end());
-  }
-  return result;
+  return body_ == nullptr
+             ? Vector()
+             : body_->opposite().sourceBreaks(static_cast<int>(body_->number()), element);
 }
 
 namespace {
@@ -46,10 +37,13 @@ namespace {
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
 Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
-  const Vector zero(body.multiplier().normals(), 0.0);
-  Vector result = zero;
-  for (const Tangential& tangential : body.obstacle().tangentials)
-    result.push_back(tangential.bound(multiplier.empty() ? zero : multiplier));
+  const Index normals = body.multiplier().normals();
+  const Vector zero(multiplier.empty() ? at(normals) : 0);
+  Vector result(at(body.multiplier().size()));
+  for (const Index i : body.columns())
+    if (i >= normals)
+      result[at(i)] = body.obstacle().tangentials[at(i - normals)].bound(
+          multiplier.empty() ? zero : multiplier);
   return result;
 }
 
@@ -92,24 +86,23 @@ MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
 }
 
 Vector ContactFields::continuous() const {
-  return withoutJumps(solved_.space.mesh(), multiplierSpace(), multiplier_, bounds_);
+  return withoutJumps(multiplierSpace(), solved_.problem.number(), multiplier_, bounds_);
 }
 
 ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
   const bem::Mesh& mesh = solved_.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
   const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
+  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
 
   ContactPoint point;
   point.place = mesh.physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.direction = opposite.direction;
-  const Vec2 u = solved_.displacementAt(element.element, t);
-  point.normal = units_.length * solved_.approach(u, opposite);
-  point.tangential = units_.length * dot(u - motionAt(solved_.motions, opposite),
-                                         turnLeft(point.direction.unit));
+  point.normal = units_.length * dot(u, geometry.curve.normal(t));
+  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
   if (condition.sliding)

@@ -48,20 +48,19 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   const bem::Mesh& mesh = solved.space.mesh();
   const MultiplierBasis& basis = solved.problem.multiplier().basis();
   const bem::Element& side = mesh[element.element];
-  forEachPointOf(
-      element, mesh, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
-        const auto stress = fields.stress(element, point.t);
-        const double weight = length * point.weight;
-        summary.forceNormal += weight * stress.normal;
-        summary.forceTangential += weight * stress.tangential;
-        if (solved.wear != nullptr)
-          summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
-      });
+  forEachPointOf(element, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
+    const auto stress = fields.stress(element, point.t);
+    const double weight = length * point.weight;
+    summary.forceNormal += weight * stress.normal;
+    summary.forceTangential += weight * stress.tangential;
+    if (solved.wear != nullptr)
+      summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
+  });
   // the force on the body, -λₙ n - λₜ t, and its moment
   const Opposite& opposite = solved.problem.opposite();
   for (const Stretch& stretch : stretches(opposite, element))
     forEachPointOf(
-        element, mesh, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
+        element, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
           const double weight = -length * point.weight;
@@ -87,7 +86,7 @@ template <class Of>
 void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
   const std::vector<char> isInside =
-      insideSides(solved.space.mesh(), solved.problem.multiplier());
+      insideSides(solved.problem.multiplier(), solved.problem.number());
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
     Summary& summary = of(element);
@@ -235,13 +234,12 @@ std::map<std::string, double> contactLengths(const Solved& solved) {
 
 namespace {
 
-/// The force of one body's multiplier on the bodies that it meets, where it acts on them.
-void addReaction(const std::vector<Solved>& bodies, const Solved& side,
-                 std::vector<Summary>& summaries) {
-  const ContactFields fields(side);
-  const bem::Mesh& mesh = side.space.mesh();
+/// The forces of multipliers on the bodies that they meet, where they act on them.
+void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summaries) {
+  const ContactBody& any = bodies.front().problem;
+  const bem::Units units = bodies.front().units;
   forEachSidePoint(
-      mesh, side.problem.multiplier(), side.problem.opposite(),
+      any.multiplier(), any.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
         return middle.element >= 0 ? &ruleOfForces(element, middle) : nullptr;
       },
@@ -249,17 +247,17 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
         const Opposite::Point& there = point.opposite;
         if (there.element < 0)
           return;
-        const auto stress = fields.stress(point.contact, point.t);
-        const double length = side.units.length;
-        const Vec2 force =
-            length * point.weight *
-            (stress.normal * point.normal.unit + stress.tangential * point.tangent.unit);
+        const auto value =
+            any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
+        const double weight = units.stress * units.length * point.weight;
+        const Vec2 force = weight * (value.normal * point.normal.unit +
+                                     value.tangential * point.tangent.unit);
         const Vec2 place =
-            bodies[there.body].space.mesh().physicalPoint(there.element, there.t);
+            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t);
         const double turned =
-            length * length * point.weight * stress.normal * point.normal.oppositeTurn;
+            weight * units.length * value.normal * point.normal.oppositeTurn;
         add({force.x, force.y, cross(place, force) - turned},
-            summaries[there.body].contact);
+            summaries[at(there.body)].contact);
       });
 }
 
@@ -270,9 +268,8 @@ std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
   summaries.reserve(bodies.size());
   for (const Solved& solved : bodies)
     summaries.push_back(summarize(solved));
-  for (const Solved& solved : bodies)
-    if (!solved.problem.opposite().bodies().empty())
-      addReaction(bodies, solved, summaries);
+  if (!bodies.front().problem.opposite().isStill())
+    addReactions(bodies, summaries);
   return summaries;
 }
 

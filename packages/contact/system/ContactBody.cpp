@@ -57,45 +57,42 @@ Vector sum(Vector x, const Vector& y) {
 
 /// \throws bem::InputError if the multiplier does not go with the form.
 std::shared_ptr<const ElasticBody> makeElastic(
-    BodyInput input, const std::shared_ptr<const Opposite>& opposite,
-    const MultiplierSpace& multiplier, const std::shared_ptr<const Holding>& holding) {
-  input.opposite = opposite;
+    const BodyInput& input, const Obstacle& contact, std::size_t number,
+    const std::shared_ptr<const Holding>& holding) {
   if (input.basis.sharesNodes && input.stabilization.isOn())
     throw bem::InputError("the multiplier '", input.basis.name,
                           "' needs the stabilisation's form None");
   if (input.stiffness.compressed() != nullptr)
-    return std::make_shared<const CompressedBody>(input, multiplier, holding);
-  return makeDenseBody(input, multiplier, holding);
+    return std::make_shared<const CompressedBody>(input, contact, number, holding);
+  return makeDenseBody(input, contact, number, holding);
 }
 
 }  // namespace
 
-ContactBody::ContactBody(const BodyInput& input)
+ContactBody::ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
+                         std::size_t number, Index firstMotion)
     : space_(&input.space),
       units_(input.units),
+      obstacle_(std::move(obstacle)),
+      number_(number),
+      firstMotion_(firstMotion),
       loads_(makeLoads(*space_, input.conditions, units_)),
       holding_(std::make_shared<const Holding>(makeHolding(*space_, input.conditions))),
-      multiplier_(space_->mesh(), input.basis, input.conditions),
-      opposite_(input.opposite
-                    ? input.opposite
-                    : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
-      elastic_(makeElastic(input, opposite_, multiplier_, holding_)),
-      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
+      elastic_(makeElastic(input, *obstacle_, number_, holding_)) {
   reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();
 }
 
-ContactBody ContactBody::under(const Conditions& conditions) const {
+ContactBody ContactBody::under(std::shared_ptr<const Obstacle> obstacle) const {
   ContactBody result = *this;
-  result.multiplier_ = multiplier_.under(conditions);
-  result.loads_ = makeLoads(*space_, conditions, units_);
-  result.obstacle_ = makeObstacle(space_->mesh(), result.multiplier_, *opposite_, units_);
+  result.obstacle_ = std::move(obstacle);
+  result.loads_ = makeLoads(*space_, result.conditions(), units_);
   result.setLoads();
   return result;
 }
 
 void ContactBody::setLoads() {
-  if (const BodyLoadSolution& inside = multiplier_.conditions().inside) {
+  if (const BodyLoadSolution& inside = conditions().inside) {
     loads_.residual = residualOf(
         [&](int e, double t) { return inside->traction(space_->mesh(), e, t); });
     if (!loads_.residual.force.empty())
@@ -109,7 +106,7 @@ void ContactBody::setLoads() {
   }
   constant_ = withoutFixedMotions(
       *holding_, loads_.prescribed,
-      meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+      meansOf(conditions(), space_->mesh(), holding_->modes.centroid));
 }
 
 Vector ContactBody::apply(const Vector& u) const {
@@ -181,9 +178,9 @@ Vector ContactBody::rigidLoad() const {
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector u = heldDisplacement(force);
-  for (std::size_t k = 0; k < state.rigid.size(); ++k)
-    axpy(state.rigid[k],
-         columnOf(holding_->allowed, holding_->fixed() + static_cast<Index>(k)), u);
+  for (Index k = 0; k < holding_->free() && !state.rigid.empty(); ++k)
+    axpy(state.rigid[at(firstMotion_ + k)],
+         columnOf(holding_->allowed, holding_->fixed() + k), u);
   if (elastic_->isFormed()) {
     // What the factor leaves is ε |A| |u|.
     const Vector whole = wholeForce(contactForce);
@@ -292,8 +289,8 @@ Vector ContactBody::fixedReactions(const Vector& contactForce) const {
 }
 
 Vector ContactBody::fixedMeans() const {
-  Vector means = bem::times(
-      -1, meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+  Vector means =
+      bem::times(-1, meansOf(conditions(), space_->mesh(), holding_->modes.centroid));
   means.resize(3);
   for (std::size_t i = 0; i < loads_.prescribed.size(); ++i)
     for (Index k = 0; holding_->clamped[i] != 0 && k < 3; ++k)

@@ -7,7 +7,7 @@
 
 namespace epafi::contact {
 
-/// A body of a ContactSystem at one time: the stabilised mixed problem [P (13)] on its mesh,
+/// A body of a ContactSystem at one time, multipliers and states those of all bodies: the stabilised mixed problem [P (13)] on its mesh,
 ///
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ
 ///                                                          [doc/theory/contact.md]
@@ -27,16 +27,27 @@ class ContactBody {
   ///   motion that is both fixed and clamped, or if `stiffness` was made for another
   ///   stabilisation; IndefiniteStiffness for a γ₀ that is given
   ///   and too large.
-  explicit ContactBody(const BodyInput& input);
+  /// \param number  of the body among those of the obstacle
+  /// \param firstMotion  number of its first motion in State::rigid
+  ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
+              std::size_t number, Index firstMotion);
   /// The same at another time of a path; the factor of A is shared.
-  ContactBody under(const Conditions& conditions) const;
+  ContactBody under(std::shared_ptr<const Obstacle> obstacle) const;
 
-  ContactSide side() const { return {*space_, multiplier_, *opposite_}; }
   const bem::Space& space() const { return *space_; }
-  const MultiplierSpace& multiplier() const { return multiplier_; }
-  const Opposite& opposite() const { return *opposite_; }
-  const Obstacle& obstacle() const { return obstacle_; }
+  bem::Units units() const { return units_; }
+  const Obstacle& obstacle() const { return *obstacle_; }
   const Holding& holding() const { return *holding_; }
+
+  /// The multiplier of all bodies, and what of it is on this one.
+  const MultiplierSpace& multiplier() const { return obstacle_->multiplier; }
+  const std::vector<MultiplierSpace::ContactElement>& elements() const {
+    return multiplier().elements(number_);
+  }
+  const std::vector<Index>& columns() const { return multiplier().columns(number_); }
+  std::size_t number() const { return number_; }
+  const Conditions& conditions() const { return multiplier().conditions(number_); }
+  const Opposite& opposite() const { return *obstacle_->opposite; }
   const std::shared_ptr<const ElasticBody>& elastic() const { return elastic_; }
   const Coupling& coupling() const { return elastic_->coupling(); }
 
@@ -133,12 +144,12 @@ class ContactBody {
 
   const bem::Space* space_;
   bem::Units units_;
+  std::shared_ptr<const Obstacle> obstacle_;
+  std::size_t number_;
+  Index firstMotion_;
   Loads loads_;  ///< with what body loads do through the stabilisation
   std::shared_ptr<const Holding> holding_;
-  MultiplierSpace multiplier_;
-  std::shared_ptr<const Opposite> opposite_;
   std::shared_ptr<const ElasticBody> elastic_;
-  Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
   std::shared_ptr<const std::vector<Reaction>> reactions_;
