@@ -46,7 +46,7 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
                                          ? stretch.opposite->at(contact, t)
                                          : Opposite::Point{};
     const Direction normal = stretch.opposite != nullptr
-                                 ? opposite.direction
+                                 ? Direction(opposite.direction)
                                  : Direction{element.curve.normal(t)};
     visit(SidePoint{contact,
                     q,

@@ -93,16 +93,17 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
   const bem::Mesh& mesh = solved_.space.mesh();
-  const bem::Element& geometry = mesh[element.element];
   const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
-  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
+  const bem::Vec2 u = solved_.displacementAt(element.element, t);
 
   ContactPoint point;
   point.place = mesh.physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.normal = units_.length * dot(u, geometry.curve.normal(t));
-  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
+  point.direction = opposite.direction;
+  point.normal = units_.length * solved_.approach(u, opposite);
+  point.tangential = units_.length * dot(u - motionAt(solved_.motions, opposite),
+                                         turnLeft(point.direction.unit));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
   if (condition.sliding)
