@@ -129,6 +129,10 @@ void checkLevel(const Level& level, const Scene& scene) {
   };
   const contact::MultiplierSpace& multiplier = spaces.multiplier();
   const bem::Index motions = size(last.state.rigid);
+  for (const SolvedState& point : level.path)
+    if (size(point.state.multiplier) != multiplier.size() ||
+        size(point.state.rigid) != motions)
+      throw InputError("has a path that does not fit its own mesh");
   if (size(last.state.multiplier) != multiplier.size() ||
       size(last.states.normal) != multiplier.normals() ||
       size(last.states.tangential) != multiplier.size() - multiplier.normals() ||
@@ -141,10 +145,6 @@ void checkLevel(const Level& level, const Scene& scene) {
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-  for (const SolvedState& point : level.path)
-    if (size(point.state.multiplier) != multiplier.size() ||
-        size(point.state.rigid) != motions)
-      throw InputError("has a path that does not fit its own mesh");
   if (scene.history && level.isSolved() && level.path.empty())
     throw InputError("has no path");
 }

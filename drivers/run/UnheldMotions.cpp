@@ -200,11 +200,9 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
   const contact::Obstacle obstacle = contact::makeObstacle(
       spaces.multiplier().under(conditions), spaces.opposite(), scene.units());
   const contact::MultiplierSpace& multiplier = obstacle.multiplier;
-  const auto opposite =
-      contact::oppositeCouplings(spaces.all(), multiplier, *obstacle.opposite);
+  const auto couplings =
+      contact::makeCouplings(spaces.all(), multiplier, *obstacle.opposite);
   const contact::RigidDrives drives(scene.drivesAt(t), multiplier, *obstacle.opposite);
-  contact::Stabilization none;  // rigid motions have no tractions
-  none.form = contact::Stabilization::Form::None;
   FreeBalance balance{{}, FreeMotions(spaces.size())};
   contact::Problem& numbers = balance.numbers;
   numbers.normals = multiplier.normals();
@@ -226,14 +224,11 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
-    if (balance.free[b].empty() && loads.rigidPart.empty())
-      continue;
-    const contact::Coupling own =
-        contact::makeCoupling(spaces.space(b), multiplier, *obstacle.opposite, b, none,
-                              scene.lame(b), scene.units());
-    contact::addRigidPart(loads, own.trace, opposite[b], given);
-    for (Vector& column :
-         motionsOnContacts(holding, holding.fixed(), own.trace, opposite[b]))
+    // rigid motions have no tractions
+    const contact::TraceCoupling& trace = couplings[b].trace;
+    if (!loads.rigidPart.empty())
+      bem::axpy(1, trace.apply(loads.rigidPart), given);
+    for (Vector& column : motionsOnContacts(holding, holding.fixed(), trace))
       columns.push_back(std::move(column));
   }
   drives.setMotions(std::move(columns), numbers);

@@ -48,11 +48,14 @@ test::BodyScene body(double length, double nu, const std::vector<int>& elements,
        stabilization});
 }
 
-std::unique_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
+std::shared_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
                                                   const bem::SteklovPoincare& stiffness) {
+  const auto plain = contact::makeCouplings({&scene.space}, scene.multiplier,
+                                            contact::Opposite(scene.units.length));
   return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, 0,
                                 std::make_shared<const contact::Holding>(
-                                    makeHolding(scene.space, scene.conditions)));
+                                    makeHolding(scene.space, scene.conditions)),
+                                plain.front());
 }
 
 double worstImbalance(const test::BodyScene& scene) {

@@ -81,11 +81,10 @@ Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier,
 }
 
 Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
-                    const Opposite& opposite, std::size_t body,
-                    const Tractions& tractions) {
-  return makeCoupling(input.space, multiplier, opposite, body, input.stabilization,
-                      input.lame, input.units,
-                      tractions != nullptr ? tractions->start : std::vector<Index>());
+                    std::size_t body, const Tractions& tractions, const Coupling& plain) {
+  return stabilised(plain, input.space, multiplier, body, input.stabilization, input.lame,
+                    input.units,
+                    tractions != nullptr ? tractions->start : std::vector<Index>());
 }
 
 double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>& holding,
@@ -176,40 +175,6 @@ Vector DenseBody::solve(const Vector& force) const {
 
 Matrix DenseBody::forward(Matrix rows) const {
   return factor_.forward(rowsAt(free_, std::move(rows)));
-}
-
-Matrix DenseBody::transposedCoupling(const TraceCoupling& opposite) const {
-  Matrix result(space_.displacements(), static_cast<Index>(coupling_.trace.rests.size()));
-  coupling_.trace.addTo(result);
-  for (const bem::Entry& entry : coupling_.weights) {
-    const double* traction = columns_->column(entry.row);
-    double* column = result.column(entry.column);
-    for (Index j = 0; j < result.rows(); ++j)
-      column[j] -= entry.value * traction[j];
-  }
-  opposite.addTo(result);
-  return result;
-}
-
-// M - Gᵀ X G, G by columns
-void DenseBody::addMultiplierMass(const std::vector<Index>& columns, Matrix& d) const {
-  for (const bem::Entry& entry : coupling_.mass)
-    d(entry.row, entry.column) += entry.value;
-  if (response_ == nullptr)
-    return;
-  const Matrix& x = response_->density;
-  Matrix half(x.rows(), static_cast<Index>(columns.size()));
-  const auto placeOf = [&](Index column) {
-    return std::lower_bound(columns.begin(), columns.end(), column) - columns.begin();
-  };
-  for (const bem::Entry& entry : coupling_.weights) {
-    double* column = half.column(placeOf(entry.column));
-    for (Index i = 0; i < x.rows(); ++i)
-      column[i] += entry.value * x(i, entry.row);
-  }
-  for (Index j = 0; j < half.columns(); ++j)
-    for (const bem::Entry& entry : coupling_.weights)
-      d(entry.column, columns[at(j)]) -= entry.value * half(entry.row, j);
 }
 
 Vector DenseBody::density(const Vector& u, const Vector& w) const {
@@ -329,12 +294,11 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
       gamma0(used),
       limitGamma0(limit) {}
 
-std::unique_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const Obstacle& contact, std::size_t body,
-    const std::shared_ptr<const Holding>& holding) {
-  const Tractions tractions = tractionsOf(input, contact.multiplier, body);
-  Coupling coupling =
-      couplingOf(input, contact.multiplier, *contact.opposite, body, tractions);
+std::shared_ptr<const DenseBody> makeDenseBody(
+    const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain) {
+  const Tractions tractions = tractionsOf(input, multiplier, body);
+  Coupling coupling = couplingOf(input, multiplier, body, tractions, plain);
   const auto response = input.stiffness.response();
   if (coupling.byDensity()
           ? response == nullptr || response->densities != coupling.compliance.densities
@@ -343,7 +307,7 @@ std::unique_ptr<const DenseBody> makeDenseBody(
         "the stiffness was made for another stabilisation than the contact problem: take "
         "it from contact::makeStiffness");
   try {
-    return std::make_unique<const DenseBody>(input, holding, coupling, tractions);
+    return std::make_shared<const DenseBody>(input, holding, coupling, tractions);
   } catch (const bem::NumericalError&) {
     if (tractions == nullptr || tractions->start.back() == 0)
       throw;
@@ -353,7 +317,7 @@ std::unique_ptr<const DenseBody> makeDenseBody(
   if (input.stabilization.gamma0)
     throw IndefiniteStiffness(first, definiteBelow);
   coupling.weaken(std::min(first, definiteBelow) / 4);
-  return std::make_unique<const DenseBody>(input, holding, std::move(coupling),
+  return std::make_shared<const DenseBody>(input, holding, std::move(coupling),
                                            tractions);
 }
 
@@ -362,10 +326,12 @@ double limitGamma0(const BodyInput& input) {
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   const Tractions tractions = tractionsOf(input, multiplier, 0);
+  const Opposite opposite(input.units.length);
+  Coupling plain;
+  plain.opposite = &opposite;
   return limitGamma0(
       input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
-      couplingOf(input, multiplier, Opposite(input.units.length), 0, tractions),
-      tractions);
+      couplingOf(input, multiplier, 0, tractions, plain), tractions);
 }
 
 }  // namespace epafi::contact

@@ -2,7 +2,6 @@
 
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
-#include "contact/opposite/Obstacle.hpp"
 
 #include <memory>
 #include <utility>

@@ -18,11 +18,12 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
   return leaves;
 }
 
-CompressedBody::CompressedBody(const BodyInput& input, const Obstacle& contact,
-                               std::size_t body, std::shared_ptr<const Holding> holding)
+CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
+                               std::size_t body, std::shared_ptr<const Holding> holding,
+                               Coupling plain)
     : ElasticBody(input.space, std::move(holding),
-                  makeCoupling(input.space, contact.multiplier, *contact.opposite, body,
-                               input.stabilization, input.lame, input.units)),
+                  stabilised(std::move(plain), input.space, multiplier, body,
+                             input.stabilization, input.lame, input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {
   restriction_.held.assign(at(operators_->size()), 1);

@@ -13,8 +13,9 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
-  CompressedBody(const BodyInput& input, const Obstacle& contact, std::size_t body,
-                 std::shared_ptr<const Holding> holding);
+  CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
+                 std::size_t body, std::shared_ptr<const Holding> holding,
+                 Coupling plain);
 
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }

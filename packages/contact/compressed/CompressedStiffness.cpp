@@ -1,10 +1,10 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
-#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/Coupling.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -46,6 +46,8 @@ void assignElements(const bem::Space& space, const MultiplierSpace& multiplier,
   for (const bem::Entry& entry : coupling.trace.entries) {
     const int e = elementOf[at(entry.row)];
     const std::vector<int>& own = homes[at(entry.column)];
+    if (own.empty())  // on another body
+      continue;
     const double work = std::abs(entry.value) *
                         (std::count(own.begin(), own.end(), e) > 0 ? 1 : rounding);
     if (work > largest[at(entry.column)]) {
@@ -64,8 +66,7 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
                                  const MultiplierSpace& multiplier,
                                  const Opposite& opposite,
                                  const Stabilization& stabilization, bem::Units units) {
-  const std::vector<TraceCoupling> facing =
-      oppositeCouplings(spaces, multiplier, opposite);
+  std::vector<Coupling> couplings = makeCouplings(spaces, multiplier, opposite);
   Index further = 0;
   for (const bem::Space* space : spaces)
     further += space->displacements() + space->densities();
@@ -76,15 +77,12 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = *spaces[b];
     const Index densities = first + space.displacements();
-    const Coupling own =
-        makeCoupling(space, multiplier, opposite, b, stabilization, lames[b], units);
-    Vector& rests = local.rotations.emplace_back(at(multiplier.size()));
-    for (const TraceCoupling* trace : {&own.trace, &facing[b]}) {
-      for (const bem::Entry& entry : trace->entries)
-        local.entries.push_back({first + entry.row, further + entry.column, entry.value});
-      if (space.rotation() && !trace->rests.empty())
-        bem::axpy(1, trace->rests, rests);
-    }
+    const Coupling own = stabilised(std::move(couplings[b]), space, multiplier, b,
+                                    stabilization, lames[b], units);
+    for (const bem::Entry& entry : own.trace.entries)
+      local.entries.push_back({first + entry.row, further + entry.column, entry.value});
+    local.rotations.push_back(space.rotation() ? own.trace.rests
+                                               : Vector(at(multiplier.size())));
     for (const bem::Entry& entry : own.weights)
       local.entries.push_back({densities + own.compliance.densities[at(entry.row)],
                                further + entry.column, -entry.value});

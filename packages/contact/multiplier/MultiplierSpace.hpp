@@ -80,6 +80,12 @@ class MultiplierSpace {
     bool joinsFollower = false;  ///< shares its last node with that
 
     const bem::Element& geometry() const { return (*mesh)[element]; }
+    /// Its coefficients in a row, normal ones first: their count, direction, basis function, number.
+    int coefficients() const { return (shears() ? 2 : 1) * (degree + 1); }
+    bool isTangential(int i) const { return i > degree; }
+    const Coefficients& of(int i) const { return isTangential(i) ? tangential : normal; }
+    int functionOf(int i) const { return i % (degree + 1); }
+    Index numberOf(int i) const { return of(i).number(functionOf(i)); }
     /// Are the sides bonded?
     bool ties() const { return condition->friction.ties(); }
     /// Has it tangential coefficients?

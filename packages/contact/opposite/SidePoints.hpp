@@ -19,6 +19,12 @@ struct SidePoint {
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
 
+  /// χ_i(t) and d of its coefficient i in a row.
+  double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
+  const Direction& directionOf(int i) const {
+    return contact.isTangential(i) ? tangent : normal;
+  }
+
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
   /// clamped ends.  d: `normal` or `tangent`.
   template <class Visit>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
 #include "contact/opposite/Opposite.hpp"
 
@@ -8,9 +9,10 @@
 
 namespace epafi::contact {
 
-/// How a multiplier acts on the displacements of one body, its own or the opposite one: C_ij, the
-/// work of χ_i d_i (d_i: n or t of the side) on the trace of φ_j, and its work on the exact
-/// rotation less the interpolated one, if the body has arcs.
+/// How the multiplier acts on the displacements of one body: C_ij, the work of χ_i d_i (d_i: n or t
+/// of the side) on the trace of φ_j on sides of the body, less that on the trace φ_j∘P where it is the
+/// opposite body (P: Opposite::at), and its work on the exact rotation less the interpolated one, if
+/// the body has arcs.
 struct TraceCoupling {
   std::vector<bem::Entry> entries;                ///< displacements by multipliers
   std::shared_ptr<const bem::Rotation> rotation;  ///< of the body; null without arcs
@@ -22,8 +24,8 @@ struct TraceCoupling {
   void addApplied(const double* u, Vector& r) const;
   /// force += s Cᵀ λ
   void addTranspose(double s, const double* multiplier, double* force) const;
-  /// transposed += Cᵀ
-  void addTo(Matrix& transposed) const;
+  /// transposed += Cᵀ, its columns those of some multipliers, `places` by all of them.
+  void addTo(Matrix& transposed, const std::vector<Index>& places) const;
 };
 
 /// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its
@@ -32,17 +34,5 @@ struct TraceCoupling {
 /// \param motion  displacements, of which the largest matters
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved);
-
-/// Mortar couplings of all multipliers with the displacements of each body B as the opposite body,
-///
-///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
-///
-/// empty: B is opposite to no other body.
-/// \pre all bodies share Units
-/// \throws bem::InputError for a multiplier that shares nodes where contact with another body
-///   meets a clamp or another contact side.
-std::vector<TraceCoupling> oppositeCouplings(const std::vector<const bem::Space*>& spaces,
-                                             const MultiplierSpace& multiplier,
-                                             const Opposite& opposite);
 
 }  // namespace epafi::contact

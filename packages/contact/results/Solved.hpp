@@ -32,7 +32,7 @@ struct Solved {
   bem::Units units;
   const State& state;          ///< of all bodies
   const Vector& displacement;  ///< all unknowns, dimensionless
-  /// See ContactBody::displacement; that of its own multiplier, if none is given.
+  /// See ContactBody::displacement.
   Vector contactForce = problem.contactForce(state.multiplier);
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed

@@ -1,8 +1,6 @@
 #include "contact/system/ContactBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/DenseBody.hpp"
-#include "contact/compressed/CompressedBody.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -55,30 +53,19 @@ Vector sum(Vector x, const Vector& y) {
   return x;
 }
 
-/// \throws bem::InputError if the multiplier does not go with the form.
-std::shared_ptr<const ElasticBody> makeElastic(
-    const BodyInput& input, const Obstacle& contact, std::size_t number,
-    const std::shared_ptr<const Holding>& holding) {
-  if (input.basis.sharesNodes && input.stabilization.isOn())
-    throw bem::InputError("the multiplier '", input.basis.name,
-                          "' needs the stabilisation's form None");
-  if (input.stiffness.compressed() != nullptr)
-    return std::make_shared<const CompressedBody>(input, contact, number, holding);
-  return makeDenseBody(input, contact, number, holding);
-}
-
 }  // namespace
 
 ContactBody::ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
-                         std::size_t number, Index firstMotion)
+                         const ElasticBodies& elastic, std::size_t number,
+                         Index firstMotion)
     : space_(&input.space),
       units_(input.units),
       obstacle_(std::move(obstacle)),
       number_(number),
       firstMotion_(firstMotion),
       loads_(makeLoads(*space_, input.conditions, units_)),
-      holding_(std::make_shared<const Holding>(makeHolding(*space_, input.conditions))),
-      elastic_(makeElastic(input, *obstacle_, number_, holding_)) {
+      holding_(elastic.holdings[number]),
+      elastic_(elastic.bodies[number]) {
   reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "contact/body/ElasticBody.hpp"
-#include "contact/opposite/Obstacle.hpp"
+#include "contact/system/ElasticBodies.hpp"
 
 #include <functional>
 
@@ -30,7 +29,7 @@ class ContactBody {
   /// \param number  of the body among those of the obstacle
   /// \param firstMotion  number of its first motion in State::rigid
   ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
-              std::size_t number, Index firstMotion);
+              const ElasticBodies& elastic, std::size_t number, Index firstMotion);
   /// The same at another time of a path; the factor of A is shared.
   ContactBody under(std::shared_ptr<const Obstacle> obstacle) const;
 
@@ -58,14 +57,13 @@ class ContactBody {
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see DenseBody).
   ///
-  /// `contactForce`, here and below: Bᵀ λ of the body's own multiplier and of those that other
-  /// bodies have against it.
+  /// `contactForce`, here and below: Bᵀ λ.
   Vector displacement(const State& state, const Vector& contactForce) const;
-  /// Without other bodies.
   Vector displacement(const State& state) const {
     return displacement(state, contactForce(state.multiplier));
   }
-  /// Bᵀ λ of the body's own multiplier, with forces on clamps and corners; empty: zero.
+  /// Bᵀ λ, of the multiplier on its sides and on those that face it, with forces on clamps and corners;
+  /// empty: zero.
   Vector contactForce(const Vector& multiplier) const;
 
   /// B u, and M λ.

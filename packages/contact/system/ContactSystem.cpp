@@ -1,14 +1,10 @@
 #include "contact/system/ContactSystem.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/DenseBody.hpp"
-#include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/system/GivenPenetration.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 
 namespace epafi::contact {
 
@@ -32,34 +28,20 @@ std::shared_ptr<const Obstacle> obstacleOf(const std::vector<BodyInput>& inputs,
 
 }  // namespace
 
-std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
-    const std::vector<BodyInput>& inputs) const {
-  auto bodies = std::make_shared<std::vector<ContactBody>>();
-  Index motions = 0;
-  for (const BodyInput& input : inputs) {
-    bodies->emplace_back(input, obstacle_, bodies->size(), motions);
-    motions += bodies->back().holding().free();
-  }
-  return bodies;
-}
-
-std::vector<const bem::Space*> ContactSystem::spaces() const {
-  std::vector<const bem::Space*> spaces;
-  for (const ContactBody& body : *bodies_)
-    spaces.push_back(&body.space());
-  return spaces;
-}
-
 ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
                              const std::vector<Drive>& rigid,
                              std::shared_ptr<const Opposite> opposite)
     : obstacle_(obstacleOf(inputs, std::move(opposite))),
-      bodies_(bodiesOf(inputs)),
-      opposite_(std::make_shared<const std::vector<TraceCoupling>>(
-          oppositeCouplings(spaces(), multiplier(), *obstacle_->opposite))),
+      bodies_(std::make_shared<std::vector<ContactBody>>()),
       rigid_(rigid, multiplier(), *obstacle_->opposite),
       wear_(obstacle_, {}) {
-  condense(inputs.front().formedUpTo);
+  const ElasticBodies elastic = makeElasticBodies(inputs, *obstacle_);
+  Index motions = 0;
+  for (std::size_t b = 0; b < inputs.size(); ++b) {
+    bodies_->emplace_back(inputs[b], obstacle_, elastic, b, motions);
+    motions += elastic.holdings[b]->free();
+  }
+  condense(elastic);
   wear_.setSlips({}, numbers_.surface);
   setScale(loadSize());
 }
@@ -71,7 +53,6 @@ ContactSystem::ContactSystem(const ContactSystem& atZero,
           makeObstacle(atZero.multiplier().under(conditions), atZero.obstacle_->opposite,
                        atZero.body(0).units()))),
       bodies_(std::make_shared<std::vector<ContactBody>>()),
-      opposite_(atZero.opposite_),
       rigid_(atZero.rigid_.under(drives)),
       wear_(obstacle_, memory.wear),
       numbers_(atZero.numbers_.copy()),
@@ -93,52 +74,21 @@ ContactSystem::ContactSystem(const ContactSystem& atZero,
   }
 }
 
-namespace {
-
-/// D - v wᵀ - w vᵀ
-void subtractProducts(const Vector& v, const Vector& w, Matrix& d) {
-  for (Index j = 0; j < d.columns(); ++j)
-    for (Index i = 0; i < d.rows(); ++i)
-      d(i, j) -= v[at(i)] * w[at(j)] + w[at(i)] * v[at(j)];
-}
-
-}  // namespace
-
-///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b,
+///   D = Σ_b B_b A_b⁺ B_bᵀ + M,   G = (B_b R_b)_b,
 ///
-/// less  Σ_k s_k (C r_k)ᵀ + C r_k s_kᵀ  of what Fix holds, see reactionColumns.
-void ContactSystem::condense(Index formedUpTo) {
-  Matrix d;
+/// less  Σ_k s_k (B r_k)ᵀ + B r_k s_kᵀ  of what Fix holds, see reactionColumns.
+void ContactSystem::condense(const ElasticBodies& elastic) {
   std::vector<Vector> columns;  // of G
+  std::vector<std::vector<Vector>> motions;
   std::vector<std::vector<Vector>> reactions;
   for (std::size_t b = 0; b < size(); ++b) {
-    const auto* dense = dynamic_cast<const DenseBody*>(body(b).elastic().get());
-    Matrix forward;
-    if (dense != nullptr) {
-      forward = dense->forward(dense->transposedCoupling((*opposite_)[b]));
-      if (b == 0)  // not before, beside what forward() needs
-        d = Matrix(multiplier().size(), multiplier().size());
-      dense->addMultiplierMass(body(b).columns(), d);
-    }
-    std::vector<Vector> motions = motionsOnContacts(
-        body(b).holding(), 0, body(b).coupling().trace, (*opposite_)[b]);
-    reactions.push_back(reactionColumns(b, motions));
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      Vector w = bem::times(0.5, motions[k]);
-      if (k < reactions.back().size())
-        axpy(1, reactions.back()[k], w);
-      subtractProducts(motions[k], w, d);
-    }
-    std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
-              std::back_inserter(columns));
-    if (dense != nullptr)
-      d = addGram(std::move(d), forward);
+    const Holding& holding = body(b).holding();
+    motions.push_back(motionsOnContacts(holding, 0, body(b).coupling().trace));
+    reactions.push_back(reactionColumns(b, motions.back()));
+    columns.insert(columns.end(), motions.back().begin() + holding.fixed(),
+                   motions.back().end());
   }
-  for (Index j = 0; j < d.columns(); ++j)
-    for (Index i = j + 1; i < d.rows(); ++i)
-      d(j, i) = d(i, j);
-  numbers_.flexibility =
-      isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo, reactions);
+  numbers_.flexibility = elastic.flexibility(motions, reactions);
   numbers_.normals = multiplier().normals();
   respond();
   rigid_.setMotions(std::move(columns), numbers_);
@@ -153,7 +103,6 @@ std::vector<Vector> ContactSystem::reactionColumns(
   for (const ContactBody::Reaction& reaction : body(b).reactions()) {
     Vector all = body(b).apply(reaction.displacement);
     axpy(1, reaction.residual.terms, all);
-    (*opposite_)[b].addApplied(reaction.displacement.data(), all);
     for (std::size_t l = 0; l < body(b).reactions().size(); ++l)
       axpy(0.5 * (reaction.residual.means[l] -
                   dot(body(b).reactions()[l].residual.force, reaction.displacement)),
@@ -163,26 +112,12 @@ std::vector<Vector> ContactSystem::reactionColumns(
   return columns;
 }
 
-Flexibility ContactSystem::compressed(
-    Index formedUpTo, const std::vector<std::vector<Vector>>& reactions) const {
-  std::vector<std::shared_ptr<const CompressedBody>> forms;
-  for (const ContactBody& body : *bodies_)
-    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.elastic()));
-  const auto flexibility = std::make_shared<const CompressedFlexibility>(
-      std::move(forms), multiplier().normals(), reactions);
-  return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
-                                           : Flexibility(flexibility);
-}
-
 void ContactSystem::respond() {
   numbers_.offset.assign(at(multiplier().size()), 0.0);
   responses_.resize(size());
   for (std::size_t b = 0; b < size(); ++b) {
     const auto ofLoads = [&] {
-      const Vector u = body(b).displacementOfLoads();
-      Vector r = body(b).penetration(u, {}, {});
-      (*opposite_)[b].addApplied(u.data(), r);
-      return r;
+      return body(b).penetration(body(b).displacementOfLoads(), {}, {});
     };
     // with a factored matrix a solution costs as little
     axpy(1, isFormed() ? ofLoads() : responses_[b].of(body(b).pushing(), ofLoads),
@@ -230,7 +165,8 @@ double ContactSystem::loadSize() const {
   double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < size(); ++b) {
     const Loads& loads = body(b).loads();
-    addRigidPart(loads, body(b).coupling().trace, (*opposite_)[b], given);
+    if (!loads.rigidPart.empty())
+      axpy(1, body(b).coupling().trace.apply(loads.rigidPart), given);
     if (!loads.residual.terms.empty())  // no penetration
       axpy(-1, loads.residual.terms, given);
     own += loads.size();
@@ -241,12 +177,11 @@ double ContactSystem::loadSize() const {
 
 Vector ContactSystem::penetration(const Configuration& at) const {
   Vector r(bem::at(multiplier().size()));
-  for (std::size_t b = 0; b < size(); ++b) {
-    Vector own = body(b).penetration(at.displacements[b], at.state.multiplier,
-                                     at.contactForces[b]);
-    (*opposite_)[b].addApplied(at.displacements[b].data(), own);
-    axpy(1, own, r);
-  }
+  for (std::size_t b = 0; b < size(); ++b)
+    axpy(1,
+         body(b).penetration(at.displacements[b], at.state.multiplier,
+                             at.contactForces[b]),
+         r);
   addGiven(r);
   for (Index k = elasticMotions(); k < numbers().rigidMotions(); ++k)
     axpy(at.state.rigid[bem::at(k)], columnOf(numbers().rigid, k), r);
@@ -302,13 +237,6 @@ State ContactSystem::with(const std::vector<RigidMotion>& motions, State state) 
   return state;
 }
 
-Vector ContactSystem::contactForce(std::size_t b, const Vector& multiplier) const {
-  Vector force = body(b).contactForce(multiplier);
-  if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
-    opposite.addTranspose(1, multiplier.data(), force.data());
-  return force;
-}
-
 Configuration ContactSystem::configuration(State state) const {
   Configuration result;
   if (state.multiplier.empty())
@@ -316,7 +244,7 @@ Configuration ContactSystem::configuration(State state) const {
   if (state.rigid.empty())
     state.rigid.assign(at(numbers().rigidMotions()), 0.0);
   for (std::size_t b = 0; b < size(); ++b) {
-    Vector force = contactForce(b, state.multiplier);
+    Vector force = body(b).contactForce(state.multiplier);
     result.displacements.push_back(body(b).displacement(state, force));
     result.contactForces.push_back(std::move(force));
   }

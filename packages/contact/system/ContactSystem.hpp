@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/opposite/RigidDrives.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
 #include "contact/system/LoadSize.hpp"
@@ -128,16 +127,11 @@ class ContactSystem {
  private:
   ContactSystem(const ContactSystem& atZero, const std::vector<Conditions>& conditions,
                 const std::vector<Drive>& drives, const StepMemory& memory);
-  std::shared_ptr<std::vector<ContactBody>> bodiesOf(
-      const std::vector<BodyInput>& inputs) const;
-  std::vector<const bem::Space*> spaces() const;
   Index elasticMotions() const { return numbers().rigidMotions() - rigid_.freeMotions(); }
 
   bool isFormed() const { return body(0).elastic()->isFormed(); }
   /// Computes D and G.
-  void condense(Index formedUpTo);
-  Flexibility compressed(Index formedUpTo,
-                         const std::vector<std::vector<Vector>>& reactions) const;
+  void condense(const ElasticBodies& elastic);
   /// s_k of the reactions of a body, see condense.  `motions`: C r of those that it allows
   std::vector<Vector> reactionColumns(std::size_t b,
                                       const std::vector<Vector>& motions) const;
@@ -149,12 +143,9 @@ class ContactSystem {
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
-  /// Bᵀ λ of a body's own multiplier and of those against it.
-  Vector contactForce(std::size_t b, const Vector& multiplier) const;
 
   std::shared_ptr<const Obstacle> obstacle_;
   std::shared_ptr<std::vector<ContactBody>> bodies_;
-  std::shared_ptr<const std::vector<TraceCoupling>> opposite_;
   RigidDrives rigid_;
   StepWear wear_;
   Problem numbers_{};

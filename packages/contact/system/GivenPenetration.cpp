@@ -1,6 +1,5 @@
 #include "contact/system/GivenPenetration.hpp"
 
-#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
@@ -35,15 +34,6 @@ void addBodyLoads(const Obstacle& obstacle, Vector& r) {
           r[at(i)] += point.weight * chi * dot(u, direction.unit);
         });
       });
-}
-
-void addRigidPart(const Loads& loads, const TraceCoupling& own,
-                  const TraceCoupling& opposite, Vector& r) {
-  if (loads.rigidPart.empty())
-    return;
-  Vector moved = own.apply(loads.rigidPart);
-  opposite.addApplied(loads.rigidPart.data(), moved);
-  bem::axpy(1, moved, r);
 }
 
 }  // namespace epafi::contact

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "contact/body/Loads.hpp"
 #include "contact/opposite/Obstacle.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 
 namespace epafi::contact {
 
@@ -13,10 +11,5 @@ namespace epafi::contact {
 /// u_p the particular solutions of the body and of the opposite one, P the projection onto that one.
 ///                                                             [doc/theory/body-loads.md]
 void addBodyLoads(const Obstacle& obstacle, Vector& r);
-
-/// Adds to r what the rigid part of the prescribed displacement of a body does on all multipliers.
-/// \param own, opposite see motionsOnContacts
-void addRigidPart(const Loads& loads, const TraceCoupling& own,
-                  const TraceCoupling& opposite, Vector& r);
 
 }  // namespace epafi::contact
