@@ -32,19 +32,14 @@ class DenseBody final : public ElasticBody {
 
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
-  /// What the body adds to D: the coefficients that act on it, ascending, and their block, of which
-  /// only the lower triangle counts,
+  /// D, lower triangle, with the body's part added; d: of the bodies before, or of size zero,
   ///
-  ///   M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
+  ///   D + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
   ///
   /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
   ///   Fix holds, see ContactSystem
-  struct Compliance {
-    std::vector<Index> coefficients;
-    Matrix block;
-  };
-  Compliance compliance(const std::vector<Vector>& motions,
-                        const std::vector<Vector>& reactions) const;
+  Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
+                       const std::vector<Vector>& reactions) const;
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
@@ -62,10 +57,8 @@ class DenseBody final : public ElasticBody {
   using Extended = std::vector<long double>;
 
   bem::CholeskyFactor factored() const;
-  std::vector<Index> actingCoefficients() const;
-  // in these functions `places` are those of all coefficients among the acting ones
-  Matrix transposedCoupling(Index acting, const std::vector<Index>& places) const;
-  void addMultiplierMass(const std::vector<Index>& places, Matrix& d) const;
+  Matrix transposedCoupling() const;
+  void addMultiplierMass(Matrix& d) const;
   Matrix subtractStabilisation(Matrix a) const;
   void subtractStabilisation(const Extended& u, Extended& forces) const;
   Extended withoutMotions(const Vector& u) const;
@@ -88,9 +81,9 @@ std::shared_ptr<const DenseBody> makeDenseBody(
     const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
     const std::shared_ptr<const Holding>& holding, const Coupling& plain);
 
-/// D of such bodies.  \param motions, reactions  of each, see DenseBody::compliance
+/// D of such bodies.  \param motions, reactions  of each, see DenseBody::addCompliance
 Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>& bodies,
-                             Index size, const std::vector<std::vector<Vector>>& motions,
+                             const std::vector<std::vector<Vector>>& motions,
                              const std::vector<std::vector<Vector>>& reactions);
 
 /// γ₀ at which A loses its definiteness: 1 / the largest eigenvalue of (S^/γ₀, S).  Infinite without

@@ -34,6 +34,7 @@ class ElasticBody {
   virtual ~ElasticBody() = default;
 
   const Coupling& coupling() const { return coupling_; }
+  const Holding& holding() const { return *holding_; }
   /// Is A formed?  Else solve() is refined by its own product.
   virtual bool isFormed() const = 0;
 

@@ -10,54 +10,51 @@ namespace epafi::contact {
 
 namespace {
 
-/// Calls visit(coefficient, mesh element) for the coefficients of the contact elements of a body.
-template <class Visit>
-void forEachHome(const MultiplierSpace& multiplier, std::size_t body,
-                 const Visit& visit) {
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements(body))
-    for (int i = 0; i <= contact.degree; ++i) {
-      visit(at(contact.normalOf(i)), contact.element);
-      if (contact.shears())
-        visit(at(contact.tangentialOf(i)), contact.element);
-    }
-}
-
-/// Elements to which the coefficients of a body are assigned.  A leaf shall have no more coefficients
+/// Element to which each coefficient is assigned.  A leaf shall have no more coefficients
 /// than displacements coupled to them: among the elements that number displacements
 /// coupled to it, the one with the largest entry, preferably within the support of its
 /// function.  Tangential coefficients go to the element of their pressure.  Control
 /// points, whose bounds depend on all pressures of an element, go to that element.
-void assignElements(const bem::Space& space, const MultiplierSpace& multiplier,
-                    std::size_t body, const Coupling& coupling,
-                    std::vector<int>& elements) {
-  if (multiplier.basis().controlPoints) {
-    forEachHome(multiplier, body, [&](std::size_t k, int e) { elements[k] = e; });
-    return;
-  }
-  std::vector<int> elementOf(at(space.displacements()));
-  for (int e = 0; e < space.mesh().size(); ++e)
-    for (Index i = space.displacement(e, 0, 0);
-         i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
-      elementOf[at(i)] = e;
-  std::vector<std::vector<int>> homes(elements.size());
-  forEachHome(multiplier, body, [&](std::size_t k, int e) { homes[k].push_back(e); });
+std::vector<int> elementsOf(const std::vector<const bem::Space*>& spaces,
+                            const MultiplierSpace& multiplier,
+                            const std::vector<Coupling>& couplings,
+                            const std::vector<int>& bodies) {
+  std::vector<int> elements(bodies.size());
+  std::vector<std::vector<int>> homes(bodies.size());
+  multiplier.forEachElement([&](const auto& contact) {
+    for (int i = 0; i < contact.coefficients(); ++i) {
+      elements[at(contact.numberOf(i))] = contact.element;
+      homes[at(contact.numberOf(i))].push_back(contact.element);
+    }
+  });
+  if (multiplier.basis().controlPoints)
+    return elements;
   constexpr double rounding = 1e-6;
   Vector largest(elements.size(), 0.0);
-  for (const bem::Entry& entry : coupling.trace.entries) {
-    const int e = elementOf[at(entry.row)];
-    const std::vector<int>& own = homes[at(entry.column)];
-    if (own.empty())  // on another body
-      continue;
-    const double work = std::abs(entry.value) *
-                        (std::count(own.begin(), own.end(), e) > 0 ? 1 : rounding);
-    if (work > largest[at(entry.column)]) {
-      largest[at(entry.column)] = work;
-      elements[at(entry.column)] = e;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = *spaces[b];
+    std::vector<int> elementOf(at(space.displacements()));
+    for (int e = 0; e < space.mesh().size(); ++e)
+      for (Index i = space.displacement(e, 0, 0);
+           i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
+        elementOf[at(i)] = e;
+    for (const bem::Entry& entry : couplings[b].trace.entries) {
+      const std::size_t k = at(entry.column);
+      const int e = elementOf[at(entry.row)];
+      const double work =
+          std::abs(entry.value) *
+          (std::count(homes[k].begin(), homes[k].end(), e) > 0 ? 1 : rounding);
+      if (bodies[k] == static_cast<int>(b) && work > largest[k]) {
+        largest[k] = work;
+        elements[k] = e;
+      }
     }
   }
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements(body))
+  multiplier.forEachElement([&](const auto& contact) {
     for (int i = 0; i <= contact.degree && contact.shears(); ++i)
       elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
+  });
+  return elements;
 }
 
 /// The sparse matrices of all multipliers and bodies, and where the multipliers belong.
@@ -71,8 +68,11 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
   for (const bem::Space* space : spaces)
     further += space->displacements() + space->densities();
   bem::LocalCoupling local;
-  local.elements.resize(at(multiplier.size()));
   local.bodies.resize(at(multiplier.size()));
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    for (const Index i : multiplier.columns(b))
+      local.bodies[at(i)] = static_cast<int>(b);
+  local.elements = elementsOf(spaces, multiplier, couplings, local.bodies);
   Index first = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = *spaces[b];
@@ -81,8 +81,7 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
                                     stabilization, lames[b], units);
     for (const bem::Entry& entry : own.trace.entries)
       local.entries.push_back({first + entry.row, further + entry.column, entry.value});
-    local.rotations.push_back(space.rotation() ? own.trace.rests
-                                               : Vector(at(multiplier.size())));
+    local.rotations.push_back(own.trace.rests);
     for (const bem::Entry& entry : own.weights)
       local.entries.push_back({densities + own.compliance.densities[at(entry.row)],
                                further + entry.column, -entry.value});
@@ -97,9 +96,6 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
       comply(own.compliance.densities[k], own.compliance.diagonal[k]);
     for (const auto& [density, value] : own.compliance.pinned)
       comply(density, value);
-    assignElements(space, multiplier, b, own, local.elements);
-    for (const Index i : multiplier.columns(b))
-      local.bodies[at(i)] = static_cast<int>(b);
     first = densities + space.densities();
   }
   return local;

@@ -26,15 +26,12 @@ struct SidePoint {
   }
 
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
-  /// clamped ends.  d: `normal` or `tangent`.
+  /// clamped ends.
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
-    for (int i = 0; i <= contact.degree; ++i) {
-      if (!contact.normal.holdsNothing(i))
-        visit(contact.normalOf(i), chi[at(i)], normal);
-      if (contact.shears() && !contact.tangential.holdsNothing(i))
-        visit(contact.tangentialOf(i), chi[at(i)], tangent);
-    }
+    for (int i = 0; i < contact.coefficients(); ++i)
+      if (!contact.of(i).holdsNothing(contact.functionOf(i)))
+        visit(contact.numberOf(i), chiOf(i), directionOf(i));
   }
 };
 
@@ -54,14 +51,9 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
     const Direction normal = stretch.opposite != nullptr
                                  ? Direction(opposite.direction)
                                  : Direction{element.curve.normal(t)};
-    visit(SidePoint{contact,
-                    q,
-                    t,
-                    stretch.half * rule.weights[at(q)] * element.half,
-                    basis.values(contact.degree, t),
-                    opposite,
-                    normal,
-                    {turnLeft(normal.unit)}});
+    const double weight = stretch.half * rule.weights[at(q)] * element.half;
+    visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite,
+                    normal, Direction{turnLeft(normal.unit)}});
   }
 }
 

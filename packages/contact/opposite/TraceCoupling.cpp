@@ -43,13 +43,13 @@ void TraceCoupling::addTranspose(double s, const double* multiplier,
     force[j] += work * rotation->functional()[j];
 }
 
-void TraceCoupling::addTo(Matrix& transposed, const std::vector<Index>& places) const {
+void TraceCoupling::addTo(Matrix& transposed) const {
   for (const bem::Entry& entry : entries)
-    transposed(entry.row, places[at(entry.column)]) += entry.value;
+    transposed(entry.row, entry.column) += entry.value;
   for (std::size_t i = 0; rotation != nullptr && i < rests.size(); ++i)
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
-        transposed(j, places[i]) += rests[i] * rotation->functional()[at(j)];
+        transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
 }
 
 }  // namespace epafi::contact

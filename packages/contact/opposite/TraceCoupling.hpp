@@ -24,8 +24,8 @@ struct TraceCoupling {
   void addApplied(const double* u, Vector& r) const;
   /// force += s Cᵀ λ
   void addTranspose(double s, const double* multiplier, double* force) const;
-  /// transposed += Cᵀ, its columns those of some multipliers, `places` by all of them.
-  void addTo(Matrix& transposed, const std::vector<Index>& places) const;
+  /// transposed += Cᵀ
+  void addTo(Matrix& transposed) const;
 };
 
 /// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its

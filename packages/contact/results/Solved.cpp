@@ -1,6 +1,7 @@
 #include "contact/results/Solved.hpp"
 
 #include "contact/multiplier/ContinuousMultiplier.hpp"
+#include "contact/results/ContactPlace.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,35 +93,28 @@ Vector ContactFields::continuous() const {
 ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
-  const bem::Mesh& mesh = solved_.space.mesh();
-  const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
+  const ContactPlace here{solved_, element, t};
   const bem::Vec2 u = solved_.displacementAt(element.element, t);
 
   ContactPoint point;
-  point.place = mesh.physicalPoint(element.element, t);
+  point.place = here.place;
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.direction = opposite.direction;
-  point.normal = units_.length * solved_.approach(u, opposite);
-  point.tangential = units_.length * dot(u - motionAt(solved_.motions, opposite),
+  point.direction = here.opposite.direction;
+  point.normal = units_.length * solved_.approach(u, here.opposite);
+  point.tangential = units_.length * dot(u - motionAt(solved_.motions, here.opposite),
                                          turnLeft(point.direction.unit));
-  const Conditions::Contact& condition = *element.condition;
-  point.gap = units_.length * opposite.gap;
-  if (condition.sliding)
-    point.sliding = condition.sliding(point.place);
-  if (condition.normal)
-    point.closing =
-        units_.length * condition.normal.at(point.place, units_).closing(stress.normal);
-  if (solved_.wear != nullptr) {
-    if (condition.wear)
-      point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
+  point.gap = units_.length * here.opposite.gap;
+  if (element.condition->sliding)
+    point.sliding = element.condition->sliding(point.place);
+  point.closing = units_.length * here.closing(stress.normal);
+  point.worn = units_.length * here.worn(&Wear::depth);
+  if (solved_.wear != nullptr)
     point.distance =
         units_.length * space.throughPoints(solved_.wear->distance, element, t);
-  }
   point.closed = closing(element, stress) > 0;
   if (element.shears()) {
-    point.bound = units_.stress *
-                  condition.friction.at(point.place, units_.stress).bound(stress.normal);
+    point.bound = units_.stress * here.bound(stress.normal);
     const double bound = space.at(bounds_, element, t).tangential;
     if (element.ties() || bound > tolerance_)
       point.friction = slipping(element, stress.tangential, bound) > 0

@@ -56,7 +56,7 @@ Vector sum(Vector x, const Vector& y) {
 }  // namespace
 
 ContactBody::ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
-                         const ElasticBodies& elastic, std::size_t number,
+                         std::shared_ptr<const ElasticBody> elastic, std::size_t number,
                          Index firstMotion)
     : space_(&input.space),
       units_(input.units),
@@ -64,8 +64,7 @@ ContactBody::ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle>
       number_(number),
       firstMotion_(firstMotion),
       loads_(makeLoads(*space_, input.conditions, units_)),
-      holding_(elastic.holdings[number]),
-      elastic_(elastic.bodies[number]) {
+      elastic_(std::move(elastic)) {
   reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();
 }
@@ -92,8 +91,8 @@ void ContactBody::setLoads() {
     load_ = elastic_->residual(load_, deformation);
   }
   constant_ = withoutFixedMotions(
-      *holding_, loads_.prescribed,
-      meansOf(conditions(), space_->mesh(), holding_->modes.centroid));
+      holding(), loads_.prescribed,
+      meansOf(conditions(), space_->mesh(), holding().modes.centroid));
 }
 
 Vector ContactBody::apply(const Vector& u) const {
@@ -146,7 +145,7 @@ void ContactBody::addFixedMotions(const Vector& force, const Vector& multiplier,
       beta[k] += dot(one.terms, multiplier);
   }
   for (std::size_t k = 0; k < beta.size(); ++k)
-    axpy(beta[k], columnOf(holding_->allowed, static_cast<Index>(k)), u);
+    axpy(beta[k], columnOf(holding().allowed, static_cast<Index>(k)), u);
 }
 
 Vector ContactBody::displacementOfLoads() const {
@@ -157,17 +156,17 @@ Vector ContactBody::displacementOfLoads() const {
 
 Vector ContactBody::rigidLoad() const {
   Vector result;
-  for (Index k = holding_->fixed(); k < holding_->allowed.columns(); ++k)
-    result.push_back(dot(columnOf(holding_->allowed, k), load_));
+  for (Index k = holding().fixed(); k < holding().allowed.columns(); ++k)
+    result.push_back(dot(columnOf(holding().allowed, k), load_));
   return result;
 }
 
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector u = heldDisplacement(force);
-  for (Index k = 0; k < holding_->free() && !state.rigid.empty(); ++k)
+  for (Index k = 0; k < holding().free() && !state.rigid.empty(); ++k)
     axpy(state.rigid[at(firstMotion_ + k)],
-         columnOf(holding_->allowed, holding_->fixed() + k), u);
+         columnOf(holding().allowed, holding().fixed() + k), u);
   if (elastic_->isFormed()) {
     // What the factor leaves is ε |A| |u|.
     const Vector whole = wholeForce(contactForce);
@@ -225,7 +224,7 @@ double ContactBody::storedEnergy(const State& state, const Vector& displacement,
   if (!state.multiplier.empty())
     twice -= 2 * dot(reactions.terms, state.multiplier);
   for (std::size_t k = 0; k < reactions.means.size(); ++k)
-    twice += dot(columnOf(holding_->allowed, static_cast<Index>(k)), force) *
+    twice += dot(columnOf(holding().allowed, static_cast<Index>(k)), force) *
              reactions.means[k];
   return twice / 2;
 }
@@ -241,7 +240,7 @@ Vector ContactBody::density(const State& state, const Vector& displacement,
 
 Vector ContactBody::clampForces(const Vector& displacement,
                                 const Vector& contactForce) const {
-  const std::vector<char>& clamped = holding_->clamped;
+  const std::vector<char>& clamped = holding().clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
@@ -256,7 +255,7 @@ Vector ContactBody::clampForces(const Vector& displacement,
 
 Vector ContactBody::clampWork(const Vector& displacement,
                               const Vector& contactForce) const {
-  const RigidModes& modes = holding_->modes;
+  const RigidModes& modes = holding().modes;
   const Vector forces = clampForces(displacement, contactForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
@@ -269,22 +268,22 @@ Vector ContactBody::clampWork(const Vector& displacement,
 Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector reactions(3, 0.0);
-  for (Index k = 0; k < holding_->fixed(); ++k)
-    reactions[at(holding_->fixedModes[at(k)])] =
-        -holding_->scales[at(k)] * dot(columnOf(holding_->allowed, k), force);
+  for (Index k = 0; k < holding().fixed(); ++k)
+    reactions[at(holding().fixedModes[at(k)])] =
+        -holding().scales[at(k)] * dot(columnOf(holding().allowed, k), force);
   return reactions;
 }
 
 Vector ContactBody::fixedMeans() const {
   Vector means =
-      bem::times(-1, meansOf(conditions(), space_->mesh(), holding_->modes.centroid));
+      bem::times(-1, meansOf(conditions(), space_->mesh(), holding().modes.centroid));
   means.resize(3);
   for (std::size_t i = 0; i < loads_.prescribed.size(); ++i)
-    for (Index k = 0; holding_->clamped[i] != 0 && k < 3; ++k)
+    for (Index k = 0; holding().clamped[i] != 0 && k < 3; ++k)
       means[at(k)] -=
-          holding_->modes.functionals(static_cast<Index>(i), k) * loads_.prescribed[i];
+          holding().modes.functionals(static_cast<Index>(i), k) * loads_.prescribed[i];
   for (std::size_t k = 0; k < loads_.residual.means.size(); ++k)
-    means[at(holding_->fixedModes[k])] += loads_.residual.means[k] / holding_->scales[k];
+    means[at(holding().fixedModes[k])] += loads_.residual.means[k] / holding().scales[k];
   return means;
 }
 

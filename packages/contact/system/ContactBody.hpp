@@ -1,6 +1,7 @@
 #pragma once
 
-#include "contact/system/ElasticBodies.hpp"
+#include "contact/body/ElasticBody.hpp"
+#include "contact/opposite/Obstacle.hpp"
 
 #include <functional>
 
@@ -29,14 +30,15 @@ class ContactBody {
   /// \param number  of the body among those of the obstacle
   /// \param firstMotion  number of its first motion in State::rigid
   ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
-              const ElasticBodies& elastic, std::size_t number, Index firstMotion);
+              std::shared_ptr<const ElasticBody> elastic, std::size_t number,
+              Index firstMotion);
   /// The same at another time of a path; the factor of A is shared.
   ContactBody under(std::shared_ptr<const Obstacle> obstacle) const;
 
   const bem::Space& space() const { return *space_; }
   bem::Units units() const { return units_; }
   const Obstacle& obstacle() const { return *obstacle_; }
-  const Holding& holding() const { return *holding_; }
+  const Holding& holding() const { return elastic_->holding(); }
 
   /// The multiplier of all bodies, and what of it is on this one.
   const MultiplierSpace& multiplier() const { return obstacle_->multiplier; }
@@ -146,7 +148,6 @@ class ContactBody {
   std::size_t number_;
   Index firstMotion_;
   Loads loads_;  ///< with what body loads do through the stabilisation
-  std::shared_ptr<const Holding> holding_;
   std::shared_ptr<const ElasticBody> elastic_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it

@@ -1,6 +1,9 @@
 #include "contact/system/ContactSystem.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
+#include "contact/body/DenseBody.hpp"
+#include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/system/GivenPenetration.hpp"
 
 #include <algorithm>
@@ -35,15 +38,58 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
       bodies_(std::make_shared<std::vector<ContactBody>>()),
       rigid_(rigid, multiplier(), *obstacle_->opposite),
       wear_(obstacle_, {}) {
-  const ElasticBodies elastic = makeElasticBodies(inputs, *obstacle_);
-  Index motions = 0;
-  for (std::size_t b = 0; b < inputs.size(); ++b) {
-    bodies_->emplace_back(inputs[b], obstacle_, elastic, b, motions);
-    motions += elastic.holdings[b]->free();
-  }
-  condense(elastic);
+  condense(addBodies(inputs));
   wear_.setSlips({}, numbers_.surface);
   setScale(loadSize());
+}
+
+ContactSystem::MakeFlexibility ContactSystem::addBodies(
+    const std::vector<BodyInput>& inputs) {
+  std::vector<const bem::Space*> spaces;
+  for (const BodyInput& input : inputs) {
+    if (input.basis.sharesNodes && input.stabilization.isOn())
+      throw bem::InputError("the multiplier '", input.basis.name,
+                            "' needs the stabilisation's form None");
+    spaces.push_back(&input.space);
+  }
+  std::vector<Coupling> plain = makeCouplings(spaces, multiplier(), *obstacle_->opposite);
+  Index motions = 0;
+  const auto add = [&](const auto& make, auto& elastic) {
+    for (std::size_t b = 0; b < inputs.size(); ++b) {
+      auto holding = std::make_shared<const Holding>(
+          makeHolding(inputs[b].space, inputs[b].conditions));
+      elastic.push_back(make(inputs[b], b, holding, std::move(plain[b])));
+      bodies_->emplace_back(inputs[b], obstacle_, elastic.back(), b, motions);
+      motions += holding->free();
+    }
+  };
+  using Holds = std::shared_ptr<const Holding>;
+  if (inputs.front().stiffness.compressed() == nullptr) {
+    std::vector<std::shared_ptr<const DenseBody>> dense;
+    add(
+        [&](const BodyInput& input, std::size_t b, const Holds& holding,
+            const Coupling& coupling) {
+          return makeDenseBody(input, multiplier(), b, holding, coupling);
+        },
+        dense);
+    return [dense](const Columns& r, const Columns& s) {
+      return denseFlexibility(dense, r, s);
+    };
+  }
+  std::vector<std::shared_ptr<const CompressedBody>> compressed;
+  add(
+      [&](const BodyInput& input, std::size_t b, const Holds& holding,
+          Coupling coupling) {
+        return std::make_shared<const CompressedBody>(input, multiplier(), b, holding,
+                                                      std::move(coupling));
+      },
+      compressed);
+  return [compressed, normals = multiplier().normals(),
+          formedUpTo = inputs.front().formedUpTo](const Columns& /*r*/,
+                                                  const Columns& s) {
+    const auto d = std::make_shared<const CompressedFlexibility>(compressed, normals, s);
+    return d->size() <= formedUpTo ? Flexibility(d->formed()) : Flexibility(d);
+  };
 }
 
 ContactSystem::ContactSystem(const ContactSystem& atZero,
@@ -77,10 +123,10 @@ ContactSystem::ContactSystem(const ContactSystem& atZero,
 ///   D = Σ_b B_b A_b⁺ B_bᵀ + M,   G = (B_b R_b)_b,
 ///
 /// less  Σ_k s_k (B r_k)ᵀ + B r_k s_kᵀ  of what Fix holds, see reactionColumns.
-void ContactSystem::condense(const ElasticBodies& elastic) {
+void ContactSystem::condense(const MakeFlexibility& makeFlexibility) {
   std::vector<Vector> columns;  // of G
-  std::vector<std::vector<Vector>> motions;
-  std::vector<std::vector<Vector>> reactions;
+  Columns motions;
+  Columns reactions;
   for (std::size_t b = 0; b < size(); ++b) {
     const Holding& holding = body(b).holding();
     motions.push_back(motionsOnContacts(holding, 0, body(b).coupling().trace));
@@ -88,7 +134,7 @@ void ContactSystem::condense(const ElasticBodies& elastic) {
     columns.insert(columns.end(), motions.back().begin() + holding.fixed(),
                    motions.back().end());
   }
-  numbers_.flexibility = elastic.flexibility(motions, reactions);
+  numbers_.flexibility = makeFlexibility(motions, reactions);
   numbers_.normals = multiplier().normals();
   respond();
   rigid_.setMotions(std::move(columns), numbers_);

@@ -130,8 +130,14 @@ class ContactSystem {
   Index elasticMotions() const { return numbers().rigidMotions() - rigid_.freeMotions(); }
 
   bool isFormed() const { return body(0).elastic()->isFormed(); }
+  /// What makes D: of the columns r_k, s_k of each body, see condense.
+  using Columns = std::vector<std::vector<Vector>>;
+  using MakeFlexibility =
+      std::function<Flexibility(const Columns& motions, const Columns& reactions)>;
+  /// Makes the bodies, all dense or all compressed.
+  MakeFlexibility addBodies(const std::vector<BodyInput>& inputs);
   /// Computes D and G.
-  void condense(const ElasticBodies& elastic);
+  void condense(const MakeFlexibility& makeFlexibility);
   /// s_k of the reactions of a body, see condense.  `motions`: C r of those that it allows
   std::vector<Vector> reactionColumns(std::size_t b,
                                       const std::vector<Vector>& motions) const;

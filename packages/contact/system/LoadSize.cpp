@@ -176,11 +176,8 @@ Vector lengthsOf(const MultiplierSpace& multiplier) {
   Vector all(at(multiplier.size()));
   multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
     const double share = 2 * element.geometry().half / (element.degree + 1);
-    for (int i = 0; i <= element.degree; ++i) {
-      all[at(element.normalOf(i))] += share;
-      if (element.shears())
-        all[at(element.tangentialOf(i))] += share;
-    }
+    for (int i = 0; i < element.coefficients(); ++i)
+      all[at(element.numberOf(i))] += share;
   });
   return all;
 }

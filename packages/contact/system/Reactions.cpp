@@ -54,10 +54,10 @@ Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) cons
 
 std::vector<BoundaryTraction> ContactBody::fixedTractions() const {
   std::vector<BoundaryTraction> tractions;
-  for (Index k = 0; k < holding_->fixed(); ++k)
+  for (Index k = 0; k < holding().fixed(); ++k)
     tractions.emplace_back([this, k](int e, double t) {
-      return holding_->scales[at(k)] *
-             holding_->modes.at(holding_->fixedModes[at(k)],
+      return holding().scales[at(k)] *
+             holding().modes.at(holding().fixedModes[at(k)],
                                 space_->mesh().scaledPoint(e, t));
     });
   return tractions;
@@ -72,8 +72,8 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
         residualOf([&](int e, double t) { return -fixed(e, t); });
     // rigid motions have no traction, whatever rounds
     for (Index k = 0; k < 3; ++k) {
-      const Vector r = columnOf(holding_->modes.motions, k);
-      const Vector functional = columnOf(holding_->modes.functionals, k);
+      const Vector r = columnOf(holding().modes.motions, k);
+      const Vector functional = columnOf(holding().modes.functionals, k);
       axpy(-dot(r, residual.force) / dot(r, functional), functional, residual.force);
     }
     Vector displacement = elastic_->solve(residual.force);
@@ -88,7 +88,7 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
 Loads::InResidual ContactBody::reactionsTo(const Vector& force) const {
   Loads::InResidual all;
   for (std::size_t k = 0; k < reactions().size(); ++k)
-    add(-dot(columnOf(holding_->allowed, static_cast<Index>(k)), force),
+    add(-dot(columnOf(holding().allowed, static_cast<Index>(k)), force),
         reactions()[k].residual, all);
   return all;
 }
