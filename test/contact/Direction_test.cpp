@@ -44,7 +44,7 @@ double gapSlid(double curvature, double slid) {
     const Vec2 centre{0, -1 - 1 / curvature};
     const double n = dot(x, x - centre);
     const double square = dot(x - centre, x - centre) - 1 / (curvature * curvature);
-    const double s = square / (-n - std::copysign(std::sqrt(n * n - square), curvature));
+    const double s = square / (-n + std::copysign(std::sqrt(n * n - square), curvature));
     const Vec2 y = x + s * x;
     const SideShape own{x, 1, {{3, 0}, {3, 0}}};
     const SideShape opposite{curvature * (y - centre), curvature, {{3, 0}, {3, 0}}};
