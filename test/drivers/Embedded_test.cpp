@@ -87,13 +87,12 @@ std::vector<Step> byThePackages(const drivers::Scene& scene) {
   for (std::size_t b = 0; b < spaces.size(); ++b)
     lames.push_back(scene.lame(b));
   for (std::size_t b = 0; b < spaces.size(); ++b)
-    stiffness.push_back(contact::makeStiffness(spaces.space(b), spaces.multiplier(b),
+    stiffness.push_back(contact::makeStiffness(spaces.space(b), start[b],
                                                scene.stabilization, lames[b], units));
   for (std::size_t b = 0; b < spaces.size(); ++b)
     inputs.push_back({spaces.space(b), stiffness[b], lames[b], units, start[b],
-                      contact::multiplierBasis(scene.multiplier), scene.stabilization,
-                      spaces.opposite(b)});
-  const contact::ContactSystem system(inputs, scene.drivesAt(0));
+                      contact::multiplierBasis(scene.multiplier), scene.stabilization});
+  const contact::ContactSystem system(inputs, scene.drivesAt(0), spaces.opposite());
   contact::PathMemory memory(system);
   contact::Prediction prediction(system);
   std::vector<Step> steps;
