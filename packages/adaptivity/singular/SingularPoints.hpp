@@ -57,21 +57,4 @@ struct EdgePlace {
 SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
                           const std::vector<EdgePlace>& places);
 
-/// State of the point of a coefficient of the multiplier.
-struct PointState {
-  contact::NormalState normal = contact::NormalState::Open;
-  contact::FrictionState friction = contact::FrictionState::None;
-
-  bool operator==(const PointState& other) const {
-    return normal == other.normal && friction == other.friction;
-  }
-  bool operator!=(const PointState& other) const { return !(*this == other); }
-};
-
-/// State of coefficient i of an element.  If the slip bound depends on the pressure, an open
-/// point has no friction state.
-PointState pointState(const contact::MultiplierSpace& multiplier,
-                      const contact::MultiplierSpace::ContactElement& element, int i,
-                      const contact::ContactState& states);
-
 }  // namespace epafi::adaptivity

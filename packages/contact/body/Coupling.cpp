@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <map>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -103,26 +104,28 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
   }
   multiplier.forEachElement([&](const ContactElement& contact) {
     Works own(contact, *spaces[at(contact.body)], contact.element, &Direction::ownTurn);
+    std::map<std::pair<int, int>, Works> facing;  // by body and element
     for (const Stretch& stretch : stretches(opposite, contact)) {
       const Opposite::Point middle = opposite.at(contact, stretch.middle);
-      std::optional<Works> facing;
-      if (middle.element >= 0) {
+      if (middle.element >= 0)
         checkEnds(contact, multiplier.basis());
-        facing.emplace(contact, *spaces[at(middle.body)], middle.element,
-                       &Direction::oppositeTurn);
-      }
       forEachPointOf(
           contact, multiplier.basis(), ruleOfForces(contact, middle),
           [&](const SidePoint& point) {
             own.add(point, point.weight, point.t);
-            if (facing)
-              facing->add(point, -point.weight, point.opposite.t);
+            const int body = point.opposite.body;
+            const int element = point.opposite.element;
+            if (element >= 0)
+              facing
+                  .try_emplace({body, element}, contact, *spaces[at(body)], element,
+                               &Direction::oppositeTurn)
+                  .first->second.add(point, -point.weight, point.opposite.t);
           },
           stretch);
-      if (facing)
-        facing->addTo(couplings[at(middle.body)]);
     }
     own.addTo(couplings[at(contact.body)]);
+    for (const auto& [where, works] : facing)
+      works.addTo(couplings[at(where.first)]);
   });
   return couplings;
 }

@@ -95,7 +95,7 @@ void addContact(const Solved& solved, const Of& of) {
   }
 }
 
-/// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
+/// Work of the reactions on the rigid motions v of RigidModes, dimensionless:
 ///
 ///   R·v = (A u + Bᵀ λ - f)·v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
 ///
@@ -103,8 +103,7 @@ void addContact(const Solved& solved, const Of& of) {
 /// traction ρ_k r_k acts takes that up again, hence v - v_c.
 std::array<double, 3> reactionWork(const Solved& solved) {
   const Holding& holding = solved.problem.holding();
-  const bem::Matrix& modes = holding.modes.functionals;
-  const bem::Matrix motions = solved.space.rigidMotions();
+  const auto& [motions, modes, centroid] = holding.modes;
   const Vector clamps =
       solved.problem.clampWork(solved.displacement, solved.contactForce);
   const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
@@ -120,13 +119,14 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   return work;
 }
 
-/// From work on the rigid motions of the scaled outline to forces and their moment about
-/// the user's origin: M = M_scaled d + origin x force.
+/// From work on the rigid motions to forces and their moment about the user's origin:
+/// M = M_centroid d + centroid x force.
 Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
-  const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
+  const Vec2 centroid =
+      solved.space.mesh().outline().physical(solved.problem.holding().modes.centroid);
   const double force = solved.units.stress * solved.units.length;
   return {force * work[0], force * work[1],
-          force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
+          force * (solved.units.length * work[2] + cross(centroid, {work[0], work[1]}))};
 }
 
 /// The rigid motion with the moments of u over the boundary, [length] and radian.
@@ -145,12 +145,9 @@ RigidMotion meanMotion(const Solved& solved) {
 
 /// Work of a load on the rigid motions, fᵀ v.
 std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
-  const bem::Matrix motions = solved.space.rigidMotions();
-  std::array<double, 3> work{};
-  for (Index v = 0; v < 3; ++v)
-    for (Index i = 0; i < motions.rows(); ++i)
-      work[v] += load[i] * motions(i, v);
-  return work;
+  const Vector work = bem::columnOf(
+      transposedTimes(solved.problem.holding().modes.motions, bem::asColumn(load)), 0);
+  return {work[0], work[1], work[2]};
 }
 
 }  // namespace

@@ -261,7 +261,6 @@ Vector ContactBody::clampWork(const Vector& displacement,
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
       work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
-  work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
   return work;
 }
 

@@ -90,6 +90,11 @@ class ContactBody {
   double storedEnergy(const State& state, const Vector& displacement,
                       const Vector& contactForce) const;
 
+  /// storedEnergy - strainEnergy; with Form Density by itself, as an integral: without body loads
+  /// ½ Σ ∫ γ |λ + ψ - Σ ρ r|².
+  double stabilisationEnergy(const State& state, const Vector& displacement,
+                             const Vector& contactForce) const;
+
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
 
@@ -97,7 +102,7 @@ class ContactBody {
   Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
-  /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
+  /// of RigidModes, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
   Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
