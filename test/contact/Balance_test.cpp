@@ -52,7 +52,7 @@ std::shared_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
                                                   const bem::SteklovPoincare& stiffness) {
   const contact::Opposite none(scene.units.length);
   const auto plain = contact::makeCouplings({&scene.space}, scene.multiplier, none);
-  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, none, 0,
+  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, 0,
                                 std::make_shared<const contact::Holding>(
                                     makeHolding(scene.space, scene.conditions)),
                                 plain.front());

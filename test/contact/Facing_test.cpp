@@ -1,10 +1,13 @@
 // What lies opposite to the contact sides of whole bodies.
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/mesh/Mesh.hpp"
+#include "contact/body/Coupling.hpp"
 #include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -123,6 +126,58 @@ TEUCHOS_UNIT_TEST(Opposite, sourcesLeadBack) {
       TEST_COMPARE(std::abs(back.t - t), <, 1e-13);
     }
   TEST_EQUALITY(fit.facing.sources(2, 0, 0).size(), 0u);
+}
+
+/// The density of what a side sees takes part if the conditions of that body say so, and no system
+/// is without it.
+TEUCHOS_UNIT_TEST(Opposite, densitiesOfBothBodiesNeedTheFacingParts) {
+  const Fit fit;
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  contact::OppositeSide side = fit.oppositeSide();
+  side.body = 1;
+  for (const bool said : {false, true}) {
+    contact::Conditions seen;
+    for (int edge = 0; edge < 4 && said; ++edge)
+      seen.facing.push_back({edge, 0, 1});
+    const contact::MultiplierSpace multiplier(
+        {{fit.ring, fit.conditions}, {fit.disc, seen}}, basis);
+    const contact::Opposite facing(multiplier, tenth.length, {{"fit", side}});
+    const bem::Space ring(fit.ring);
+    const bem::Space disc = makeSpace(fit.disc, seen, {});
+    const auto plain = contact::makeCouplings({&ring, &disc}, multiplier, facing);
+    const auto make = [&] {
+      return contact::stabilised(plain[1], disc, multiplier, 1, {}, bem::Lame({1, 0.3}),
+                                 {tenth.length, 1});
+    };
+    if (said) {
+      const contact::Coupling own = make();
+      TEST_EQUALITY(own.elements.size(), static_cast<std::size_t>(fit.disc.size()));
+      TEST_ASSERT(!own.weights.empty() && !own.mass.empty());
+    } else {
+      TEST_THROW(make(), bem::InputError);
+    }
+  }
+}
+
+/// What a coefficient does to one body on a translation it takes from the other one.
+TEUCHOS_UNIT_TEST(Opposite, forcesOnBothBodiesBalance) {
+  const Fit fit;
+  const bem::Space ring(fit.ring);
+  const bem::Space disc(fit.disc);
+  const auto couplings =
+      contact::makeCouplings({&ring, &ring, &ring, &disc}, fit.multiplier, fit.facing);
+  for (const bem::Index k : {0, 1}) {
+    const contact::Vector own =
+        couplings[0].trace.apply(bem::columnOf(ring.rigidMotions(), k));
+    const contact::Vector other =
+        couplings[3].trace.apply(bem::columnOf(disc.rigidMotions(), k));
+    double largest = 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      TEST_COMPARE(std::abs(own[i] + other[i]), <, 1e-13);
+      largest = std::max(largest, std::abs(own[i]));
+    }
+    TEST_COMPARE(largest, >, 1e-3);
+  }
 }
 
 /// Another element of the ring on either side of them.

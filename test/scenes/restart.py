@@ -91,7 +91,7 @@ code, text = solve("tresca.xml", fresh("idle"), 3, HP, "--restart", done)
 claim(code == 0 and content(os.path.join(WORK, "idle")) == before and SOLUTION in text,
       "nothing to do elsewhere leaves the same files there: " + text.splitlines()[-1])
 drawn = copy(base, "drawn")
-epafi("plot", drawn)
+epafi("plot", drawn, "--picture", "all")
 epafi("fields", drawn, "--grid", "5,5")
 shutil.copy(os.path.join(drawn, "mesh.png"), os.path.join(drawn, "mine.png"))
 before_more = set(os.listdir(drawn))
@@ -259,7 +259,7 @@ def run_limited(arguments, kilobytes):
 
 
 # mpirun has files of its own, which the limit would meet first
-for name in (SOLUTION, "boundary.csv") if RANKS == 1 else ():
+for name in (SOLUTION, "contact.csv") if RANKS == 1 else ():
     kilobytes = len(before[name]) // 1024
     full = copy(base, "full")
     code, text = run_limited(RESTART[:-1] + [full] + options(

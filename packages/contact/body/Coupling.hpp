@@ -26,7 +26,8 @@ using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 ///
 ///   N_(f,l)i = -<γ_f χ_i d_i, P_l∘P>_A,   M_ij = <γ_f χ_i d_i, χ_j d_j ds_A/ds_f>_A
 struct Coupling {
-  TraceCoupling trace;  ///< C: <χ_i, φ_j>
+  const Opposite* opposite = nullptr;  ///< what directions depend on
+  TraceCoupling trace;                 ///< C: <χ_i, φ_j>
   /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free displacements.
   TraceCoupling completion;
   std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
@@ -67,7 +68,7 @@ struct Coupling {
                                     const Vector& ofInside) const;
 };
 
-/// C of all bodies, without stabilisation.
+/// C of all bodies, without stabilisation.  Refers to the opposite sides.
 /// \pre all bodies share Units
 /// \throws bem::InputError for a multiplier that shares nodes where contact with another body
 ///   meets a clamp or another contact side.
@@ -76,16 +77,16 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
                                     const Opposite& opposite);
 
 /// The same of one body with its stabilisation.
+/// \throws bem::InputError with Form Density for an element that others see but Conditions::facing
+/// does not hold
 /// \param start of the elements' columns in R; empty: those of the densities, as without columns
 Coupling stabilised(Coupling plain, const bem::Space& space,
-                    const MultiplierSpace& multiplier, const Opposite& opposite,
-                    std::size_t body, const Stabilization& stabilization,
-                    const bem::Lame& lame, bem::Units units,
-                    std::vector<Index> start = {});
+                    const MultiplierSpace& multiplier, std::size_t body,
+                    const Stabilization& stabilization, const bem::Lame& lame,
+                    bem::Units units, std::vector<Index> start = {});
 
 /// The `weights` and `terms` of a traction t, and <γ t, r> for the `tested` r.
-Loads::InResidual tractionMoments(const MultiplierSpace& multiplier,
-                                  const Opposite& opposite, std::size_t body,
+Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t body,
                                   const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested);

@@ -81,10 +81,9 @@ Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier,
 }
 
 Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
-                    const Opposite& opposite, std::size_t body,
-                    const Tractions& tractions, const Coupling& plain) {
-  return stabilised(plain, input.space, multiplier, opposite, body, input.stabilization,
-                    input.lame, input.units,
+                    std::size_t body, const Tractions& tractions, const Coupling& plain) {
+  return stabilised(plain, input.space, multiplier, body, input.stabilization, input.lame,
+                    input.units,
                     tractions != nullptr ? tractions->start : std::vector<Index>());
 }
 
@@ -296,11 +295,10 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
       limitGamma0(limit) {}
 
 std::shared_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier, const Opposite& opposite,
-    std::size_t body, const std::shared_ptr<const Holding>& holding,
-    const Coupling& plain) {
+    const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain) {
   const Tractions tractions = tractionsOf(input, multiplier, body);
-  Coupling coupling = couplingOf(input, multiplier, opposite, body, tractions, plain);
+  Coupling coupling = couplingOf(input, multiplier, body, tractions, plain);
   const auto response = input.stiffness.response();
   if (coupling.byDensity()
           ? response == nullptr || response->densities != coupling.compliance.densities
@@ -328,10 +326,12 @@ double limitGamma0(const BodyInput& input) {
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   const Tractions tractions = tractionsOf(input, multiplier, 0);
+  const Opposite opposite(input.units.length);
+  Coupling plain;
+  plain.opposite = &opposite;
   return limitGamma0(
       input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
-      couplingOf(input, multiplier, Opposite(input.units.length), 0, tractions, {}),
-      tractions);
+      couplingOf(input, multiplier, 0, tractions, plain), tractions);
 }
 
 }  // namespace epafi::contact

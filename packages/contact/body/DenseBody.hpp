@@ -78,9 +78,8 @@ class DenseBody final : public ElasticBody {
 /// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.
 /// \pre input.stiffness is formed  \throws IndefiniteStiffness if a given γ₀ is too large
 std::shared_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier, const Opposite& opposite,
-    std::size_t body, const std::shared_ptr<const Holding>& holding,
-    const Coupling& plain);
+    const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain);
 
 /// D of such bodies.  \param motions, reactions  of each, see DenseBody::addCompliance
 Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>& bodies,

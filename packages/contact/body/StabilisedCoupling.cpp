@@ -1,5 +1,6 @@
 // G and M of a body, and what a traction in λ's place does.
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/opposite/SidePoints.hpp"
@@ -29,9 +30,10 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
 /// Legendre polynomials, the densities', where S u is evaluated orthonormal ones, else none.
 class ElementCoupling {
  public:
-  ElementCoupling(const MultiplierBasis& basis, const Stabilization& stabilization,
-                  const ContactElement& contact)
+  ElementCoupling(const MultiplierBasis& basis, const Opposite& opposite,
+                  const Stabilization& stabilization, const ContactElement& contact)
       : basis_(basis),
+        opposite_(opposite),
         byDensity_(stabilization.byDensity()),
         byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
@@ -59,23 +61,25 @@ class ElementCoupling {
                   Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPointOf(contact_, basis_, bem::gaussForGiven(element_.degree),
-                   [&](const SidePoint& point) {
-                     const auto legendre = orthonormal(point.t);
-                     const Vec2 force =
-                         point.weight * traction(contact_.element, point.t);
-                     addForce(force, legendre.data(), parts.data(), rows());
-                     for (std::size_t k = 0; k < tested.size(); ++k) {
-                       const Vec2 r = tested[k](contact_.element, point.t);
-                       addForce(point.weight * r, legendre.data(),
-                                testedParts.column(static_cast<Index>(k)), rows());
-                       if (isWhole())
-                         moments.means[k] += gamma * dot(force, r);
-                     }
-                     for (int i = 0; i < size() && isWhole(); ++i)
-                       moments.terms[at(contact_.numberOf(i))] -=
-                           gamma * point.chiOf(i) * dot(force, point.directionOf(i));
-                   });
+    forEachPoint(
+        [&](const Opposite::Point&) -> const auto& {
+          return bem::gaussForGiven(element_.degree);
+        },
+        [&](const SidePoint& point) {
+          const auto legendre = orthonormal(point.t);
+          const Vec2 force = point.weight * traction(contact_.element, point.t);
+          addForce(force, legendre.data(), parts.data(), rows());
+          for (std::size_t k = 0; k < tested.size(); ++k) {
+            const Vec2 r = tested[k](contact_.element, point.t);
+            addForce(point.weight * r, legendre.data(),
+                     testedParts.column(static_cast<Index>(k)), rows());
+            if (isWhole())
+              moments.means[k] += gamma * dot(force, r);
+          }
+          for (int i = 0; i < size() && isWhole(); ++i)
+            moments.terms[at(contact_.numberOf(i))] -=
+                gamma * point.chiOf(i) * dot(force, point.directionOf(i).unit);
+        });
     const auto timesParts = [&](const double* column) {
       return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
     };
@@ -114,11 +118,19 @@ class ElementCoupling {
   /// the product of what they take.
   bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
 
+  template <class RuleOf, class Visit>
+  void forEachPoint(const RuleOf& ruleOf, const Visit& visit) const {
+    for (const Stretch& stretch : stretches(opposite_, contact_))
+      forEachPointOf(contact_, basis_, ruleOf(opposite_.at(contact_, stretch.middle)),
+                     visit, stretch);
+  }
+
   void integrate() {
-    const int p = element_.degree;
-    forEachPointOf(contact_, basis_,
-                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
-                   [&](const SidePoint& point) { add(point); });
+    forEachPoint(
+        [&](const Opposite::Point& middle) -> const auto& {
+          return ruleOfForces(contact_, middle);
+        },
+        [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
   }
@@ -127,7 +139,8 @@ class ElementCoupling {
     const auto legendre = orthonormal(point.t);
     for (int i = 0; i < size(); ++i) {
       const double value = point.weight * point.chiOf(i);
-      addForce(value * point.directionOf(i), legendre.data(), parts_.column(i), rows());
+      addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),
+               rows());
       for (int k = 0; k < size(); ++k)
         if (contact_.isTangential(k) == contact_.isTangential(i))
           mass_(i, k) += value * point.chiOf(k);
@@ -135,6 +148,7 @@ class ElementCoupling {
   }
 
   const MultiplierBasis& basis_;
+  const Opposite& opposite_;
   bool byDensity_;
   bool byTractions_;
   const ContactElement& contact_;
@@ -159,21 +173,18 @@ class FacingCoupling {
       const int size = side.coefficients();
       Matrix parts(rows(), size);
       Matrix mass(size, size);
-      const int degree = std::max(side.degree, (side.degree + element_.densities) / 2);
-      const int turning = std::max(side.geometry().curve.pointsOfTurning(),
-                                   element_.curve.pointsOfTurning());
-      forEachPoint(
-          seen, bem::gaussLegendre(degree + 1 + turning), [&](const SidePoint& point) {
-            const auto legendre = legendreAt(point.opposite.t);
-            for (int i = 0; i < size; ++i) {
-              const double value = point.weight * point.chiOf(i);
-              addForce(-value * point.directionOf(i), legendre.data(), parts.column(i),
-                       rows());
-              for (int k = 0; k < size; ++k)
-                if (side.isTangential(k) == side.isTangential(i))
-                  mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
-            }
-          });
+      const Opposite::Point middle = seen.stretch.opposite->at(side, seen.stretch.middle);
+      forEachPoint(seen, ruleOfForces(side, middle), [&](const SidePoint& point) {
+        const auto legendre = legendreAt(point.opposite.t);
+        for (int i = 0; i < size; ++i) {
+          const double value = point.weight * point.chiOf(i);
+          addForce(-value * point.directionOf(i).unit, legendre.data(), parts.column(i),
+                   rows());
+          for (int k = 0; k < size; ++k)
+            if (side.isTangential(k) == side.isTangential(i))
+              mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
+        }
+      });
       for (int i = 0; i < size; ++i) {
         if (holdsNothing(side, i))
           continue;
@@ -205,9 +216,10 @@ class FacingCoupling {
       forEachPoint(
           seen, bem::gaussForGiven(seen.by->degree), [&](const SidePoint& point) {
             const Vec2 force = gamma * point.weight * traction(number_, point.opposite.t);
-            point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
-              moments.terms[at(i)] += chi * dot(force, direction);
-            });
+            point.forEachCoefficient(
+                [&](Index i, double chi, const Direction& direction) {
+                  moments.terms[at(i)] += chi * dot(force, direction.unit);
+                });
           });
   }
 
@@ -240,12 +252,25 @@ class FacingCoupling {
   std::vector<Opposite::Seen> seen_;
 };
 
+/// The space, the stiffness and Conditions::facing precede what lies opposite.
+void checkFacing(const bem::Mesh& mesh, std::size_t body, const Coupling& coupling) {
+  std::vector<bool> has(at(mesh.size()));
+  for (const int e : coupling.elements)
+    has[at(e)] = true;
+  for (int e = 0; e < mesh.size(); ++e)
+    if (!has[at(e)] && !coupling.opposite->sources(static_cast<int>(body), e, 0).empty())
+      throw bem::InputError("a side in contact sees edge ", mesh[e].piece.edge, " ('",
+                            mesh.boundary(e), "') of body ", body,
+                            ", which is not in Conditions::facing of that body; the "
+                            "stabilisation's form Density needs it");
+}
+
 }  // namespace
 
 Coupling stabilised(Coupling plain, const bem::Space& space,
-                    const MultiplierSpace& multiplier, const Opposite& opposite,
-                    std::size_t body, const Stabilization& stabilization,
-                    const bem::Lame& lame, bem::Units units, std::vector<Index> start) {
+                    const MultiplierSpace& multiplier, std::size_t body,
+                    const Stabilization& stabilization, const bem::Lame& lame,
+                    bem::Units units, std::vector<Index> start) {
   Coupling coupling = std::move(plain);
   coupling.stabilization = stabilization;
   if (stabilization.isOn() && !multiplier.elements(body).empty())
@@ -257,6 +282,8 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
   const std::vector<ContactElement>& contacts = multiplier.elements(body);
   coupling.elements =
       stabilisedElements(space.mesh(), multiplier.conditions(body), stabilization);
+  if (stabilization.byDensity())
+    checkFacing(space.mesh(), body, coupling);
   for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
     const int e = coupling.elements[k];
     const double gamma = gammaOn(space.mesh(), e, stabilization, lame, units);
@@ -267,16 +294,16 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
     if (gamma == 0)
       continue;
     if (k < contacts.size())
-      ElementCoupling(multiplier.basis(), stabilization, contacts[k])
+      ElementCoupling(multiplier.basis(), *coupling.opposite, stabilization, contacts[k])
           .addTo(gamma, first, coupling);
     else
-      FacingCoupling(multiplier, opposite, body, e).addTo(gamma, first, coupling);
+      FacingCoupling(multiplier, *coupling.opposite, body, e)
+          .addTo(gamma, first, coupling);
   }
   return coupling;
 }
 
-Loads::InResidual tractionMoments(const MultiplierSpace& multiplier,
-                                  const Opposite& opposite, std::size_t body,
+Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t body,
                                   const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested) {
@@ -290,10 +317,11 @@ Loads::InResidual tractionMoments(const MultiplierSpace& multiplier,
     if (gamma == 0)
       continue;
     if (k < contacts.size())
-      ElementCoupling(multiplier.basis(), coupling.stabilization, contacts[k])
+      ElementCoupling(multiplier.basis(), *coupling.opposite, coupling.stabilization,
+                      contacts[k])
           .addMoments(gamma, coupling.start[k], traction, tested, moments);
     else
-      FacingCoupling(multiplier, opposite, body, coupling.elements[k])
+      FacingCoupling(multiplier, *coupling.opposite, body, coupling.elements[k])
           .addMoments(gamma, coupling.start[k], traction, tested, moments);
   }
   return moments;

@@ -19,10 +19,10 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 }
 
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
-                               const Opposite& opposite, std::size_t body,
-                               std::shared_ptr<const Holding> holding, Coupling plain)
+                               std::size_t body, std::shared_ptr<const Holding> holding,
+                               Coupling plain)
     : ElasticBody(input.space, std::move(holding),
-                  stabilised(std::move(plain), input.space, multiplier, opposite, body,
+                  stabilised(std::move(plain), input.space, multiplier, body,
                              input.stabilization, input.lame, input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {

@@ -77,8 +77,8 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = *spaces[b];
     const Index densities = first + space.displacements();
-    const Coupling own = stabilised(std::move(couplings[b]), space, multiplier, opposite,
-                                    b, stabilization, lames[b], units);
+    const Coupling own = stabilised(std::move(couplings[b]), space, multiplier, b,
+                                    stabilization, lames[b], units);
     for (const bem::Entry& entry : own.trace.entries)
       local.entries.push_back({first + entry.row, further + entry.column, entry.value});
     local.rotations.push_back(own.trace.rests);

@@ -62,8 +62,8 @@ ContactForces contactForces(const Solved& solved) {
           forces.all += length * std::hypot(stress.normal, stress.tangential);
           if (element.condition->name.empty())
             forces.ofObstacles =
-                forces.ofObstacles - length * (stress.normal * point.normal +
-                                               stress.tangential * point.tangent);
+                forces.ofObstacles - length * (stress.normal * point.normal.unit +
+                                               stress.tangential * point.tangent.unit);
         });
   }
   return forces;

@@ -36,10 +36,6 @@ void add(const Resultant& more, Resultant& sum) {
   sum.moment += more.moment;
 }
 
-void addForce(Vec2 force, Vec2 place, Resultant& sum) {
-  add({force.x, force.y, cross(place, force)}, sum);
-}
-
 double closedPart(const ContactFields& fields, const Element& element) {
   return positivePart([&](double t) { return fields.closing(element, t); },
                       element.degree);
@@ -61,19 +57,23 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
       summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
   });
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(element, basis,
-                 bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
-                 [&](const SidePoint& point) {
-                   const auto stress = fields.stress(element, point.t);
-                   const Vec2 force =
-                       -length * point.weight *
-                       (stress.normal * point.normal + stress.tangential * point.tangent);
-                   const Vec2 place = mesh.physicalPoint(element.element, point.t);
-                   addForce(force, place, summary.contact);
-                   if (point.opposite.element < 0)
-                     addForce(force, place, summary.obstacle);
-                 },
-                 {0, 1, &solved.problem.opposite()});
+  const Opposite& opposite = solved.problem.opposite();
+  for (const Stretch& stretch : stretches(opposite, element))
+    forEachPointOf(
+        element, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
+        [&](const SidePoint& point) {
+          const auto stress = fields.stress(element, point.t);
+          const double weight = -length * point.weight;
+          const Vec2 force = weight * (stress.normal * point.normal.unit +
+                                       stress.tangential * point.tangent.unit);
+          const Vec2 place = mesh.physicalPoint(element.element, point.t);
+          Resultant sum{force.x, force.y, cross(place, force)};
+          sum.moment -= weight * length * stress.normal * point.normal.ownTurn;
+          add(sum, summary.contact);
+          if (point.opposite.element < 0)
+            add(sum, summary.obstacle);
+        },
+        stretch);
   summary.contactLength += length * side.half * closedPart(fields, element);
   if (element.shears())
     summary.slipLength +=
@@ -238,10 +238,7 @@ void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summa
   forEachSidePoint(
       any.multiplier(), any.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
-        return middle.element >= 0
-                   ? &mortarRule(element,
-                                 any.multiplier().mesh(at(middle.body))[middle.element])
-                   : nullptr;
+        return middle.element >= 0 ? &ruleOfForces(element, middle) : nullptr;
       },
       [&](const SidePoint& point) {
         const Opposite::Point& there = point.opposite;
@@ -249,12 +246,14 @@ void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summa
           return;
         const auto value =
             any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
-        const Vec2 stress = units.stress * value.normal * point.normal +
-                            units.stress * value.tangential * point.tangent;
-        const Vec2 force = units.length * point.weight * stress;
-        addForce(
-            force,
-            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t),
+        const double weight = units.stress * units.length * point.weight;
+        const Vec2 force = weight * (value.normal * point.normal.unit +
+                                     value.tangential * point.tangent.unit);
+        const Vec2 place =
+            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t);
+        const double turned =
+            weight * units.length * value.normal * point.normal.oppositeTurn;
+        add({force.x, force.y, cross(place, force) - turned},
             summaries[at(there.body)].contact);
       });
 }

@@ -37,8 +37,8 @@ void completeMeans(const Coupling& coupling,
 }  // namespace
 
 Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) const {
-  Loads::InResidual result = tractionMoments(multiplier(), opposite(), number_,
-                                             coupling(), traction, fixedTractions());
+  Loads::InResidual result =
+      tractionMoments(multiplier(), number_, coupling(), traction, fixedTractions());
   if (coupling().hasCompliance()) {
     result.compliance = coupling().complianceOf(*space_, result.weights, traction);
     std::tie(result.density, result.force) = elastic_->answerTo(result.compliance);

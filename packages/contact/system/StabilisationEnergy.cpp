@@ -30,13 +30,16 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
     twice += weight * dot(whole, own);
   };
   for (std::size_t k = 0; k < elements().size(); ++k)
-    forEachPointOf(
-        elements()[k], multiplier().basis(), bem::gaussForGiven(elements()[k].degree),
-        [&](const SidePoint& point) {
-          const auto stress = multiplier().at(state.multiplier, elements()[k], point.t);
-          add(elements()[k].element, point.t, coupling().gamma[k] * point.weight,
-              stress.normal * point.normal + stress.tangential * point.tangent);
-        });
+    for (const Stretch& stretch : stretches(opposite(), elements()[k]))
+      forEachPointOf(
+          elements()[k], multiplier().basis(), bem::gaussForGiven(elements()[k].degree),
+          [&](const SidePoint& point) {
+            const auto stress = multiplier().at(state.multiplier, elements()[k], point.t);
+            add(elements()[k].element, point.t, coupling().gamma[k] * point.weight,
+                stress.normal * point.normal.unit +
+                    stress.tangential * point.tangent.unit);
+          },
+          stretch);
   for (std::size_t k = elements().size(); k < coupling().elements.size(); ++k) {
     const int e = coupling().elements[k];
     const auto faced = static_cast<int>(number_);
@@ -44,15 +47,8 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
                                               bem::gaussForGiven(mesh[e].degree).size());
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
-      Vec2 pressed;
-      for (const Opposite::Source& source : opposite().sources(faced, e, t)) {
-        const auto stress = multiplier().at(state.multiplier, *source.element, source.t);
-        const bem::Curve& curve = source.element->geometry().curve;
-        pressed =
-            pressed - source.stretching * (stress.normal * curve.normal(source.t) +
-                                           stress.tangential * curve.tangent(source.t));
-      }
-      add(e, t, coupling().gamma[k] * mesh[e].half * rule.weights[at(q)], pressed);
+      add(e, t, coupling().gamma[k] * mesh[e].half * rule.weights[at(q)],
+          -foreignTraction(state.multiplier, e, t));
     }
   }
   const Loads::InResidual all = inResidual(contactForce);
