@@ -132,15 +132,21 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       const std::size_t k = stretch.curve;
       Body& body = scene.bodies[pair.opposite.body];
       bem::Vector places;
-      for (const double t : {stretch.begin, stretch.end}) {
-        const bem::Curve& curve = opposite.curves.curves()[k];
-        const auto there =
-            bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
-        if (!there)
-          continue;
-        places.push_back(curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
-        addNode(other, opposite.edges[k], places.back(), body.nodes);
-      }
+      const double middle = 0.5 * (stretch.begin + stretch.end);
+      for (const double end : {stretch.begin, stretch.end})
+        // a normal that touches an arc meets it beside that place
+        for (const double inwards : {0.0, 1e-7}) {
+          const bem::Curve& curve = opposite.curves.curves()[k];
+          const double t = end + inwards * (middle - end);
+          const auto there =
+              bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
+          if (!there)
+            continue;
+          places.push_back(curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
+          if (inwards == 0)
+            addNode(other, opposite.edges[k], places.back(), body.nodes);
+          break;
+        }
       if (places.size() == 2)
         body.conditions.facing.push_back({opposite.edges[k],
                                           std::min(places[0], places[1]),

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace epafi::contact {
@@ -252,16 +253,18 @@ class FacingCoupling {
   std::vector<Opposite::Seen> seen_;
 };
 
-/// The space, the stiffness and Conditions::facing precede what lies opposite.
+/// The space and the stiffness, made by Conditions::facing, precede what lies opposite.
 void checkFacing(const bem::Mesh& mesh, std::size_t body, const Coupling& coupling) {
-  std::vector<bool> has(at(mesh.size()));
+  std::set<int> edges;
   for (const int e : coupling.elements)
-    has[at(e)] = true;
+    edges.insert(mesh[e].piece.edge);
   for (int e = 0; e < mesh.size(); ++e)
-    if (!has[at(e)] && !coupling.opposite->sources(static_cast<int>(body), e, 0).empty())
-      throw bem::InputError("a side in contact sees edge ", mesh[e].piece.edge, " ('",
-                            mesh.boundary(e), "') of body ", body,
-                            ", which is not in Conditions::facing of that body; the "
+    if (const int edge = mesh[e].piece.edge;
+        edges.count(edge) == 0 &&
+        !coupling.opposite->sources(static_cast<int>(body), e, 0).empty())
+      throw bem::InputError("a side in contact sees edge ", edge, " ('", mesh.boundary(e),
+                            "') of body ", body,
+                            ", which Conditions::facing of that body lacks; the "
                             "stabilisation's form Density needs it");
 }
 
