@@ -121,8 +121,8 @@ class Follower {
     const double shortest = history.shortest(whole);
     double step = inSteps(time, whole, shortest);
     Remainder ofSum, ofWork, ofSlip, ofVolume;
-    // kinks of single coefficients add up to less than they are, to nothing only by chance
-    constexpr double leastShare = 0.1;
+    // kinks of single coefficients add up to less than they are, to much less only by chance
+    constexpr double leastShare = 0.8;
     while (history.tolerance > 0 && here_.t == time &&
            0.5 * step >= (1 - 1e-9) * shortest) {
       const Standing there = std::exchange(here_, before);
