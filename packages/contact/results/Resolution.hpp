@@ -18,12 +18,13 @@ struct Resolution {
 Resolution resolutionOf(const ContactFields& fields,
                         const ContactFields::Element& element);
 
-/// The largest pressure of contacts [stress], from elements that resolve it.
+/// The largest pressure of contacts [stress], from elements that resolve it, without arbitrary jumps.
 class PeakPressure {
  public:
-  /// `insideSide`: see insideSides
-  void add(const ContactFields& fields, const ContactFields::Element& element,
-           bool insideSide);
+  /// \param pressures  ContactFields::continuous
+  /// \param insideSide see insideSides
+  void add(const ContactFields& fields, const Vector& pressures,
+           const ContactFields::Element& element, bool insideSide);
   void add(const PeakPressure& other);
 
   double value() const { return told().value; }

@@ -87,11 +87,12 @@ void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
   const std::vector<char> isInside =
       insideSides(solved.problem.multiplier(), solved.problem.number());
+  const Vector pressures = fields.continuous();
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
     Summary& summary = of(element);
     addElement(solved, fields, element, summary);
-    summary.peak.add(fields, element, isInside[k] != 0);
+    summary.peak.add(fields, pressures, element, isInside[k] != 0);
   }
 }
 
