@@ -136,11 +136,13 @@ bem::Vector entries(const bem::TileBlocks& blocks, int degree) {
   };
   for (int c = 0; c < 2; ++c)
     for (int k = 0; k <= degree; ++k) {
+      const auto [slopes, scale] = blocks.hypersingular(k, c);
       append(blocks.doubleLayer(k, c), blocks.densities());
+      append(slopes, blocks.displacements());
+      all.push_back(scale);
       if (k == degree)
         continue;
       append(blocks.singleLayer(k, c), blocks.densities());
-      append(blocks.slopeLayer(k, c), blocks.displacements());
       append(blocks.transposed(k, c), blocks.displacements());
     }
   return all;

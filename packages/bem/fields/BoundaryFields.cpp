@@ -316,7 +316,7 @@ BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const
   Values values = at(element, sources, rule.points);
   for (std::vector<BoundaryValue>& of : values)
     for (std::size_t q = 0; q < of.size(); ++q)
-      of[q].weight = mesh_[element].half * rule.weights[q];
+      of[q].weight = mesh_.measure(element, rule.points[q].t) * rule.weights[q];
   return values;
 }
 

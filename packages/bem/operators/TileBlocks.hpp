@@ -5,6 +5,7 @@
 #include "bem/operators/LocalFunctions.hpp"
 #include "bem/space/Space.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace epafi::bem {
@@ -14,10 +15,9 @@ namespace epafi::bem {
 ///
 ///   singleLayer(i, c)   V(·, P_i e_c on f)               densities of the run
 ///   doubleLayer(k, c)   (K + 1/2)(·, φ_k e_c on f)       densities of the run
-///   slopeLayer(i, c)    <V*(P_i e_c on f), (·)'>         displacements of the run
+///   hypersingular(k, c) W(·, φ_k e_c on f)               displacements of the run
 ///   transposed(i, c)    (K + 1/2)(P_i e_c on f, ·)       displacements of the run
 ///
-/// V*: the kernel of W.  W(·, φ_k e_c) is the slope of φ_k times slopeLayer(max(k-1, 0), c).
 /// Displacements are ordered by elements, each with its start node and bubbles; the end node of
 /// the last element follows.  Entries of elements that the tile does not contain (isWanted) are
 /// zero.  So are those of f in `transposed`, since doubleLayer contains that block.
@@ -34,13 +34,22 @@ class TileBlocks {
 
   const double* singleLayer(int i, int c) const { return column(single_, 2 * i + c); }
   const double* doubleLayer(int k, int c) const { return column(double_, 2 * k + c); }
-  const double* slopeLayer(int i, int c) const { return column(slopes_, 2 * i + c); }
+  /// A column times a number.
+  struct Scaled {
+    const double* column;
+    double scale;
+  };
+  /// By <V*(P_i e_c on f), (·)'>, V* the kernel of W, P_i that of φ_k'.
+  Scaled hypersingular(int k, int c) const {
+    return {column(slopes_, 2 * std::max(k - 1, 0) + c), functionSlopes_[at(k)]};
+  }
   const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
 
-  /// <V* 1, 1> of f and the element of a lane, times φ₁' = 1/2; both elements mapped to [-1, 1].
-  Block halfSlopes(int lane) const {
+  /// W(φ₁ e_c on f, φ₀ e_d of the element of a lane), which share their node.
+  Block commonNode(int lane) const {
     const double xy = halfSlopes_[1].lane[lane];
-    return {halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
+    return -functionSlopes_[1] *
+           Block{halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
   }
 
  private:
@@ -57,7 +66,7 @@ class TileBlocks {
     return columns.data() + k * longest_;
   }
 
-  AlignedLane halfSlopes_[3] = {};
+  AlignedLane halfSlopes_[3] = {};  ///< <V* 1, 1> of f and the lanes, times φ₁' = 1/2
   const Space& space_;
   Lame lame_;
   const ElementLanes* run_ = nullptr;

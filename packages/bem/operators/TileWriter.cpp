@@ -109,13 +109,12 @@ void TileWriter::add(const Tile& tile) {
   }
   dispatch(largestInstructionSet(), Addition{stretches_});
   if (element.next == f + 1 && f + 1 < run_->last && run_->first <= f + 1)
-    addCommonNode(f, blocks_.halfSlopes(f + 1 - run_->first));
+    addCommonNode(f, blocks_.commonNode(f + 1 - run_->first));
   collect(f);
 }
 
 void TileWriter::appendHypersingular(int f, int k, int c) {
-  const double* from = blocks_.slopeLayer(std::max(k - 1, 0), c);
-  const double scale = DisplacementBasis::slope(k);
+  const auto [from, scale] = blocks_.hypersingular(k, c);
   const Index first = space_.displacement(run_->first, 0, 0);
   const Index ends = blocks_.displacements() - 2;
   const Index inARow = run_->closesLoop ? ends : ends + 2;
@@ -135,9 +134,9 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
 }
 
 // The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
-void TileWriter::addCommonNode(int f, const Block& slopes) {
+void TileWriter::addCommonNode(int f, const Block& block) {
   const Index node = space_.displacement(f, 1, 0);
-  addBlock(out_.hypersingular, node, node, -DisplacementBasis::slope(1) * slopes);
+  addBlock(out_.hypersingular, node, node, block);
 }
 
 void TileWriter::collect(int f) {

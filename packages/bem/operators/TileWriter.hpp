@@ -57,7 +57,7 @@ class TileWriter {
   void append(Matrix& matrix, Index first, Index column, const double* from, Index size,
               double scale);
   void appendHypersingular(int f, int k, int c);
-  void addCommonNode(int f, const Block& slopes);
+  void addCommonNode(int f, const Block& block);
   void collect(int f);
 
   const Space& space_;

@@ -69,23 +69,24 @@ class ElementCoupling {
                   Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPointOf(
-        contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
-        [&](const SidePoint& point) {
-          const auto legendre = orthonormal(point.t);
-          const Vec2 force = point.weight * traction(contact_.element, point.t);
-          addForce(force, legendre.data(), parts.data(), rows());
-          for (std::size_t k = 0; k < tested.size(); ++k) {
-            const Vec2 r = tested[k](contact_.element, point.t);
-            addForce(point.weight * r, legendre.data(),
-                     testedParts.column(static_cast<Index>(k)), rows());
-            if (isWhole())
-              moments.means[k] += gamma * dot(force, r);
-          }
-          for (Index i = 0; i < size() && isWhole(); ++i)
-            moments.terms[at(numberOf(i))] -=
-                gamma * point.chi[functionOf(i)] * dot(force, directionOf(i, point));
-        });
+    forEachPointOf(contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
+                   [&](const SidePoint& point) {
+                     const auto legendre = orthonormal(point.t);
+                     const double weight = stabilising(point);
+                     const Vec2 force = weight * traction(contact_.element, point.t);
+                     addForce(force, legendre.data(), parts.data(), rows());
+                     for (std::size_t k = 0; k < tested.size(); ++k) {
+                       const Vec2 r = tested[k](contact_.element, point.t);
+                       addForce(weight * r, legendre.data(),
+                                testedParts.column(static_cast<Index>(k)), rows());
+                       if (isWhole())
+                         moments.means[k] += gamma * dot(force, r);
+                     }
+                     for (Index i = 0; i < size() && isWhole(); ++i)
+                       moments.terms[at(numberOf(i))] -=
+                           gamma * point.chi[functionOf(i)] *
+                           dot(force, directionOf(i, point));
+                   });
     const auto timesParts = [&](const double* column) {
       return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
     };
@@ -118,6 +119,14 @@ class ElementCoupling {
   /// The rows of the element's tractions, or its densities.
   Index rows() const {
     return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
+  }
+
+  /// The stabilisation weighs with the radius in the middle of the element: its residual is zero
+  /// where the solution is exact, and G stays diagonal.
+  double stabilising(const SidePoint& point) const {
+    const bem::Mesh& mesh = space_.mesh();
+    const int e = contact_.element;
+    return point.weight * (mesh.measure(e, 0) / mesh.measure(e, point.t));
   }
 
   /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
@@ -154,11 +163,12 @@ class ElementCoupling {
     bem::DisplacementBasis::values(element_.degree, point.t, phi.data());
     const auto legendre = orthonormal(point.t);
     const Vec2 rest = space_.rotationRest(contact_.element, point.t);
+    const double weight = stabilising(point);
     for (Index i = 0; i < size(); ++i) {
-      const double value = point.weight * point.chi[functionOf(i)];
-      const Vec2 force = value * directionOf(i, point);
+      const Vec2 force = point.weight * point.chi[functionOf(i)] * directionOf(i, point);
+      const double value = weight * point.chi[functionOf(i)];
       addForce(force, phi.data(), traces_.column(i), traces_.rows());
-      addForce(force, legendre.data(), parts_.column(i), rows());
+      addForce(value * directionOf(i, point), legendre.data(), parts_.column(i), rows());
       rests_[at(i)] += dot(force, rest);
       for (Index k = 0; k < size(); ++k)
         if (isTangential(k) == isTangential(i))

@@ -10,7 +10,7 @@ struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
   int number;     ///< of the point in its rule
   double t;       ///< parameter on the element
-  double weight;  ///< quadrature weight, by arc length
+  double weight;  ///< quadrature weight, by bem::Mesh::measure
   Vector chi;     ///< χ_i(t) of the element
   bem::Vec2 normal;
   bem::Vec2 tangent;
@@ -42,7 +42,8 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::M
   const bem::Element& element = side[contact.element];
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
-    visit(SidePoint{contact, q, t, stretch.half * rule.weights[at(q)] * element.half,
+    visit(SidePoint{contact, q, t,
+                    stretch.half * rule.weights[at(q)] * side.measure(contact.element, t),
                     basis.values(contact.degree, t), element.curve.normal(t),
                     element.curve.tangent(t),
                     stretch.opposite != nullptr ? stretch.opposite->at(contact, t)

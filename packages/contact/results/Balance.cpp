@@ -102,7 +102,7 @@ Imbalance ofElastic(const Solved& solved, const Summary& summary, double around,
 /// \param reach  moments count over this, dimensionless
 Imbalance ofRigid(const Drive& drive, const RigidMotion& motion, double reach,
                   const std::array<double, 3>& contact, const bem::Units& units) {
-  const double force = units.stress * units.length;
+  const double force = units.force();
   const double motions[] = {motion.slide.x, motion.slide.y, motion.turn};
   Imbalance imbalance;
   double missing[3];
@@ -128,7 +128,7 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
                                    const std::vector<Summary>& summaries,
                                    double tolerance) {
   const bem::Units units = bodies.front().units;
-  const double force = units.stress * units.length;
+  const double force = units.force();
   const Vector lengths = system.lengths();
   const double unsolved = 2 * tolerance * system.numbers().stress * force *
                           std::accumulate(lengths.begin(), lengths.end(), 0.0);

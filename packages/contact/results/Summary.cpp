@@ -48,13 +48,14 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                 Summary& summary) {
   const int p = element.degree;
   const double length = solved.units.length;
+  const double area = solved.units.measure();
   const bem::Mesh& mesh = solved.space.mesh();
   const MultiplierBasis& basis = solved.problem.multiplier().basis();
   const bem::Element& side = mesh[element.element];
   forEachPointOf(
       element, mesh, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
         const auto stress = fields.stress(element, point.t);
-        const double weight = length * point.weight;
+        const double weight = area * point.weight;
         summary.forceNormal += weight * stress.normal;
         summary.forceTangential += weight * stress.tangential;
         summary.pressureMax = std::max(summary.pressureMax, stress.normal);
@@ -70,7 +71,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                  [&](const SidePoint& point) {
                    const auto stress = fields.stress(element, point.t);
                    const Vec2 force =
-                       -length * point.weight *
+                       -area * point.weight *
                        (stress.normal * point.normal + stress.tangential * point.tangent);
                    const Vec2 place = mesh.physicalPoint(element.element, point.t);
                    addForce(force, place, summary.contact);
@@ -122,7 +123,7 @@ std::array<double, 3> reactionWork(const Solved& solved) {
 /// the user's origin: M = M_scaled d + origin x force.
 Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
   const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
-  const double force = solved.units.stress * solved.units.length;
+  const double force = solved.units.force();
   return {force * work[0], force * work[1],
           force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
 }
@@ -167,7 +168,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[q];
-      const double weight = mesh[e].half * rule.weights[q];
+      const double weight = mesh.measure(e, t) * rule.weights[q];
       const Vec2 y = mesh.scaledPoint(e, t);
       ofForces += weight *
                   dot(solved.space.densityAt(psi, e, t), inside->displacementOfForces(y));
@@ -182,7 +183,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
 }
 
 Summary summarize(const Solved& solved) {
-  const double energy = solved.units.stress * solved.units.length * solved.units.length;
+  const double energy = solved.units.energy();
   const Vector& u = solved.displacement;
   Summary summary;
   const bool acts = solved.conditions.inside != nullptr;
@@ -251,7 +252,7 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
           return;
         const auto stress = fields.stress(point.contact, point.t);
         const Vec2 force =
-            side.units.length * point.weight *
+            side.units.measure() * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
         addForce(force,
                  bodies[there.body].space.mesh().physicalPoint(there.element, there.t),

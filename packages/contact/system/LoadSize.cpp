@@ -177,7 +177,7 @@ Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numberi
   for (std::size_t b = 0; b < sides.size(); ++b)
     for (const auto& element : sides[b].multiplier.elements()) {
       const double share =
-          2 * sides[b].space.mesh()[element.element].half / (element.degree + 1);
+          2 * sides[b].space.mesh().measure(element.element, 0) / (element.degree + 1);
       for (int i = 0; i <= element.degree; ++i) {
         all[at(numbering(b, element.normalOf(i)))] += share;
         if (element.shears())
