@@ -2,6 +2,7 @@
 // instruction set that this processor has.
 #include "Largest.hpp"
 #include "bem/fields/PointSources.hpp"
+#include "bem/operators/TileBlocks.hpp"
 #include "bem/operators/TileWriter.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/QuadOperators.hpp"
@@ -107,14 +108,16 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
     ++group;
     bem::Operators written = untouched(space);
     bem::GhostNodes ghosts(space, runs);
-    bem::TileWriter writer(space, lame, written, ghosts);
+    bem::TileWriter writer(space, written, ghosts);
+    bem::TileBlocks blocks(space, lame);
     bem::Tile tile;
     const int first = runs[group].first;
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = first; f < runs[group].last; ++f) {
         tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
-        writer.add(tile);
+        blocks.evaluate(tile);
+        writer.add(blocks);
       }
       writer.finish();
     }
