@@ -104,6 +104,7 @@ void Recorder::take(const SolvedLevel& level) {
   contact_ = {};
   stages_ +=
       bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
+  pressure_ = pressureLine(level);
   warnings_ = warningsOf(level);
   if (row.operators == denseInstead)
     told_.push_back(bem::message("level ", row.level, ": ", row.note));

@@ -42,6 +42,8 @@ class Recorder {
   void finish(PhaseTimer& timer);
   void writeTimings(PhaseTimer& timer);
 
+  /// pressureLine of the last level.
+  const std::string& pressure() const { return pressure_; }
   /// Warnings of the last level.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -80,6 +82,7 @@ class Recorder {
   double apart_ = cpuSeconds();          ///< what is not the solution's
   double writtenAt_ = apart_;
   double writingTook_ = 0;
+  std::string pressure_;
   std::vector<std::string> warnings_;
   std::vector<std::string> overlaps_;  ///< the first of the level or of its path's steps
   std::vector<std::string> told_;      ///< likewise, of all levels

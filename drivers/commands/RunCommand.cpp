@@ -225,7 +225,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   warn(recorder.warnings(), quiet);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
-  table << timeSummary(timer) << filesWritten(*folder);
+  table << recorder.pressure() << timeSummary(timer) << filesWritten(*folder);
   return code;
 }
 

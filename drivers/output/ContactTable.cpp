@@ -2,6 +2,7 @@
 
 #include "bem/space/LocalField.hpp"
 #include "contact/path/PathMemory.hpp"
+#include "contact/results/Resolution.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
 
@@ -86,6 +87,7 @@ std::string ContactTable::next(const SolvedStep& step) {
                            last->condition == element.condition;
       start = follows ? start + 2 * mesh[last->element].half : 0;
       last = &element;
+      const auto doubt = contact::resolutionOf(fields, element).error;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
         const ContactPoint p = fields.at(element, t);
@@ -111,7 +113,9 @@ std::string ContactTable::next(const SolvedStep& step) {
         const auto stress = fields.inUnits(continuous, element, t);
         append(row, {{"normal_closing", exactly(p.closing)},
                      {"pressure", exactly(stress.normal)},
-                     {"shear", exactly(stress.tangential)}});
+                     {"shear", exactly(stress.tangential)},
+                     {"pressure_error", exactly(doubt.normal)},
+                     {"shear_error", exactly(doubt.tangential)}});
         addRow(row, csv);
       }
     }

@@ -78,6 +78,9 @@ CsvRow cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a tab
       {"worst_step_estimate", number(r.worstEstimate)},
       {"estimate_relative", number(r.relativeEstimate)},
       {"energy_interface", number(r.energyInterface)},
+      {"pressure_max", number(s.peak.value())},
+      {"pressure_max_error", number(s.peak.error())},
+      {"pressure_unbounded", number(s.peak.isUnbounded())},
   };
 }
 
@@ -117,7 +120,9 @@ CsvRow cellsOf(const StepRow& r) {
             {"slip_length", number(s.slipLength)},
             {"energy_dissipated", number(s.dissipated)},
             {"worn_volume", number(s.wornVolume)},
-            {"pressure_max", number(s.pressureMax)}},
+            {"pressure_max", number(s.peak.value())},
+            {"pressure_max_error", number(s.peak.error())},
+            {"pressure_unbounded", number(s.peak.isUnbounded())}},
            name + ".");
   for (const auto& [name, s] : r.rigid)  // the forces that move or hold it
     append(cells,
@@ -296,6 +301,20 @@ std::string notesOn(const LevelRow& row, double gamma0) {
   if (row.worstStep != 0)
     text << "        " << level << ": the largest error is that of step " << row.worstStep
          << ", estimated " << row.worstEstimate << '\n';
+  return text.str();
+}
+
+std::string pressureLine(const SolvedLevel& level) {
+  contact::PeakPressure peak = level.row.summary.peak;
+  for (const auto& step : level.steps)
+    for (const auto& [name, summary] : step->row.contacts)
+      peak.add(summary.peak);
+  if (peak.value() == 0)
+    return "";
+  std::ostringstream text;
+  text << std::setprecision(4) << "pressure up to " << peak.value()
+       << " where elements resolve it, with an error of " << peak.error()
+       << (peak.isUnbounded() ? "; unbounded at an end of a side" : "") << '\n';
   return text.str();
 }
 

@@ -37,6 +37,9 @@ std::string tableLine(const StepRow& row);
 /// cheaper choice of its operators, the step of a path that has the largest estimated error.
 std::string notesOn(const LevelRow& row, double gamma0);
 
+/// The largest contact pressure of a level, of all steps, for the end of a run; empty: none.
+std::string pressureLine(const SolvedLevel& level);
+
 /// CPU and elapsed time, time of each phase and peak memory, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 

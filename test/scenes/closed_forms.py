@@ -68,6 +68,9 @@ error = worst([p for p in points if abs(p["x"]) < 0.95 * a],
 claim(error < 1e-3, "two cylinders: pressure within %.1e of the largest" % error)
 error = history[-1]["contact_length"] / (2 * a) - 1
 claim(abs(error) < 1e-3, "contact's width within %.1e" % error)
+level = history[-1]
+claim(abs(level["pressure_max"] - p0) < 1e-3 * p0 and level["pressure_max_error"] < 1e-4 * p0 and
+      level["pressure_unbounded"] == 0, "the largest pressure is that of Hertz")
 
 # cylinder on block: Hertz, and Cattaneo's shear
 a, p0, f = 0.002, 1000 / 0.91 / 2 * 0.002 / 2, 0.3
@@ -82,6 +85,17 @@ error = worst([p for p in inner if abs(abs(p["x"]) / c - 1) > 0.05],
 claim(error < 0.015, "shear within %.1e of the largest" % error)
 stick = 1 - history[-1]["slip_length"] / history[-1]["contact_length"]
 claim(differ(stick, c / a) < 1e-2, "c/a = %.4f, closed form %.4f" % (stick, c / a))
+
+# flat punch: unbounded at its edges
+history, points = run(scene("punch.xml"), "punch")
+exact = [1 / math.pi / math.sqrt(1 - p["x"] ** 2) for p in points]
+claim(all(abs(p["lambda_n"] - e) < 1.2 * p["pressure_error"] + 3e-3 * e
+          for p, e in zip(points, exact)), "flat punch: errors are told, beside its edges too")
+away = [abs(p["pressure"] / e - 1) for p, e in zip(points, exact) if abs(p["x"]) < 31 / 32]
+claim(max(away) < 0.13, "the elements at its edges leave the others alone: %.3f" % max(away))
+peak = history[-1]["pressure_max"]
+claim(history[-1]["pressure_unbounded"] == 1 and 1 < peak < max(exact) / 2,
+      "the pressure, %.2f where elements resolve it, is told to be unbounded" % peak)
 
 # rounded punch: within 1e-3, falling with the block's size
 def ofPunch(points):

@@ -35,9 +35,13 @@ class Jumps {
         behind_(before_),
         factors_(before_.size(), 0.0),
         small_(1e-9 * bem::largestEntry(multiplier)) {
+    // at the ends of sides stresses may be singular, and no polynomial is close: what jumps there
+    // would spoil the next element
+    const std::vector<char> isInner = insideSides(mesh, space);
     for (std::size_t k = 0; k < before_.size(); ++k)
-      if (const auto next = space.follower(k);
-          next && *next != k && isJoint(element(k), element(*next))) {
+      if (const auto next = space.follower(k); next && *next != k && isInner[k] != 0 &&
+                                               isInner[*next] != 0 &&
+                                               isJoint(element(k), element(*next))) {
         behind_[k] = *next;
         before_[*next] = k;
       }
@@ -145,7 +149,31 @@ class Jumps {
   double small_;
 };
 
+/// Does the side go on behind an end of the element, which its mirror image may do?
+bool goesOn(const bem::Mesh& mesh, const Conditions& conditions, const Element& here,
+            bool end) {
+  const bem::Element& element = mesh[here.element];
+  const int next = end ? element.next : element.previous;
+  const bem::Curve& curve = element.curve;
+  const bem::Curve& other = mesh[next].curve;
+  if (!conditions.isBoundary(mesh.boundary(next)))
+    return std::abs(dot(curve.tangent(end ? 1 : -1), other.tangent(end ? -1 : 1))) <
+           bem::smoothAngle / 2;
+  return contactOn(mesh, next, conditions) == here.condition &&
+         (end ? joinSmoothly(curve, other) : joinSmoothly(other, curve));
+}
+
 }  // namespace
+
+std::vector<char> insideSides(const bem::Mesh& mesh, const MultiplierSpace& space) {
+  std::vector<char> result;
+  for (const Element& element : space.elements())
+    result.push_back(goesOn(mesh, space.conditions(), element, false) &&
+                             goesOn(mesh, space.conditions(), element, true)
+                         ? 1
+                         : 0);
+  return result;
+}
 
 Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
                     const Vector& multiplier, const Vector& bounds) {

@@ -4,6 +4,10 @@
 
 namespace epafi::contact {
 
+/// By contact element: does its contact go on smoothly at both ends, behind a line of symmetry as
+/// its mirror image?
+std::vector<char> insideSides(const bem::Mesh& mesh, const MultiplierSpace& space);
+
 /// Coefficients of λ + Σ c_i w_i, which does the same work as λ on all continuous displacements
 /// v of the space but has no jumps at nodes.
 ///
@@ -15,7 +19,8 @@ namespace epafi::contact {
 /// e as in bem::endValues.  [doc/theory/multipliers.md, What is shown]  Next to elements with a
 /// transition these jumps are most of the error of λ.
 ///
-/// Jumps remain at vertices of the outline, between two contacts, next to an element with λ = 0
+/// Jumps remain at vertices of the outline, between two contacts, beside the first and the last
+/// element of a side, next to an element with λ = 0
 /// (it keeps λ = 0), and for shear where the direction of slip changes, with |λₜ| = `bounds` on
 /// both sides.  Bases that share nodes have no jumps.
 /// \param bounds slip bounds in place of the tangential coefficients

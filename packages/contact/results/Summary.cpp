@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/body/Loads.hpp"
+#include "contact/multiplier/ContinuousMultiplier.hpp"
 #include "contact/opposite/SidePoints.hpp"
 #include "contact/opposite/TraceCoupling.hpp"
 
@@ -58,13 +59,9 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
         const double weight = area * point.weight;
         summary.forceNormal += weight * stress.normal;
         summary.forceTangential += weight * stress.tangential;
-        summary.pressureMax = std::max(summary.pressureMax, stress.normal);
         if (solved.wear != nullptr)
           summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
       });
-  for (const double end : {-1.0, 1.0})
-    summary.pressureMax =
-        std::max(summary.pressureMax, fields.stress(element, end).normal);
   // the force on the body, -λₙ n - λₜ t, and its moment
   forEachPointOf(element, mesh, basis,
                  bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
@@ -90,8 +87,14 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
 template <class Of>
 void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
-  for (const Element& element : fields.elements())
-    addElement(solved, fields, element, of(element));
+  const std::vector<char> isInside =
+      insideSides(solved.space.mesh(), solved.problem.multiplier());
+  for (std::size_t k = 0; k < isInside.size(); ++k) {
+    const Element& element = fields.elements()[k];
+    Summary& summary = of(element);
+    addElement(solved, fields, element, summary);
+    summary.peak.add(fields, element, isInside[k] != 0);
+  }
 }
 
 /// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
@@ -286,7 +289,7 @@ Summary sumOf(const std::vector<Summary>& bodies) {
     for (const auto member :
          {&Summary::load, &Summary::inside, &Summary::reaction, &Summary::obstacle})
       add(body.*member, sum.*member);
-    sum.pressureMax = std::max(sum.pressureMax, body.pressureMax);
+    sum.peak.add(body.peak);
   }
   sum.contact = sum.obstacle;
   return sum;

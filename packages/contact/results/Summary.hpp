@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/results/Solved.hpp"
+#include "contact/results/Resolution.hpp"
 
 #include <map>
 #include <string>
@@ -30,7 +30,7 @@ struct Summary {
   RigidMotion motion;        ///< mean of u over the boundary, see RigidModes
   double contactLength = 0;  ///< where λₙ > 0
   double slipLength = 0;     ///< where |λₜ| reaches its bound
-  double pressureMax = 0;    ///< largest λₙ [stress]
+  PeakPressure peak;         ///< largest λₙ
   double wornVolume = 0;     ///< ∫ w [length²]
   double dissipated = 0;     ///< friction's work so far on a path, of one contact
 };

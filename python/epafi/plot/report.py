@@ -106,6 +106,11 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
                      html.escape(stream.read()))
     names = [name for name in HISTORY if name in history]
     parts += section("Numbers", html_table(names, zip(*(history[name] for name in names))))
+    if "pressure_max" in history and history["pressure_max"][-1] > 0:
+        parts.append("<p>Contact pressure up to %.4g where elements resolve it, with an error of %.2g%s."
+                     "</p>" % (history["pressure_max"][-1], history["pressure_max_error"][-1],
+                               "; unbounded at an end of a side" * bool(
+                                   history["pressure_unbounded"][-1])))
     steps = read(folder, "steps.csv")
     if steps:
         last = steps["level"] == steps["level"].max()
