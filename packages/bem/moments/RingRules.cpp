@@ -89,16 +89,15 @@ class Pair {
       same(x_);
     else
       pair(x_, y_);
+    fill();
   }
 
  private:
   void add(double t, double s, Vec2 w, double weight) {
-    if (count_ % lanes == 0) {
+    const auto lane = static_cast<int>(count_++ % lanes);
+    if (lane == 0)
       to_.emplace_back();
-      for (int lane = 0; lane < lanes; ++lane)  // harmless where unused
-        put(lane, t, s, w, 0);
-    }
-    put(static_cast<int>(count_++ % lanes), t, s, w, weight);
+    put(lane, t, s, w, weight);
   }
 
   void put(int lane, double t, double s, Vec2 w, double weight) {
@@ -106,11 +105,16 @@ class Pair {
     points.t.lane[lane] = t;
     points.s.lane[lane] = s;
     points.weight.lane[lane] = weight;
-    points.x.lane[lane] = x_.radius(t);
-    points.y.lane[lane] = y_.radius(s);
     points.w.set(lane, asComplex(w));
-    points.tangentX.set(lane, asComplex(x_.curve().tangent(t)));
-    points.tangentY.set(lane, asComplex(y_.curve().tangent(s)));
+  }
+
+  /// Fills the last lanes with harmless points.
+  void fill() {
+    const auto last = static_cast<int>((count_ - 1) % lanes);
+    const RingPoints& points = to_.back();
+    for (int lane = last + 1; lane < lanes; ++lane)
+      put(lane, points.t.lane[last], points.s.lane[last], asVector(points.w[at(last)]),
+          0);
   }
 
   int smooth(double turn) const { return degree_ + 12 + static_cast<int>(3 * turn); }

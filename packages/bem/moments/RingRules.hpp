@@ -12,11 +12,7 @@ struct alignas(64) RingPoints {
   AlignedLane t;       ///< on E
   AlignedLane s;       ///< on F
   AlignedLane weight;  ///< unused lanes: 0
-  AlignedLane x;       ///< radii
-  AlignedLane y;
-  ComplexLanes w;         ///< x - y, without cancellation
-  ComplexLanes tangentX;  ///< unit tangents
-  ComplexLanes tangentY;
+  ComplexLanes w;      ///< x - y, without cancellation
 };
 
 /// Points for two elements that are the same, touch, or are close to each other, for the kernels of

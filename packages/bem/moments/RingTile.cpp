@@ -12,8 +12,42 @@ namespace {
 
 constexpr int count = RingKernels::count;
 
-/// Points beyond those that Tile takes: the radii are functions of the place, too.
-constexpr int ofRadii = 1;
+/// Gauss points for a kernel times so many Legendre polynomials and the radius.
+int gaussPoints(int smoothOrder, int polynomials) {
+  return smoothOrder + (polynomials + 1) / 2;
+}
+
+/// An element at eight parameters.
+class Eight {
+ public:
+  EPAFI_INLINE explicit Eight(const Element& element)
+      : half_(element.half),
+        radius_(element.curve.frame().middle.x),
+        tangent_(asComplex(element.curve.frame().tangent)),
+        alpha_(0.5 * element.curve.angle()) {}
+
+  EPAFI_INLINE void at(const Pack& t, Pack& radius, ComplexPack& tangent) const {
+    if (alpha_ == 0) {
+      radius = radius_ + half_ * tangent_.real() * t;
+      tangent = {Pack{} + tangent_.real(), Pack{} + tangent_.imag()};
+      return;
+    }
+    const Pack angle = (0.5 * alpha_) * t;
+    Pack sinc;
+    Pack cosine;
+    sineCosine(angle, sinc, cosine);
+    const ComplexPack turn{cosine, angle * sinc};
+    const ComplexPack chord = tangent_ * turn;
+    radius = radius_ + half_ * t * sinc * chord.re;
+    tangent = turn * chord;
+  }
+
+ private:
+  double half_;
+  double radius_;
+  Complex tangent_;
+  double alpha_;
+};
 
 }  // namespace
 
@@ -23,9 +57,8 @@ struct FarRings {
   const Element& e;
   const ElementLanes& far;
   const AlignedLane& radii;  ///< of the middles of far elements
-  const Rule& outer = gaussLegendre(far.smooth.outer + degreeShare(to.rows_) + ofRadii);
-  const Rule& inner =
-      gaussLegendre(far.smooth.inner + degreeShare(to.columns_) + ofRadii);
+  const Rule& outer = gaussLegendre(gaussPoints(far.smooth.outer, to.rows_));
+  const Rule& inner = gaussLegendre(gaussPoints(far.smooth.inner, to.columns_));
 
   template <Division How>
   EPAFI_INLINE void run() const {
@@ -84,18 +117,23 @@ struct FarRings {
 /// One pair by points in packs; a lane of the sums has what its points give.
 struct NearRings {
   RingTile& to;
+  const Element& x;
+  const Element& y;
   const std::vector<RingPoints>& points;
 
   template <Division How>
   EPAFI_INLINE void run() const {
+    const Eight onE(x);
+    const Eight onF(y);
     Pack onX[largestMoment + 1];
     Pack onY[largestMoment + 1];
     for (const RingPoints& p : points) {
+      RingPair at;
       RingKernels kernels;
-      ringKernels<How>(to.lame_,
-                       {load(p.x.lane), load(p.y.lane), p.w.load(), p.tangentX.load(),
-                        p.tangentY.load()},
-                       kernels);
+      onE.at(load(p.t.lane), at.x, at.tangentX);
+      onF.at(load(p.s.lane), at.y, at.tangentY);
+      at.w = p.w.load();
+      ringKernels<How>(to.lame_, at, kernels);
       legendre(load(p.t.lane), load(p.weight.lane), to.rows_, onX);
       legendre(load(p.s.lane), Pack{} + 1.0, to.columns_, onY);
       for (int k = 0; k < count; ++k)
@@ -152,7 +190,7 @@ void RingTile::near(const Mesh& mesh, int e, int lane, InstructionSet set) {
   static thread_local std::vector<RingPoints> points;
   nearRingPoints(mesh, trial_, e, points);
   sums_.assign(moments_.size(), {});
-  dispatch(set, NearRings{*this, points});
+  dispatch(set, NearRings{*this, mesh[trial_], mesh[e], points});
   for (std::size_t k = 0; k < moments_.size(); ++k) {
     const double* x = sums_[k].lane;
     moments_[k].lane[lane] =
