@@ -87,6 +87,7 @@ struct Scene {
   Constants constants;  ///< names in expressions
   Tables tables;        ///< likewise
 
+  bool isAxisymmetric = false;  ///< bodies are solids of revolution about x = 0
   Symmetry symmetry;
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;

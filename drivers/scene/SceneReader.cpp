@@ -6,6 +6,7 @@
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/Readers.hpp"
+#include "drivers/scene/Revolution.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -208,6 +209,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   ParameterList& used = *scene.used;
   const ParameterList& discretization = used.sublist("Discretization");
   scene.symmetry = parseSymmetry(used.sublist("Geometry"));
+  scene.isAxisymmetric =
+      used.sublist("Geometry").get<std::string>("Type") == "Axisymmetric";
   readBodies(scene);
   readContacts(scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");
@@ -221,6 +224,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   readHistory(used, scene);
   scene.drivesAt(scene.endOfPath());  // evaluate once, so that errors are reported now
   checkLinear(scene);
+  if (scene.isAxisymmetric)
+    checkRevolution(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);
   return scene;

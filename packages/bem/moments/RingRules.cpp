@@ -76,13 +76,15 @@ enum class Touching { No, EndOfX, StartOfX, Both };
 
 class Pair {
  public:
-  Pair(const Mesh& mesh, int e, int f, std::vector<RingPoints>& to)
+  Pair(const Mesh& mesh, int e, int f, int more, std::vector<RingPoints>& to)
       : mesh_(mesh),
         x_{e, &mesh[e]},
         y_{f, &mesh[f]},
         offset_(e == f ? Vec2{} : mesh.offset(e, f)),
-        degree_(std::max({x_.element->degree, x_.element->densities, y_.element->degree,
-                          y_.element->densities})),
+        degree_(std::min(std::max({x_.element->degree, x_.element->densities,
+                                   y_.element->degree, y_.element->densities}) +
+                             more,
+                         largestDegree)),
         to_(to) {
     to_.clear();
     if (e == f)
@@ -274,8 +276,9 @@ class Pair {
 
 }  // namespace
 
-void nearRingPoints(const Mesh& mesh, int e, int f, std::vector<RingPoints>& to) {
-  Pair(mesh, e, f, to);
+void nearRingPoints(const Mesh& mesh, int e, int f, int more,
+                    std::vector<RingPoints>& to) {
+  Pair(mesh, e, f, more, to);
 }
 
 }  // namespace epafi::bem

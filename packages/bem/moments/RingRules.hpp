@@ -22,6 +22,9 @@ struct alignas(64) RingPoints {
 /// in both orders of x and y on one element, in both triangles behind a common node.  Elements that
 /// are long beside their neighbour, or beside their distance from the axis, where the image of x
 /// behind the axis is singular, too, are halved.  Neither on the axis.
-void nearRingPoints(const Mesh& mesh, int e, int f, std::vector<RingPoints>& to);
+/// \param more  in addition to the degrees
+// NOLINTNEXTLINE(readability-function-*): the pair, how, where
+void nearRingPoints(const Mesh& mesh, int e, int f, int more,
+                    std::vector<RingPoints>& to);
 
 }  // namespace epafi::bem

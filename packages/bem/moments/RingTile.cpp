@@ -167,7 +167,8 @@ void RingTile::evaluate(const ElementRuns& runs, int trial, int r,
     onAxis_[lane] = f < run_->last && mesh.isAxis(f);
   }
   rows_ = mesh[trial].densities + 1;
-  columns_ = std::max(run_->densities, run_->degree) + 1;
+  columns_ =
+      std::min(std::max(run_->densities, run_->degree) + 1 + more_, largestMoment + 1);
   moments_.assign(static_cast<std::size_t>(count * rows_ * columns_), {});
   const ElementLanes chosen = runs.choose(trial, r, wanted_);
   if (chosen.smooth.isFar())
@@ -188,7 +189,7 @@ void RingTile::far(const Mesh& mesh, const ElementLanes& chosen, InstructionSet 
 
 void RingTile::near(const Mesh& mesh, int e, int lane, InstructionSet set) {
   static thread_local std::vector<RingPoints> points;
-  nearRingPoints(mesh, trial_, e, points);
+  nearRingPoints(mesh, trial_, e, more_, points);
   sums_.assign(moments_.size(), {});
   dispatch(set, NearRings{*this, mesh[trial_], mesh[e], points});
   for (std::size_t k = 0; k < moments_.size(); ++k) {

@@ -17,13 +17,16 @@ namespace epafi::bem {
 /// Large: use one object per thread.
 class RingTile {
  public:
-  explicit RingTile(const Lame& lame) : lame_(lame) {}
+  /// \param more  polynomials on test elements, in addition to j <= d_F
+  explicit RingTile(const Lame& lame, int more = 0) : lame_(lame), more_(more) {}
 
   /// Computes the moments of a trial element with the wanted elements of run r.  Those of elements
   /// that are not wanted are finite and meaningless.  Refers to the runs.
   void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
                 InstructionSet set = largestInstructionSet());
 
+  /// Number of polynomials on test elements.
+  int columns() const { return columns_; }
   const RingLame& lame() const { return lame_; }
   int trial() const { return trial_; }
   const ElementLanes& run() const { return *run_; }
@@ -46,6 +49,7 @@ class RingTile {
   void near(const Mesh& mesh, int e, int lane, InstructionSet set);
 
   RingLame lame_;
+  int more_;
   int trial_ = 0;
   const ElementLanes* run_ = nullptr;
   ElementRange wanted_;

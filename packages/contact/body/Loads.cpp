@@ -283,6 +283,8 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
     length += 2 * element.half;
   }
   modes.centroid = (1 / length) * modes.centroid;
+  if (mesh.outline().isAxisymmetric())
+    modes.centroid.x = 0;
 
   modes.motions = space.rigidMotions();
   for (Index j = 0; j < space.displacements(); ++j)  // move the pole to the centroid

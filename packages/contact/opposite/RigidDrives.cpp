@@ -23,10 +23,12 @@ RigidDrives::Traces RigidDrives::tracesOf(int rigid,
           return middle.rigid == rigid ? &bem::gaussForGiven(contact.degree) : nullptr;
         },
         [&](const SidePoint& point) {
-          const Vec2 arm = point.opposite.arm;
+          const bool hasAll = !bodies[a].space.mesh().outline().isAxisymmetric();
+          const Vec2 arm = hasAll ? point.opposite.arm : Vec2{};
           result.length += point.weight;
           result.lever = std::max(result.lever, norm(arm));
-          const std::array<Vec2, 3> motions = {Vec2{1, 0}, Vec2{0, 1}, turnLeft(arm)};
+          const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
+                                               turnLeft(arm)};
           point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
             for (Index k = 0; k < 3; ++k)
               result.values(numbering(a, i), k) +=

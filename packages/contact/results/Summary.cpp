@@ -36,8 +36,12 @@ void add(const Resultant& more, Resultant& sum) {
   sum.moment += more.moment;
 }
 
-void addForce(Vec2 force, Vec2 place, Resultant& sum) {
-  add({force.x, force.y, cross(place, force)}, sum);
+/// Around a solid of revolution radial forces cancel, and so do moments.
+void addForce(const Solved& solved, Vec2 force, Vec2 place, Resultant& sum) {
+  if (solved.units.isAxisymmetric)
+    sum.y += force.y;
+  else
+    add({force.x, force.y, cross(place, force)}, sum);
 }
 
 double closedPart(const ContactFields& fields, const Element& element) {
@@ -71,9 +75,9 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                        -area * point.weight *
                        (stress.normal * point.normal + stress.tangential * point.tangent);
                    const Vec2 place = mesh.physicalPoint(element.element, point.t);
-                   addForce(force, place, summary.contact);
+                   addForce(solved, force, place, summary.contact);
                    if (point.opposite.element < 0)
-                     addForce(force, place, summary.obstacle);
+                     addForce(solved, force, place, summary.obstacle);
                  },
                  {0, 1, &solved.problem.opposite()});
   summary.contactLength += length * side.half * closedPart(fields, element);
@@ -140,7 +144,8 @@ RigidMotion meanMotion(const Solved& solved) {
     double whole = bem::dot(functional, solved.displacement);
     if (!ofInside.empty())
       whole += ofInside[at(k)];
-    return whole / bem::dot(functional, bem::columnOf(modes.motions, k));
+    const double unit = bem::dot(functional, bem::columnOf(modes.motions, k));
+    return unit > 0 ? whole / unit : 0;
   };
   return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
 }
@@ -257,7 +262,7 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
         const Vec2 force =
             side.units.measure() * point.weight *
             (stress.normal * point.normal + stress.tangential * point.tangent);
-        addForce(force,
+        addForce(side, force,
                  bodies[there.body].space.mesh().physicalPoint(there.element, there.t),
                  summaries[there.body].contact);
       });
