@@ -20,7 +20,8 @@ bool areAlike(double a, double b, double size, const Body& body) {
 }
 
 bem::SurfacePoint pointOf(const Body& body, const bem::Edge& edge, double t) {
-  return {body.outline->physical(edge.curve.point(t)), edge.curve.normal(t)};
+  const bem::Vec2 x = body.outline->physical(edge.curve.point(t));
+  return {x.x, x.y, edge.curve.normal(t)};
 }
 
 /// Calls at(edge, next, corner) for each corner of a body, in the user's coordinates.

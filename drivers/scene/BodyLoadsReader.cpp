@@ -189,19 +189,23 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
                             box.low.y + box.size().y * (j + shift) / n);
     return points;
   };
+  const auto givenAt = [&](Complex y) {
+    const bem::Vec2 x = outline.physical(asVector(y));
+    return given({x.x, x.y, {}});
+  };
   const std::vector<Complex> points = latticeOf(8, 0.5);
   std::vector<double> values;
   double largest = 0;
   for (const Complex y : points) {
-    values.push_back(given({outline.physical(asVector(y)), {}}));
+    values.push_back(givenAt(y));
     largest = std::max(largest, std::abs(values.back()));
   }
   contact::BodyLoads::Terms terms = fit(points, values);
   const contact::ParticularSolution fitted({{}, {}, terms}, bem::Lame(bem::Material{}));
   double deviation = 0;
   for (const Complex y : latticeOf(9, 0.4))
-    deviation = std::max(deviation, std::abs(given({outline.physical(asVector(y)), {}}) -
-                                             fitted.temperature(asVector(y))));
+    deviation =
+        std::max(deviation, std::abs(givenAt(y) - fitted.temperature(asVector(y))));
   // in powers of z cancellation leaves eight digits on a body of aspect ratio 1 : 100
   if (deviation > 1e-7 * largest)
     throw InputError(loads_.path("Temperature"),

@@ -185,8 +185,8 @@ TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
   for (const double angle : {0.1, 1.0, 2.0, 3.0}) {
     const bem::Vec2 n{std::cos(angle), std::sin(angle)};
     const bem::Vec2 at = bem::Vec2{1, 1} + n;
-    TEST_FLOATING_EQUALITY(loadOn(scene, "top").x({at, n}), -3 * n.x, 1e-14);
-    TEST_FLOATING_EQUALITY(loadOn(scene, "top").y({at, n}), -3 * n.y, 1e-14);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").x({at.x, at.y, n}), -3 * n.x, 1e-14);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").y({at.x, at.y, n}), -3 * n.y, 1e-14);
   }
   const bem::Mesh mesh = drivers::firstMesh(scene.bodies[0]);
   for (int e = 0; e < mesh.size(); ++e)
@@ -256,7 +256,8 @@ TEUCHOS_UNIT_TEST(Forces, aMomentTurnsTheBoundaryAboutItsCentroid) {
     double length = 0;
     for (const bem::Edge& edge : outline.edges())
       for (int q = 0; edge.boundary == name && q < rule.size(); ++q) {
-        const bem::SurfacePoint x{outline.physical(edge.curve.point(rule.points[q])), {}};
+        const bem::Vec2 at = outline.physical(edge.curve.point(rule.points[q]));
+        const bem::SurfacePoint x{at.x, at.y, {}};
         const double w =
             rule.weights[q] * 0.5 * edge.curve.length() * outline.scaling().length;
         const bem::Vec2 traction{loadOn(scene, name).x(x), loadOn(scene, name).y(x)};

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const bem::Function function = drivers::makeExpression(text, {"f.xml", "A->B"});
     for (const bem::Vec2 point : {bem::Vec2{0, 0}, bem::Vec2{-0.5, 2}, bem::Vec2{1e3, 7}})
-      if (!std::isfinite(function({point, {}})))
+      if (!std::isfinite(function({point.x, point.y, {}})))
         std::abort();
   } catch (const bem::InputError&) {
     // what a bad expression gets

@@ -143,7 +143,8 @@ double Mesh::ofRevolution(int e, double t) const {
 }
 
 SurfacePoint Mesh::physicalPoint(int e, double t) const {
-  return {outline_->physical(scaledPoint(e, t)), (*this)[e].curve.normal(t)};
+  const Vec2 x = outline_->physical(scaledPoint(e, t));
+  return {x.x, x.y, (*this)[e].curve.normal(t)};
 }
 
 Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
