@@ -1,6 +1,7 @@
 #include "drivers/scene/Revolution.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/geometry/Crossing.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -165,12 +166,16 @@ void checkBody(const Part& body) {
 
 }  // namespace
 
+bool parseRevolution(const ParameterList& geometry) {
+  const bool isAxisymmetric = geometry.get<std::string>("Type") == "Axisymmetric";
+  if (isAxisymmetric && geometry.get<std::string>("Symmetry") == "X")
+    throw InputError("Geometry->Symmetry: ", type,
+                     ": a section is drawn for x >= 0 anyway; Y and None are possible");
+  return isAxisymmetric;
+}
+
 void checkRevolution(const Scene& scene) {
   const Part root = scene.root();
-  if (scene.symmetry.axis == 0)
-    throw InputError(
-        "Geometry->Symmetry: X is what Geometry->Type = Axisymmetric draws anyway; Y and "
-        "None are possible");
   for (const auto& item : *root.sub("Bodies").list)
     checkBody(root.sub("Bodies").sub(item.first));
   refuseAny(root.sub("Body Loads"), "body loads are not possible yet; remove this list");

@@ -13,6 +13,10 @@ struct Scene;
 
 // Geometry->Type = Axisymmetric: bodies are solids of revolution about x = 0, drawn for x >= 0.
 
+/// Reads the validated list Geometry at the root: are bodies solids of revolution?
+/// \throws bem::InputError for Symmetry X
+bool parseRevolution(const Teuchos::ParameterList& geometry);
+
 /// The name of edges on the axis.
 constexpr const char* axisBoundary = "axis";
 

@@ -209,8 +209,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   ParameterList& used = *scene.used;
   const ParameterList& discretization = used.sublist("Discretization");
   scene.symmetry = parseSymmetry(used.sublist("Geometry"));
-  scene.isAxisymmetric =
-      used.sublist("Geometry").get<std::string>("Type") == "Axisymmetric";
+  scene.isAxisymmetric = parseRevolution(used.sublist("Geometry"));
   readBodies(scene);
   readContacts(scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");

@@ -2,8 +2,11 @@
 #include "Largest.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/fields/BoundaryFields.hpp"
 #include "bem/operators/Assembly.hpp"
+#include "bem/operators/EnergyNorm.hpp"
 #include "bem/operators/RingBlocks.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
 #include "reference/QuadRings.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -226,6 +229,72 @@ TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
       TEST_COMPARE(errors.hypersingular.size(), <, 1e-12);
     }
   }
+}
+
+/// A sphere of radius 2 with a hole of radius 1, a quarter of a circle each.
+Loop hollowSphere() {
+  return arcs({{0, -2}, {2, 0}, {0, 2}, {0, 1}, {1, 0}, {0, -1}},
+              {quarter, quarter, 0, -quarter, -quarter, 0});
+}
+
+/// Lame's solution u = (A R + B/R²) e_R; lengths over the diameter 4.
+struct HollowSphere {
+  double a = 0.1;
+  double b = 0.2;
+  bem::Lame lame{{1, 0.3, false}};
+
+  Vec2 displacement(Vec2 x) const {
+    const double radius = norm(x);
+    return (a + b / std::pow(radius, 3)) * x;
+  }
+  double stress(double radius) const {
+    const double bulk = 2 * lame.mu * (1 + lame.nu) / (1 - 2 * lame.nu);  // 3λ + 2μ
+    return bulk * a - 4 * lame.mu * b / std::pow(radius, 3);
+  }
+  /// ∫ t·u
+  double work() const {
+    const auto of = [&](double radius) {
+      return radius * radius * stress(radius) * displacement({radius, 0}).x;
+    };
+    return 4 * std::acos(-1.0) * (of(0.5) - of(0.25));
+  }
+};
+
+TEUCHOS_UNIT_TEST(Rings, giveTheHollowSpheresEnergyExponentiallyInP) {
+  const HollowSphere exact;
+  double before = 1;
+  for (const int p : {2, 4, 6, 8}) {
+    const bem::Space space(uniform(hollowSphere(), 1, p));
+    const bem::SteklovPoincare s(bem::assembleOperators(space, exact.lame));
+    const Vector u = space.interpolate([&](Vec2 x) { return exact.displacement(x); });
+    const double error = std::abs(bem::dot(u, s.apply(u)) / exact.work() - 1);
+    out << "p = " << p << ", " << space.densities() + space.displacements()
+        << " unknowns: ";
+    TEST_COMPARE(error, <, std::max(0.1 * before, 1e-12));
+    before = error;
+  }
+  TEST_COMPARE(before, <, 1e-12);
+}
+
+// <W u, u> + <V ψ, ψ> = ∫ t·u of the exact data, and both integral equations hold.
+TEUCHOS_UNIT_TEST(Rings, haveTheEnergyNormAndFieldsOfExactData) {
+  const HollowSphere exact;
+  const bem::Space space(uniform(hollowSphere(), 2, 8));
+  const bem::SteklovPoincare s(bem::assembleOperators(space, exact.lame));
+  const Vector u = space.interpolate([&](Vec2 x) { return exact.displacement(x); });
+  const Vector psi = s.density(u);
+  TEST_FLOATING_EQUALITY(
+      std::pow(bem::energyNorm(bem::makeCauchyData(space, u, psi), exact.lame), 2),
+      exact.work(), 1e-12);
+  const bem::BoundaryFields fields(space, exact.lame, {{u, psi}});
+  for (int e = 0; e < space.mesh().size(); ++e)
+    for (const bem::BoundaryValue& value : fields.on(e).front()) {
+      const double t = value.place.t;
+      const Vec2 n = space.mesh()[e].curve.normal(t);
+      const double stress = exact.stress(norm(space.mesh().scaledPoint(e, t)));
+      TEST_COMPARE(norm(value.traction - stress * n), <, 1e-8);
+      TEST_COMPARE(norm(value.mismatch), <, 1e-8);
+    }
 }
 
 }  // namespace

@@ -272,6 +272,8 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks, double softn
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const Values v = valuesAt(c, rule.points[q]);
     const double weight = c.measure(rule.points[q]) * rule.weights[q];
+    if (weight == 0)  // on the axis
+      continue;
     const double tension = positive(-v.pressure);
     const double penetration = positive(-v.opening);
     const double excess = positive(std::abs(v.shear) - v.bound);

@@ -20,7 +20,7 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
 }
 
 Vec2 Space::rotationRest(int e, double t) const {
-  if (mesh_.lineOf(e) >= 0)
+  if (mesh_.lineOf(e) >= 0 || rotation_ == nullptr)
     return {};
   return rotation_->at(mesh_.scaledPoint(e, t)) - polynomialAt(rotation_->motion(), e, t);
 }

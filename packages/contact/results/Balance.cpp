@@ -51,12 +51,14 @@ ContactForces contactForces(const Solved& solved) {
         bem::gaussLegendre(element.degree + std::max(2, side.pointsOfTurning())),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
-          const double length = solved.units.length * point.weight;
-          forces.all += length * std::hypot(stress.normal, stress.tangential);
+          const double area = solved.units.measure() * point.weight;
+          forces.all += area * std::hypot(stress.normal, stress.tangential);
+          Vec2 force =
+              area * (stress.normal * point.normal + stress.tangential * point.tangent);
+          if (solved.units.isAxisymmetric)  // around the axis they cancel
+            force.x = 0;
           if (element.condition->name.empty())
-            forces.ofObstacles =
-                forces.ofObstacles - length * (stress.normal * point.normal +
-                                               stress.tangential * point.tangent);
+            forces.ofObstacles = forces.ofObstacles - force;
         });
   }
   return forces;
