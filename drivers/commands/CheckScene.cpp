@@ -46,12 +46,9 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
                 const std::vector<contact::Conditions>& conditions, double t) {
   const bem::Units units = scene.units();
   scene.drivesAt(t);
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
+  for (std::size_t b = 0; b < spaces.size(); ++b)
     contact::makeLoads(spaces.space(b), conditions[b], units);
-    contact::makeObstacle(spaces.space(b).mesh(),
-                          spaces.multiplier(b).under(conditions[b]), *spaces.opposite(b),
-                          units);
-  }
+  contact::makeObstacle(spaces.multiplier().under(conditions), spaces.opposite(), units);
   try {
     checkUnheld(spaces, conditions, t);
   } catch (const bem::InputError& error) {  // a warning may explain it

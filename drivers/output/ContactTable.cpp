@@ -76,15 +76,14 @@ std::string ContactTable::next(const SolvedStep& step) {
   const int samples = scene.output.contactSamples;
   std::string csv;
   point_ = 0;
+  bem::Vector work;
+  if (scene.history)
+    work = contact::frictionWorkDensity(step.system->multiplier(), step.frictionWork);
   for (std::size_t b = 0; b < step.bodies.size(); ++b) {
     const contact::Solved& solved = step.bodies[b];
     const bem::Mesh& mesh = solved.space.mesh();
     const contact::ContactFields fields(solved);
     const bem::Vector continuous = fields.continuous();
-    bem::Vector work;
-    if (scene.history)
-      work = contact::frictionWorkDensity(mesh, solved.problem.multiplier(),
-                                          step.frictionWork[b]);
     const Element* last = nullptr;
     double start = 0;  // arc length, from 0 on each chain of elements of one contact
     for (const Element& element : fields.elements()) {

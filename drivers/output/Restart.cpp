@@ -127,24 +127,24 @@ void checkLevel(const Level& level, const Scene& scene) {
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());
   };
-  bem::Index multipliers = 0;
-  bem::Index motions = freeMotions(scene.rigid);
+  const contact::MultiplierSpace& multiplier = spaces.multiplier();
+  const bem::Index motions = size(last.state.rigid);
+  for (const SolvedState& point : level.path)
+    if (size(point.state.multiplier) != multiplier.size() ||
+        size(point.state.rigid) != motions)
+      throw InputError("has a path that does not fit its own mesh");
+  if (size(last.state.multiplier) != multiplier.size() ||
+      size(last.states.normal) != multiplier.normals() ||
+      size(last.states.tangential) != multiplier.size() - multiplier.normals() ||
+      motions < freeMotions(scene.rigid))
+    throw InputError("does not fit its own mesh");
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    multipliers += multiplier.size();
-    motions += size(last.own[b].rigid);
     if (level.number < 0 ||
         size(last.displacement[b]) != spaces.space(b).displacements() ||
         size(last.density[b]) != spaces.space(b).densities() ||
-        size(last.own[b].multiplier) != multiplier.size() ||
-        size(last.states[b].normal) != multiplier.normals() ||
-        size(last.states[b].tangential) != multiplier.size() - multiplier.normals() ||
         size(level.indicators[b].squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-  for (const SolvedState& point : level.path)
-    if (size(point.state.multiplier) != multipliers || size(point.state.rigid) != motions)
-      throw InputError("has a path that does not fit its own mesh");
   if (scene.history && level.isSolved() && level.path.empty())
     throw InputError("has no path");
 }

@@ -16,11 +16,11 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 7;  // formats 1 to 6 were never released
+constexpr int format = 8;  // formats 1 to 7 were never released
 const std::string group = "/Epafi";
 
-/// The numbers of a level in the order of the checksum: body by body; for a path step by
-/// step, within a step body by body.
+/// The numbers of a level in the order of the checksum: body by body, the multiplier as solvers number
+/// it; for a path step by step, within a step likewise.
 using Arrays = std::vector<DataArray>;
 
 constexpr const char* apart = "/Epafi: bodies does not go with the other arrays";
@@ -114,17 +114,13 @@ class Archive {
   std::map<std::string_view, std::size_t> taken_;  ///< numbers read, by array
 };
 
-/// A body's mesh and the last state on it.
+/// A body's mesh and the last fields on it.
 void visit(Archive& archive, Level& level, std::size_t b) {
   SolvedState& last = level.steps.back();
-  auto& [multiplier, rigid] = last.own[b];
-  auto& [normal, tangential] = last.states[b];
   std::vector<bem::Piece>& pieces = level.meshes[b];
   adaptivity::Indicators& indicators = level.indicators[b];
-  archive.sizes("bodies", pieces, normal, tangential, rigid, last.displacement[b],
-                last.density[b]);
+  archive.sizes("bodies", pieces, last.displacement[b], last.density[b]);
   archive.resize(pieces.size(), indicators.squares);
-  archive.resize(normal.size() + tangential.size(), multiplier);
   for (bem::Piece& piece : pieces) {
     archive("edge", piece.edge);
     archive("degree", piece.degree);
@@ -134,10 +130,6 @@ void visit(Archive& archive, Level& level, std::size_t b) {
   for (adaptivity::Contributions& squares : indicators.squares)
     for (double& square : squares)
       archive("indicators", square);
-  archive("multiplier", multiplier);
-  archive("rigid", rigid);
-  archive("contact_state", normal, contact::NormalState::Closed);
-  archive("friction_state", tangential, contact::FrictionState::SlipBackward);
   archive("displacement", last.displacement[b]);
   archive("density", last.density[b]);
 }
@@ -156,19 +148,19 @@ void visit(Archive& archive, SolvedState& point, std::size_t points) {
 void visit(Archive& archive, SolvedState& step, const SolvedState& like) {
   const std::size_t bodies = like.displacement.size();
   archive("step_t", step.t);
-  archive.resize(bodies, step.displacement, step.density, step.states);
+  archive.resize(bodies, step.displacement, step.density);
   archive.resize(like.rigid.size(), step.rigid);
   for (std::size_t b = 0; b < bodies; ++b) {
-    auto& [normal, tangential] = step.states[b];
     archive.resize(like.displacement[b].size(), step.displacement[b]);
     archive.resize(like.density[b].size(), step.density[b]);
-    archive.resize(like.states[b].normal.size(), normal);
-    archive.resize(like.states[b].tangential.size(), tangential);
     archive("step_displacement", step.displacement[b]);
     archive("step_density", step.density[b]);
-    archive("step_contact_state", normal, contact::NormalState::Closed);
-    archive("step_friction_state", tangential, contact::FrictionState::SlipBackward);
   }
+  auto& [normal, tangential] = step.states;
+  archive.resize(like.states.normal.size(), normal);
+  archive.resize(like.states.tangential.size(), tangential);
+  archive("step_contact_state", normal, contact::NormalState::Closed);
+  archive("step_friction_state", tangential, contact::FrictionState::SlipBackward);
   archive("step_rigid_bodies", step.rigid);
 }
 
@@ -177,10 +169,19 @@ void visit(Archive& archive, Level& level) {
   const std::size_t bodies = archive.rows("bodies");
   archive.resize(std::max<std::size_t>(archive.rows("step_t"), 1), level.steps);
   SolvedState& last = level.steps.back();
-  archive.resize(bodies, level.meshes, level.indicators, last.own, last.states,
-                 last.displacement, last.density);
+  archive.resize(bodies, level.meshes, level.indicators, last.displacement, last.density);
   for (std::size_t b = 0; b < level.meshes.size(); ++b)
     visit(archive, level, b);
+  auto& [multiplier, rigid] = last.state;
+  auto& [normal, tangential] = last.states;
+  archive.resize(archive.rows("multiplier"), multiplier);
+  archive.resize(archive.rows("rigid"), rigid);
+  archive.resize(archive.rows("contact_state"), normal);
+  archive.resize(archive.rows("friction_state"), tangential);
+  archive("multiplier", multiplier);
+  archive("rigid", rigid);
+  archive("contact_state", normal, contact::NormalState::Closed);
+  archive("friction_state", tangential, contact::FrictionState::SlipBackward);
   archive.resize(archive.rows("rigid_bodies"), last.rigid);
   archive("rigid_bodies", last.rigid);
   archive.resize(archive.rows("path_t"), level.path);
@@ -207,7 +208,7 @@ Arrays emptyArrays() {
           {"friction_state", whole},
           {"displacement", real},
           {"density", real},
-          {"bodies", whole, 6},
+          {"bodies", whole, 3},
           {"rigid_bodies", real, 3},
           {"path_t", real},
           {"path_iterations", whole, 2},
@@ -229,28 +230,6 @@ Arrays arraysOf(Level level) {
   return arrays;
 }
 
-/// Gives each step of a path the states of the bodies, from that of all together in its points:
-/// pressures of all bodies, then all other coefficients, and motions.
-void divideStates(const SolvedState& point, SolvedState& step) {
-  std::size_t taken = 0;
-  const auto take = [&](const bem::Vector& all, double& number) {
-    if (taken < all.size())  // else see checkLevel
-      number = all[taken++];
-  };
-  for (const bool pressures : {true, false})
-    for (std::size_t b = 0; b < step.own.size(); ++b) {
-      bem::Vector& own = step.own[b].multiplier;
-      const std::size_t split = step.states[b].normal.size();
-      for (std::size_t i = pressures ? 0 : split; i < (pressures ? split : own.size());
-           ++i)
-        take(point.state.multiplier, own[i]);
-    }
-  taken = 0;
-  for (contact::State& own : step.own)
-    for (double& motion : own.rigid)
-      take(point.state.rigid, motion);
-}
-
 /// The inverse of arraysOf.
 /// \throws bem::InputError if the sizes do not match, or for an unknown state.
 Level levelOf(Arrays arrays) {
@@ -259,13 +238,10 @@ Level levelOf(Arrays arrays) {
   visit(archive, level);
   if (!archive.tookAll())
     throw bem::InputError(apart);
-  const std::vector<contact::State> last = level.last().own;
   for (const SolvedState& point : level.path)
     for (SolvedState& step : level.steps)
-      if (point.t == step.t) {
-        step.own = last;  // with the sizes
-        divideStates(point, step);
-      }
+      if (point.t == step.t)
+        step.state = point.state;
   return level;
 }
 

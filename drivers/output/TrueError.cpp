@@ -69,15 +69,15 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
 BodySnapshot bodySnapshot(const BodySpaces& spaces, std::size_t b,
                           const SolvedState& step) {
   const bem::Space& space = spaces.space(b);
-  const contact::MultiplierSpace& own = spaces.multiplier(b);
+  const contact::MultiplierSpace& multiplier = spaces.multiplier();
   const std::size_t elements = space.mesh().size();
   BodySnapshot body{bem::makeCauchyData(space, step.displacement[b], step.density[b]),
                     std::vector<Series>(elements), std::vector<bool>(elements)};
-  for (const auto& element : own.elements()) {
+  for (const auto& element : multiplier.elements(b)) {
     body.contact[element.element] = true;
     body.multiplier[element.element] = bem::project(
         [&](double t) {
-          const auto value = own.at(step.own[b].multiplier, element, t);
+          const auto value = multiplier.at(step.state.multiplier, element, t);
           return bem::Complex(value.normal, value.tangential);
         },
         element.degree);

@@ -13,17 +13,28 @@
 namespace epafi::drivers {
 
 BodySpaces::BodySpaces(const Scene& scene, const Level& level) : scene_(scene) {
-  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const std::size_t count = level.meshes.size();
-  spaces_.reserve(count);  // multipliers refer to nothing of them, opposites do
+  spaces_.reserve(count);  // what refers to them follows
+  std::vector<contact::MultiplierSpace::Body> bodies;
   for (std::size_t b = 0; b < count; ++b) {
     const contact::Conditions& conditions = scene.bodies[b].conditions;
     spaces_.push_back(contact::makeSpace({scene.bodies[b].outline, level.meshes[b]},
                                          conditions, scene.stabilization));
-    multipliers_.emplace_back(spaces_.back().mesh(), basis, conditions);
+    bodies.push_back({spaces_.back().mesh(), conditions});
   }
-  for (std::size_t b = 0; b < count; ++b)
-    opposites_.push_back(makeOpposite(b));
+  multiplier_.emplace(bodies, contact::multiplierBasis(scene.multiplier));
+  std::map<std::string, contact::OppositeSide> sides;
+  for (const ContactPair& pair : scene.contacts)
+    sides.emplace(pair.name, oppositeSide(pair));
+  opposite_ = std::make_shared<const contact::Opposite>(*multiplier_,
+                                                        scene.units().length, sides);
+}
+
+std::vector<const bem::Space*> BodySpaces::all() const {
+  std::vector<const bem::Space*> all;
+  for (const bem::Space& space : spaces_)
+    all.push_back(&space);
+  return all;
 }
 
 contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
@@ -50,24 +61,6 @@ contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
   return opposite;
 }
 
-std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b) const {
-  const double length = scene_.units().length;
-  const bem::Mesh& mesh = spaces_[b].mesh();
-  std::map<std::string, contact::OppositeSide> opposite;
-  for (const ContactPair& pair : scene_.contacts)
-    if (pair.side.body == b)
-      opposite.emplace(pair.name, oppositeSide(pair));
-  return std::make_shared<const contact::Opposite>(mesh, multipliers_[b], length,
-                                                   opposite);
-}
-
-std::vector<contact::ContactSide> BodySpaces::sides() const {
-  std::vector<contact::ContactSide> sides;
-  for (std::size_t b = 0; b < size(); ++b)
-    sides.push_back({spaces_[b], multipliers_[b], *opposites_[b]});
-  return sides;
-}
-
 std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {
   std::vector<contact::Conditions> all = scene_.conditionsAt(t);
   for (std::size_t b = 0; b < all.size(); ++b)
@@ -84,6 +77,7 @@ std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {
 
 LevelRow BodySpaces::levelRow() const {
   LevelRow row;
+  row.multipliers = multiplier_->size();
   row.degreeMin = bem::largestDegree;
   row.sizeMin = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < size(); ++b) {
@@ -92,7 +86,6 @@ LevelRow BodySpaces::levelRow() const {
     row.elements += mesh.size();
     row.displacements +=
         contact::freeDisplacements(spaces_[b], scene_.bodies[b].conditions);
-    row.multipliers += multipliers_[b].size();
     row.densities += spaces_[b].densities();
     for (const bem::Element& element : mesh.elements()) {
       row.degreeMin = std::min(row.degreeMin, element.degree);
@@ -113,7 +106,7 @@ StepRow BodySpaces::stepRow() const {
   }
   std::vector<std::set<std::string>> contacts(size());
   for (std::size_t b = 0; b < size(); ++b) {
-    for (const auto& element : multipliers_[b].elements())
+    for (const auto& element : multiplier_->elements(b))
       contacts[b].insert(contact::nameOf(element));
     for (const std::string& name : contacts[b])
       ++uses[name];

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace epafi::contact {
@@ -27,13 +28,9 @@ class BodySpaces {
   const Scene& scene() const { return scene_; }
   std::size_t size() const { return spaces_.size(); }
   const bem::Space& space(std::size_t b) const { return spaces_[b]; }
-  const contact::MultiplierSpace& multiplier(std::size_t b) const {
-    return multipliers_[b];
-  }
-  std::shared_ptr<const contact::Opposite> opposite(std::size_t b) const {
-    return opposites_[b];
-  }
-  std::vector<contact::ContactSide> sides() const;
+  std::vector<const bem::Space*> all() const;
+  const contact::MultiplierSpace& multiplier() const { return *multiplier_; }
+  const std::shared_ptr<const contact::Opposite>& opposite() const { return opposite_; }
 
   /// Conditions of the bodies at time t, body loads with conducted heat on these meshes.
   std::vector<contact::Conditions> conditionsAt(double t) const;
@@ -51,12 +48,11 @@ class BodySpaces {
 
  private:
   contact::OppositeSide oppositeSide(const ContactPair& pair) const;
-  std::shared_ptr<const contact::Opposite> makeOpposite(std::size_t b) const;
 
   const Scene& scene_;
   std::vector<bem::Space> spaces_;
-  std::vector<contact::MultiplierSpace> multipliers_;
-  std::vector<std::shared_ptr<const contact::Opposite>> opposites_;
+  std::optional<contact::MultiplierSpace> multiplier_;
+  std::shared_ptr<const contact::Opposite> opposite_;
   /// By body, if it conducts heat; computed on first use.
   mutable std::map<std::size_t, std::shared_ptr<const contact::Conduction>> conductions_;
 };

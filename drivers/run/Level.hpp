@@ -19,7 +19,7 @@ namespace epafi::drivers {
 /// one.
 struct SolvedState {
   double t = 0;              ///< 0 without a History
-  contact::State state;      ///< of all bodies; without a History not in files
+  contact::State state;      ///< of all bodies
   int newtonIterations = 0;  ///< since the previous point, rejected steps included
   int coulombIterations = 0;
   /// Estimated time errors of friction's work and of the worn volume, since the last point that
@@ -27,12 +27,11 @@ struct SolvedState {
   double workError = 0;
   double volumeError = 0;
 
-  // by body, of a load and of a step that the History defines
-  std::vector<contact::State> own{};            ///< λ and rigid motions
-  std::vector<contact::ContactState> states{};  ///< of each coefficient of λ
-  std::vector<bem::Vector> displacement{};      ///< all unknowns
-  std::vector<bem::Vector> density{};           ///< traction on the whole boundary
-  std::vector<contact::RigidMotion> rigid{};    ///< by rigid body
+  // of a load and of a step that the History defines
+  contact::ContactState states{};           ///< of each coefficient of λ
+  std::vector<bem::Vector> displacement{};  ///< by body, all unknowns
+  std::vector<bem::Vector> density{};       ///< likewise, traction on the whole boundary
+  std::vector<contact::RigidMotion> rigid{};  ///< by rigid body
 };
 
 /// The data of a level that the next level and solution.hdf need.  Before the solve it has its

@@ -51,6 +51,26 @@ std::string told(const Imbalance& imbalance, const SolvedStep& step) {
                  " about its middle are missing", rest);
 }
 
+std::string told(const contact::VirtualWork& work, double energy) {
+  const std::pair<const char*, double> terms[] = {
+      {" by loads, ", work.loads},
+      {" by supports, ", work.supports},
+      {" by what Fix holds, ", work.means},
+      {" on gaps and jumps, ", work.given},
+      {" on what surfaces yield and wear, ", work.surfaces},
+      {" on slip, ", work.friction},
+      {" by what moves and holds rigid bodies, ", work.rigid}};
+  std::string text = "twice the energies are not the work of what acts: ";
+  for (const auto& [name, value] : terms)
+    if (value != 0)
+      text += message(energy * value, name);
+  return text + message("but ", energy * work.strain, " of strain and ",
+                        energy * work.stabilisation, " of the stabilisation; ",
+                        energy * work.missing(), " is missing, where rounding may leave ",
+                        energy * work.rounding, " and the solver ",
+                        energy * work.unsolved);
+}
+
 }  // namespace
 
 const std::string& nameOf(const Imbalance& imbalance, const Scene& scene) {
@@ -72,13 +92,18 @@ void checkBalance(contact::Balance& balance, const Run& run, SolvedStep& step,
                                level.row.report.tolerance);
   const auto broken = std::find_if(step.imbalances.begin(), step.imbalances.end(),
                                    [](const Imbalance& one) { return one.isBroken(); });
-  if (!run.processes.agreed(broken != step.imbalances.end()))
+  const contact::VirtualWork work = balance.workOf(
+      *step.system, step.at, step.motions.shearModuli, level.row.report.tolerance);
+  const bool isBalanced = broken == step.imbalances.end();
+  if (!run.processes.agreed(!isBalanced || work.isBroken()))
     return;
   level.unbalanced = message(
       "level ", level.level.number,
       step.row.step > 0 ? message(", step ", step.row.step) : "", ": ",
       // what rank 0 says is told
-      broken != step.imbalances.end() ? told(*broken, step) : "",
+      !isBalanced       ? told(*broken, step)
+      : work.isBroken() ? told(work, step.spaces.scene().energy())
+                        : "",
       ".  Nothing of this level can be relied on: look at what lies opposite to "
       "sides in contact, at units and loads, and at bodies slender by more than "
       "1 : 1000",

@@ -99,7 +99,7 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
   std::vector<BodySize> sizes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = spaces.space(b);
-    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    const std::vector<bem::Index>& columns = spaces.multiplier().columns(b);
     const auto& elements = space.mesh().elements();
     const auto [smallest, largest] = std::minmax_element(
         elements.begin(), elements.end(),
@@ -107,11 +107,14 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
     BodySize& size = sizes.emplace_back();
     size.displacements = static_cast<double>(space.displacements());
     size.densities = static_cast<double>(space.densities());
-    size.multipliers = static_cast<double>(multiplier.size());
+    size.multipliers = static_cast<double>(columns.size());
     size.elements = static_cast<double>(elements.size());
     size.grading = largest->half / smallest->half;
-    if (!spaces.opposite(b)->bodies().empty())
-      size.opposite = static_cast<double>(multiplier.normals());
+    if (spaces.opposite()->meetsDeformable(b))
+      size.opposite =
+          static_cast<double>(std::lower_bound(columns.begin(), columns.end(),
+                                               spaces.multiplier().normals()) -
+                              columns.begin());
   }
   return sizes;
 }

@@ -231,16 +231,16 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
                                          const std::vector<SolvedState>& steps) {
   const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
+  std::vector<contact::ContactState> states;
+  states.reserve(steps.size());
+  for (const SolvedState& step : steps)
+    states.push_back(step.states);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    std::vector<contact::ContactState> states;
-    states.reserve(steps.size());
-    for (const SolvedState& step : steps)
-      states.push_back(step.states[b]);
     const bem::Mesh& mesh = spaces.space(b).mesh();
     meshes.push_back(
         {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene), mesh,
-                                          scene.bodies[b].conditions,
-                                          spaces.multiplier(b), states)});
+                                          scene.bodies[b].conditions, spaces.multiplier(),
+                                          b, states)});
   }
   shareSingularPoints(scene, meshes);
   return meshes;
@@ -359,10 +359,16 @@ SolvedState carryFirst(const BodySpaces& spaces, const Level& level, const Level
   const SolvedState& first = level.steps.front();
   SolvedState start;
   start.rigid = first.rigid;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    start.own.push_back(adaptivity::carry(
-        spaces.space(b).mesh(), spaces.multiplier(b), first.own[b],
-        {scene.bodies[b].outline, next.meshes[b]}, scene.bodies[b].conditions));
+  std::vector<bem::Mesh> meshes;
+  meshes.reserve(spaces.size());  // what refers to them follows
+  std::vector<contact::MultiplierSpace::Body> bodies;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    meshes.emplace_back(scene.bodies[b].outline, next.meshes[b]);
+    bodies.push_back({meshes.back(), scene.bodies[b].conditions});
+  }
+  start.state =
+      adaptivity::carry(spaces.multiplier(), first.state,
+                        contact::MultiplierSpace(bodies, spaces.multiplier().basis()));
   return start;
 }
 

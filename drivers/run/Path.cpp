@@ -197,7 +197,7 @@ class Follower {
     const bool isFirst = points().empty() && time == scene_.history.times.front();
     contact::State first;
     if (!from_.steps.empty())
-      first = atZero_.joined(from_.last().own, from_.last().rigid);
+      first = atZero_.with(from_.last().rigid, from_.last().state);
     return settled(
         system,
         [&](const contact::State* before) {
@@ -316,11 +316,9 @@ class Follower {
       row_.converged = path_.unbalanced.empty();
     }
     auto contact = row_.contacts.begin();
+    step.frictionWork = here_.memory.frictionWork();
     for (std::size_t b = 0; b < system.size(); ++b) {
-      step.frictionWork.push_back(
-          system.numbering().tangentialsOf(b, here_.memory.frictionWork()));
-      auto work = contact::frictionWorkOfContacts(system.body(b).multiplier(),
-                                                  step.frictionWork[b]);
+      auto work = contact::frictionWorkOfContacts(system.body(b), step.frictionWork);
       for (const auto& [name, summary] : contact::summarizeContacts(step.bodies[b])) {
         const bem::Outline& outline = *scene_.bodies[b].outline;
         contact->second = wholeOf(scene_.symmetry, outline, summary);

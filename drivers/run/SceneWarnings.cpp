@@ -164,17 +164,16 @@ void findDeepOverlaps(const Scene& scene, Warnings& warn) {
     return;
   std::map<std::string, std::pair<double, bem::Vec2>> deepest;  // by contact
   const BodySpaces spaces(scene, firstMeshes(scene));
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    for (const auto& element : spaces.multiplier(b).elements())
-      for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        if (element.condition->name.empty() || element.ties())
-          continue;
-        const double depth =
-            -spaces.opposite(b)->at(element, t).gap * scene.units().length;
-        auto& most = deepest[element.condition->name];
-        if (depth > most.first)
-          most = {depth, spaces.space(b).mesh().physicalPoint(element.element, t)};
-      }
+  spaces.multiplier().forEachElement([&](const auto& element) {
+    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      if (element.condition->name.empty() || element.ties())
+        continue;
+      const double depth = -spaces.opposite()->at(element, t).gap * scene.units().length;
+      auto& most = deepest[element.condition->name];
+      if (depth > most.first)
+        most = {depth, element.mesh->physicalPoint(element.element, t)};
+    }
+  });
   for (const ContactPair& pair : scene.contacts) {
     const auto& [depth, place] = deepest[pair.name];
     if (depth > largestInterference(scene, pair))

@@ -26,7 +26,8 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
   const Scene& scene = spaces.scene();
   if (compressed)
     return run.timer.run(Phase::Factorization, [&] {
-      return contact::makeCompressedStiffness(spaces.sides(), lames, scene.stabilization,
+      return contact::makeCompressedStiffness(spaces.all(), lames, spaces.multiplier(),
+                                              *spaces.opposite(), scene.stabilization,
                                               scene.units(), run.processes,
                                               scene.solver.linear.compression);
     });
@@ -36,8 +37,9 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
     bem::Operators operators = run.timer.run(
         Phase::Assembly, [&] { return bem::assembleOperators(space, lames[b]); });
     run.timer.run(Phase::Factorization, [&] {
-      const bem::LocalCompliance compliance = contact::densityCompliance(
-          space, spaces.multiplier(b), scene.stabilization, lames[b], scene.units());
+      const bem::LocalCompliance compliance =
+          contact::densityCompliance(space, scene.bodies[b].conditions,
+                                     scene.stabilization, lames[b], scene.units());
       if (run.krylov != nullptr)
         all.emplace_back(std::move(operators), *run.krylov, compliance);
       else
@@ -183,7 +185,7 @@ void solveOnce(const BodySpaces& spaces,
                const Run& run, SolvedLevel& level) {
   contact::State start;
   if (!from.steps.empty())
-    start = system->joined(from.last().own, from.last().rigid);
+    start = system->with(from.last().rigid, from.last().state);
   SettledProblem outcome = run.timer.run(Phase::Newton, [&] {
     return settled(
         *system,
@@ -235,9 +237,10 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
     std::vector<contact::BodyInput> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)
       inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
-                        (*first)[b], basis, scene.stabilization, spaces.opposite(b),
+                        (*first)[b], basis, scene.stabilization,
                         formedUpTo(scene.history.steps())});
-    return std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(start));
+    return std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(start),
+                                                    spaces.opposite());
   });
   checkResistance(scene, *system);
   SolvedLevel solved{stiffness, {from.number}, planned};

@@ -12,20 +12,6 @@ namespace epafi::drivers {
 
 namespace {
 
-/// A body's own part of the states of all coefficients.
-contact::ContactState ofBody(const contact::Numbering& numbering, std::size_t b,
-                             const contact::ContactState& all) {
-  contact::ContactState own;
-  for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
-    const bem::Index k = numbering(b, i);
-    if (k < numbering.normals())
-      own.normal.push_back(all.normal[k]);
-    else
-      own.tangential.push_back(all.tangential[k - numbering.normals()]);
-  }
-  return own;
-}
-
 contact::Configuration atRest(const BodySpaces& spaces) {
   contact::Configuration at;
   for (std::size_t b = 0; b < spaces.size(); ++b)
@@ -53,49 +39,43 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
                        std::shared_ptr<const Conditions> conditions_,
                        std::shared_ptr<const contact::ContactSystem> system_,
                        contact::Configuration at_,
-                       std::shared_ptr<const SolvedPart> before_,
-                       std::vector<contact::Wear> wear_)
+                       std::shared_ptr<const SolvedPart> before_, contact::Wear wear_)
     : SolvedPart(spaces_, std::move(conditions_), std::move(at_)),
       spaces(spaces_),
       before(std::move(before_)),
       system(std::move(system_)),
       wear(std::move(wear_)) {
   const std::size_t count = system->size();
-  bodies.reserve(count);  // pressed refers to all of them
+  bodies.reserve(count);
   for (std::size_t b = 0; b < count; ++b) {
     densities.push_back(
-        system->body(b).density(at.bodies[b], at.displacements[b], at.contactForces[b]));
+        system->body(b).density(at.state, at.displacements[b], at.contactForces[b]));
     contact::Solved& solved = bodies.emplace_back(contact::Solved{
         spaces.space(b), system->body(b), (*conditions)[b], spaces.scene().units(),
-        at.bodies[b], at.displacements[b], at.contactForces[b]});
+        at.state, at.displacements[b], at.contactForces[b]});
     solved.motions = &motions;
-    if (!wear.empty())
-      solved.wear = &wear[b];
+    if (!wear.depth.empty())
+      solved.wear = &wear;
     if (before) {
       solved.displacementBefore = &before->motions.displacements[b];
       solved.motionsBefore = &before->motions;
     }
     if (before && before->conditions) {
-      solved.stateBefore = &before->at.bodies[b];
+      solved.stateBefore = &before->at.state;
       solved.conditionsBefore = &(*before->conditions)[b];
     }
+    solved.pressed = contact::ForeignPressure(solved);
   }
-  for (std::size_t b = 0; b < count; ++b)
-    bodies[b].pressed = contact::ForeignPressure(b, bodies);
 }
 
 SolvedState SolvedStep::fields() const {
   SolvedState fields;
   fields.t = row.t;
   fields.state = at.state;
-  fields.own = at.bodies;
   fields.displacement = at.displacements;
   fields.density = densities;
   fields.rigid = at.rigid;
-  const contact::ContactState all =
-      contact::classify(system->numbers(), at.state, at.penetration);
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    fields.states.push_back(ofBody(system->numbering(), b, all));
+  fields.states = contact::classify(system->numbers(), at.state, at.penetration);
   return fields;
 }
 

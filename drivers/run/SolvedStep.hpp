@@ -32,11 +32,11 @@ struct SolvedPart {
 struct SolvedStep : SolvedPart {
   /// \param before of a path: from where slip is measured, the part before the last one of this
   ///   step; null: no path
-  /// \param wear by body, after the step
+  /// \param wear after the step
   SolvedStep(const BodySpaces& spaces, std::shared_ptr<const Conditions> conditions,
              std::shared_ptr<const contact::ContactSystem> system,
              contact::Configuration at, std::shared_ptr<const SolvedPart> before = {},
-             std::vector<contact::Wear> wear = {});
+             contact::Wear wear = {});
 
   /// As numbers.
   SolvedState fields() const;
@@ -63,13 +63,13 @@ struct SolvedStep : SolvedPart {
   const BodySpaces& spaces;
   std::shared_ptr<const SolvedPart> before;
   std::shared_ptr<const contact::ContactSystem> system;
-  std::vector<contact::Wear> wear;
+  contact::Wear wear;
   std::vector<bem::Vector> densities;   ///< of each body
   std::vector<contact::Solved> bodies;  ///< likewise
 
   StepRow row;
-  /// So far on a path, one per body's tangential coefficient, dimensionless.
-  std::vector<bem::Vector> frictionWork;
+  /// So far on a path, one per tangential coefficient, dimensionless.
+  bem::Vector frictionWork;
   std::vector<contact::Imbalance>
       imbalances;  ///< see contact::Balance; empty: not asked for
 

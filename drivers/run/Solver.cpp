@@ -131,25 +131,19 @@ std::string changingPlaces(const contact::Report& report,
   constexpr std::size_t shown = 5;
   const std::set<contact::Index> changing(report.changing.begin(), report.changing.end());
   std::vector<std::string> places;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    const auto changes = [&](contact::Index own) {
-      return changing.count(system.numbering()(b, own)) > 0;
-    };
-    for (const auto& element : multiplier.elements()) {
-      const Vector at = multiplier.basis().places(element.degree);
-      for (int i = 0; i <= element.degree; ++i) {
-        if (!changes(element.normalOf(i)) &&
-            (!element.shears() || !changes(element.tangentialOf(i))))
-          continue;
-        const bem::Vec2 place =
-            spaces.space(b).mesh().physicalPoint(element.element, at[i]);
-        places.push_back(
-            message("(", place.x, ", ", place.y, ") on ",
-                    spaces.scene().boundaryName({false, b, *element.boundary})));
-      }
+  const contact::MultiplierSpace& multiplier = system.multiplier();
+  multiplier.forEachElement([&](const auto& element) {
+    const Vector at = multiplier.basis().places(element.degree);
+    for (int i = 0; i <= element.degree; ++i) {
+      if (changing.count(element.normalOf(i)) == 0 &&
+          (!element.shears() || changing.count(element.tangentialOf(i)) == 0))
+        continue;
+      const bem::Vec2 place = element.mesh->physicalPoint(element.element, at[i]);
+      places.push_back(message("(", place.x, ", ", place.y, ") on ",
+                               spaces.scene().boundaryName(
+                                   {false, bem::at(element.body), *element.boundary})));
     }
-  }
+  });
   std::string text;
   for (std::size_t k = 0; k < std::min(places.size(), shown); ++k)
     text += (k == 0 ? "; contact points that still change state: " : ", ") + places[k];
@@ -213,8 +207,7 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
 /// Does a side shear and not yield?  On short elements wear then lets it slip and wear on and on.
 bool shearsBesideRigid(const contact::ContactSystem& system) {
   for (std::size_t b = 0; b < system.size(); ++b)
-    for (const auto& [boundary, contact] :
-         system.body(b).multiplier().conditions().contact)
+    for (const auto& [boundary, contact] : system.body(b).conditions().contact)
       if (contact.wear && contact.friction.compliance && !contact.normal)
         return true;
   return false;

@@ -197,29 +197,22 @@ struct FreeBalance {
 FreeBalance freeBalanceOf(const BodySpaces& spaces,
                           const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
-  const contact::Numbering numbering(spaces.sides());
-  const auto opposite = contact::oppositeCouplings(spaces.sides(), numbering);
-  const contact::RigidDrives drives(scene.drivesAt(t), spaces.sides(), numbering);
-  contact::Stabilization none;  // rigid motions have no tractions
-  none.form = contact::Stabilization::Form::None;
+  const contact::Obstacle obstacle = contact::makeObstacle(
+      spaces.multiplier().under(conditions), spaces.opposite(), scene.units());
+  const contact::MultiplierSpace& multiplier = obstacle.multiplier;
+  const auto couplings =
+      contact::makeCouplings(spaces.all(), multiplier, *obstacle.opposite);
+  const contact::RigidDrives drives(scene.drivesAt(t), multiplier, *obstacle.opposite);
   FreeBalance balance{{}, FreeMotions(spaces.size())};
   contact::Problem& numbers = balance.numbers;
-  numbers.normals = numbering.normals();
+  numbers.normals = multiplier.normals();
+  numbers.tangentials = obstacle.tangentials;
+  numbers.surface = obstacle.surface;
   std::vector<Vector> columns;
-  contact::Vector given(bem::at(numbering.size()));
+  Vector given = obstacle.given();
   drives.addGiven(given);
   double ofBodies = 0;
-  std::vector<contact::MultiplierSpace> multipliers;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    multipliers.push_back(spaces.multiplier(b).under(conditions[b]));
-  std::vector<contact::ContactSide> sides;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    sides.push_back({spaces.space(b), multipliers[b], *spaces.opposite(b)});
-    contact::addObstacle(contact::makeObstacle(spaces.space(b).mesh(), multipliers[b],
-                                               *spaces.opposite(b), scene.units()),
-                         numbering, b, numbers, given);
-  }
-  contact::addBodyLoads(sides, numbering, given);
+  contact::addBodyLoads(obstacle, given);
   double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const contact::Loads loads =
@@ -231,20 +224,17 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
       balance.free[b].push_back(bem::columnOf(holding.allowed, k));
       numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
     }
-    if (balance.free[b].empty() && loads.rigidPart.empty())
-      continue;
-    const contact::Coupling own = contact::makeCoupling(
-        spaces.space(b), multipliers[b], none, scene.lame(b), scene.units());
-    contact::addRigidPart(loads, numbering, b, own.trace, opposite[b], given);
-    for (Vector& column : motionsOnContacts(holding, holding.fixed(), numbering, b,
-                                            own.trace, opposite[b]))
+    // rigid motions have no tractions
+    const contact::TraceCoupling& trace = couplings[b].trace;
+    if (!loads.rigidPart.empty())
+      bem::axpy(1, trace.apply(loads.rigidPart), given);
+    for (Vector& column : motionsOnContacts(holding, holding.fixed(), trace))
       columns.push_back(std::move(column));
   }
   drives.setMotions(std::move(columns), numbers);
   drives.addForces(numbers);
-  const double size =
-      contact::loadSize(numbers, given, contact::lengthsOf(spaces.sides(), numbering),
-                        moved, ofBodies, drives);
+  const double size = contact::loadSize(numbers, given, contact::lengthsOf(multiplier),
+                                        moved, ofBodies, drives);
   numbers.stress = size > 0 ? size : 1;
   return balance;
 }

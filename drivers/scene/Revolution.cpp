@@ -182,20 +182,10 @@ void checkRevolution(const Scene& scene) {
   if (scene.stabilization.tractions())
     throw InputError("Discretization->Stabilization->Form: ", type,
                      ": evaluates plane tractions; Density and None are possible");
-  const std::string& multiplier = scene.multiplier;
-  if (multiplier == "Biorthogonal")
-    throw InputError("Discretization->Multiplier: ", type,
-                     ": Biorthogonal loses its diagonal beside the radius; "
-                     "Gauss-Legendre-Lagrange is possible");
-  if (multiplier != "Gauss-Legendre-Lagrange")
-    for (const Body& body : scene.bodies)
-      for (const bem::Edge& edge : body.outline->edges()) {
-        const bool touches = edge.curve.from().x == 0 || edge.curve.to().x == 0;
-        if (touches && body.conditions.contact.count(edge.boundary) > 0)
-          throw InputError("Discretization->Multiplier: ", type, ": ", multiplier,
-                           " has weights of zero where contact meets the axis; "
-                           "Gauss-Legendre-Lagrange is possible");
-      }
+  if (scene.multiplier != "Gauss-Legendre-Lagrange")
+    throw InputError(
+        "Discretization->Multiplier: ", type, ": ", scene.multiplier,
+        " knows no weights by the radius; Gauss-Legendre-Lagrange is possible");
   if (linearMethods().at(scene.solver.linear.method).operators ==
       LinearMethod::Operators::Compressed)
     throw InputError(

@@ -51,7 +51,7 @@ std::vector<ContactCost> costsOf(const contact::Solved& solved) {
   factors.fill(1);
   std::vector<ContactCost> costs;
   int k = 0;
-  for (const auto& element : solved.problem.multiplier().elements()) {
+  for (const auto& element : solved.problem.elements()) {
     const double size = 1e-4;
     const AtEnds moments{{size * any(k), size * any(k + 1)},
                          {size * any(k + 2), size * any(k + 3)}};
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, doesTheSameWorkOnEveryDisplacement) {
     for (const bool roller : {false, true}) {
       const SolvedScene solvedScene(scene(multiplier, roller));
       const contact::Solved solved = solvedScene.solved();
-      const auto& elements = solved.problem.multiplier().elements();
+      const auto& elements = solved.problem.elements();
       const auto factors = adaptivity::equivalentMultiplier(
           solved.space.mesh(), solved.conditions, elements, costsOf(solved));
       const std::vector<char> isPrescribed =
@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, allRanksTakeThatOfTheFirst) {
 TEUCHOS_UNIT_TEST(EquivalentMultiplier, costsLess) {
   const SolvedScene solvedScene(scene("Gauss-Legendre-Lagrange", true));
   const contact::Solved solved = solvedScene.solved();
-  const auto& elements = solved.problem.multiplier().elements();
+  const auto& elements = solved.problem.elements();
   const std::vector<ContactCost> costs = costsOf(solved);
   const auto factors = adaptivity::equivalentMultiplier(
       solved.space.mesh(), solved.conditions, elements, costs);
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
   Contributions factors{};
   factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 3;
   int trial = 0;
-  for (const auto& contact : solved.problem.multiplier().elements()) {
+  for (const auto& contact : solved.problem.elements()) {
     const bem::Element& element = solved.space.mesh()[contact.element];
     const int k = 20 * ++trial;
     const auto r = [&](double t) {
@@ -192,7 +192,7 @@ TEUCHOS_UNIT_TEST(ContactCost, differsFromTheTermsByAConstant) {
   Contributions factors;
   factors.fill(1);
   factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 0;
-  for (const auto& element : solved.problem.multiplier().elements()) {
+  for (const auto& element : solved.problem.elements()) {
     const ContactCost cost(solved, element, {}, factors, shearModulus);
     const auto terms = [&](const AtEnds& correction) {
       Contributions squares =

@@ -48,16 +48,20 @@ test::BodyScene body(double length, double nu, const std::vector<int>& elements,
        stabilization});
 }
 
-std::unique_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
+std::shared_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
                                                   const bem::SteklovPoincare& stiffness) {
-  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier,
+  const auto plain = contact::makeCouplings({&scene.space}, scene.multiplier,
+                                            contact::Opposite(scene.units.length));
+  return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, 0,
                                 std::make_shared<const contact::Holding>(
-                                    makeHolding(scene.space, scene.conditions)));
+                                    makeHolding(scene.space, scene.conditions)),
+                                plain.front());
 }
 
 double worstImbalance(const test::BodyScene& scene) {
   const bem::SteklovPoincare stiffness = scene.dense();
-  const contact::ContactBody problem(scene.input(stiffness));
+  const contact::ContactSystem system({scene.input(stiffness)});
+  const contact::ContactBody& problem = system.body(0);
   contact::State state;
   state.multiplier.assign(problem.multiplier().size(), 0.0);
   const Vector u = problem.displacement(state);
@@ -280,7 +284,7 @@ TEUCHOS_UNIT_TEST(ContactBody, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused
                                  "Gauss-Legendre-Lagrange",
                                  stabilization});
     const bem::SteklovPoincare stiffness = scene.dense();
-    return contact::ContactBody(scene.input(stiffness)).coupling().gamma0;
+    return contact::ContactSystem({scene.input(stiffness)}).body(0).coupling().gamma0;
   };
   const double first = stabilization.firstGamma0();
   const double weakened = used();

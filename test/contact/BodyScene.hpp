@@ -41,15 +41,15 @@ struct BodyScene {
   BodyScene& operator=(const BodyScene&) = delete;
 
   bem::SteklovPoincare dense() const {
-    return contact::makeStiffness(space, multiplier, stabilization, lame, units);
+    return contact::makeStiffness(space, conditions, stabilization, lame, units);
   }
   /// In leaves of few unknowns.
   bem::SteklovPoincare compressed() const {
     bem::Compression options;
     options.leafUnknowns = 60;
     auto all = contact::makeCompressedStiffness(
-        {{space, multiplier, contact::Opposite(space.mesh(), units.length)}}, {lame},
-        stabilization, units, processes(), options);
+        {&space}, {lame}, multiplier, contact::Opposite(units.length), stabilization,
+        units, processes(), options);
     return std::move(all.front());
   }
   contact::BodyInput input(const bem::SteklovPoincare& stiffness) const {

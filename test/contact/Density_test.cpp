@@ -92,7 +92,7 @@ std::vector<Point> pointsOf(const Case& c, const bem::Mesh& mesh,
                             const contact::MultiplierSpace& multiplier) {
   const bem::Rule& rule = bem::gaussLegendre(c.degree + 4);
   std::vector<Point> points;
-  for (const auto& element : multiplier.elements()) {
+  for (const auto& element : multiplier.elements(0)) {
     const bem::Element& e = mesh[element.element];
     const double h = 2 * std::min({e.half, mesh[e.previous].half, mesh[e.next].half});
     for (int q = 0; q < rule.size(); ++q)

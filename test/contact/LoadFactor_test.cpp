@@ -2,9 +2,14 @@
 #include "Rectangle.hpp"
 #include "contact/SolvedScene.hpp"
 #include "contact/equation/ProblemFamily.hpp"
+#include "contact/nox/ContactModel.hpp"
 
+#include <NOX.H>
+#include <NOX_Thyra.H>
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <LOCA.H>
+#include <LOCA_Thyra.H>
 #include <cmath>
 
 namespace {
@@ -99,6 +104,82 @@ TEUCHOS_UNIT_TEST(LoadFactor, ofFrictionIsAnotherCoefficient) {
                        less.system().body(0).contactForce(expected))[0]),
                    >, 1e-3);
   }
+}
+
+/// Four elements of degree one on each side, a load that leans and is not symmetric.
+test::SolvedScene leaningBlock(double coefficient) {
+  contact::Conditions conditions = conditionsFor(1, false, coefficient);
+  conditions.neumann["left"] = {[](Vec2) { return 0.05; }, {}};
+  return test::SolvedScene(
+      {bem::makeMesh(test::outlineOf(test::rectangle({-1, 0}, 2, 1)), {4, 4, 4, 4}, 1),
+       bem::Material{5, 0.3, false},
+       conditions,
+       "Gauss-Legendre-Lagrange",
+       {}});
+}
+
+/// Keeps what LOCA finds.
+class Recorder final : public LOCA::Thyra::SaveDataStrategy {
+ public:
+  explicit Recorder(Teuchos::RCP<const contact::ContactModel> model)
+      : model_(std::move(model)) {}
+
+  void saveSolution(const NOX::Abstract::Vector& x, double factor) override {
+    const auto& vector = Teuchos::dyn_cast<const NOX::Thyra::Vector>(x);
+    path.emplace_back(factor, model_->state(vector.getThyraVector()));
+  }
+
+  std::vector<std::pair<double, contact::State>> path;
+
+ private:
+  Teuchos::RCP<const contact::ContactModel> model_;
+};
+
+/// LOCA's natural continuation over the friction factor, from 0.4 to 0.1.
+TEUCHOS_UNIT_TEST(LoadFactor, continuationSolvesWhatAProgramOfEachCoefficientSolves) {
+  const auto scene = leaningBlock(0.4);
+  const auto model = Teuchos::rcp(new contact::ContactModel(scene.system()));
+  const auto list = Teuchos::parameterList();
+  list->sublist("NOX").sublist("Line Search").set("Method", "Full Step");
+  list->sublist("NOX").sublist("Printing").set("Output Information", 0);
+  Teuchos::ParameterList& loca = list->sublist("LOCA");
+  loca.sublist("Stepper")
+      .set("Continuation Method", "Natural")
+      .set("Continuation Parameter", "Friction Factor")
+      .set("Initial Value", 1.0)
+      .set("Min Value", 0.25)
+      .set("Max Value", 1.0)
+      .set("Max Steps", 10)
+      .set("Max Nonlinear Iterations", 20)
+      .set("Compute Eigenvalues", false);
+  loca.sublist("Predictor").set("Method", "Constant");
+  loca.sublist("Step Size").set("Method", "Constant").set("Initial Step Size", -0.25);
+  const auto recorder = Teuchos::rcp(new Recorder(model));
+  const auto data = LOCA::createGlobalData(list);
+  {
+    LOCA::ParameterVector factor;
+    factor.addParameter("Friction Factor", 1.0);
+    const auto group = Teuchos::rcp(new LOCA::Thyra::Group(
+        data, NOX::Thyra::Vector(model->point(scene.solved().state)), model, factor,
+        contact::ContactModel::Friction));
+    group->setSaveDataStrategy(recorder);
+    const auto test =
+        Teuchos::rcp(new NOX::StatusTest::NormF(1e-12, NOX::StatusTest::NormF::Unscaled));
+    TEST_EQUALITY(LOCA::Stepper(data, group, test, list).run(),
+                  LOCA::Abstract::Iterator::Finished);
+  }
+  LOCA::destroyGlobalData(data);
+  TEST_COMPARE(recorder->path.size(), >=, 4);
+  for (const auto& [factor, state] : recorder->path) {
+    const auto program = leaningBlock(0.4 * factor);
+    const Vector& expected = program.solved().state.multiplier;
+    TEST_COMPARE(largestDifference(state.multiplier, expected), <,
+                 1e-9 * largest(expected));
+    TEST_COMPARE(std::abs(program.system().body(0).fixedReactions(
+                     program.system().body(0).contactForce(expected))[0]),
+                 >, 1e-3);
+  }
+  TEST_FLOATING_EQUALITY(recorder->path.back().first, 0.25, 1e-12);
 }
 
 }  // namespace

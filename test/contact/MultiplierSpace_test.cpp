@@ -45,7 +45,7 @@ struct Counts {
 Counts countsOf(const Conditions& conditions, int degree) {
   const MultiplierSpace space(squareMesh(degree), dual(), conditions);
   std::set<Index> used;
-  for (const auto& element : space.elements())
+  for (const auto& element : space.elements(0))
     for (int i = 0; i <= element.degree; ++i) {
       used.insert(element.normalOf(i));
       if (element.shears())
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(SharedNodes, extendedFunctionsStayDualToAllFreeDisplacements) 
 bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
                            double (*f)(bem::Vec2)) {
   bem::Vector result(space.size(), 0.0);
-  for (const auto& element : space.elements()) {
+  for (const auto& element : space.elements(0)) {
     const bem::Vector w = lobattoWeights(element.degree);
     const bem::Vector moments = momentsOf(element.degree, [&](double t) {
       return f(mesh.physicalPoint(element.element, t));
@@ -177,7 +177,7 @@ double cubic(bem::Vec2 x) {
 double worstOfCubic(const bem::Mesh& mesh, const MultiplierSpace& space) {
   const bem::Vector multiplier = coefficientsOf(space, mesh, cubic);
   double worst = 0;
-  for (const auto& element : space.elements())
+  for (const auto& element : space.elements(0))
     for (const double t : {-1.0, -0.4, 0.3, 1.0}) {
       const double exact = cubic(mesh.physicalPoint(element.element, t));
       const auto value = space.at(multiplier, element, t);
@@ -204,8 +204,8 @@ TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpac
                           {"bottom", "right", "top", "left"}};
   const bem::Mesh mesh = bem::makeMesh(test::outlineOf(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
-  TEST_ASSERT(!space.elements().back().normal.ends[1].isUnknown);
-  TEST_ASSERT(space.elements().back().normal.ends[1].clamped);
+  TEST_ASSERT(!space.elements(0).back().normal.ends[1].isUnknown);
+  TEST_ASSERT(space.elements(0).back().normal.ends[1].clamped);
   TEST_COMPARE(worstOfCubic(mesh, space), <, 1e-12);
 }
 
@@ -218,13 +218,14 @@ TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {
     const MultiplierSpace space(mesh, dual(), conditions);
     const double length = mesh.outline().diameter();
     bem::Vector weights(space.size(), 0.0);
-    for (const auto& element : space.elements())
+    for (const auto& element : space.elements(0))
       for (int i = 0; i <= p; ++i)
         if (element.normal.isOwn(i))
           weights[element.normalOf(i)] +=
               mesh[element.element].half * lobattoWeights(p)[i];
     const bem::Vector gap =
-        contact::makeObstacle(mesh, space, contact::Opposite(mesh, length), {length, 1})
+        contact::makeObstacle(space, std::make_shared<const contact::Opposite>(length),
+                              {length, 1})
             .gap;
     for (std::size_t i = 0; i < gap.size(); ++i)
       TEST_COMPARE(std::abs(gap[i] - weights[i] * 0.7 / length), <, 1e-14);
@@ -240,7 +241,7 @@ struct NodeForces {
 NodeForces forcesOn(int node, const bem::Mesh& mesh, const MultiplierSpace& space,
                     const bem::Vector& multiplier) {
   NodeForces forces;
-  for (const auto& element : space.elements()) {
+  for (const auto& element : space.elements(0)) {
     const bem::Element& geometry = mesh[element.element];
     for (const int i : {0, element.degree}) {
       if ((i == 0 ? geometry.startNode : geometry.endNode) != node)

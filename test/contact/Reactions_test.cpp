@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(Reactions, takeTractionsOfRigidMotionsAway) {
       const bem::Mesh& mesh = scene.space.mesh();
       contact::State state;
       state.multiplier.resize(at(system.numbers().size()));
-      for (const auto& element : scene.multiplier.elements()) {
+      for (const auto& element : scene.multiplier.elements(0)) {
         const Vector places = scene.basis.places(element.degree);
         for (int i = 0; i <= element.degree; ++i) {
           const Vec2 r = modes.at(mode, mesh.scaledPoint(element.element, places[at(i)]));

@@ -8,7 +8,7 @@ for a half-plane (incompressible, so that pressure and shear do not mix), a = 1.
 from halves import (F, FINE, P0, contact_side, cycles, half_cycle, loads, loop, path, pressing,
                     remembers)
 from halves import fretting as solve
-from runs import claim, finish, never_falls, points
+from runs import claim, finish, never_falls, points, rows, saved, solved
 
 # Cattaneo, and the way back to 0 and to -Qm; small elements where slip ends, a node at |x| = a
 base = solve("cattaneo", path([1, 2, 3, 4], [1]) + contact_side(*FINE))
@@ -41,6 +41,29 @@ for folder in (base, many, along):
 errors = [pressing(count) for count in (4, 16)]
 claim(errors[1] < errors[0] / 10,
       "the balance of energy is of second order: %.1e, %.1e of the work" % tuple(errors))
+
+# a floor that rises against a block held by Fix alone does half its force times its way
+RISE = 0.002
+BLOCK = saved("held", {
+    "Bodies": {"block": {
+        "Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3},
+        "Geometry": {"Vertices": [[-0.5, 0], [0.5, 0], [0.5, 0.6], [-0.5, 0.6]],
+                     "Edges": ["floor", "right", "top", "left"]},
+        "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]},
+        "Boundary Conditions": {"floor": {"Type": "Contact", "Gap": "-%g*t" % RISE}}}},
+    "History": {"Times": [1.0]},
+    "Discretization": {"Elements per Edge": [6, 3, 6, 3]},
+    "Adaptivity": {"Maximum Levels": 1}})
+for degree in (1, 2, 4):
+    for gamma in (0.1, 10):
+        name = "held, degree %d, Gamma0 %g" % (degree, gamma)
+        folder, _ = solved(name, BLOCK, "Discretization->Degree=%d" % degree,
+                           "Discretization->Stabilization->Gamma0=%g" % gamma)
+        last = rows(folder, "steps.csv")[-1]
+        work = last["floor.force_normal"] * RISE / 2
+        off = abs(last["energy_outside"] - work) / work
+        claim(work > 0 and off < 1e-9, "%s: the floor's work is off by %.1e" % (name, off))
+
 trapezoidal = [abs(half_cycle(count)[1] / (loop(0.5) / 2) - 1) for count in (5, 20)]
 claim(trapezoidal[1] < trapezoidal[0] / 4 or trapezoidal[1] < 2e-3,
       "the trapezoidal work converges: %.1e, %.1e" % tuple(trapezoidal))

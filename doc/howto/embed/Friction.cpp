@@ -47,7 +47,7 @@ Point measure(const Block& block, const contact::ContactSystem& system,
            contact.tangential[t] == contact::FrictionState::SlipBackward;
   };
   Point point{factor, 0, 0, 0};
-  for (const auto& element : system.body(0).multiplier().elements()) {
+  for (const auto& element : system.body(0).elements()) {
     const auto& weights = bem::gaussLegendre(element.degree + 1).weights;
     const double half = block.units.length * block.space.mesh()[element.element].half;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -113,9 +113,8 @@ std::vector<Point> followFriction(const Block& block,
   // the stabilisation has a say in the densities and in S
   const bem::Space space =
       contact::makeSpace(block.space.mesh(), conditions, stabilization);
-  const bem::SteklovPoincare stiffness = contact::makeStiffness(
-      space, contact::MultiplierSpace(space.mesh(), basis, conditions), stabilization,
-      block.lame, block.units);
+  const bem::SteklovPoincare stiffness =
+      contact::makeStiffness(space, conditions, stabilization, block.lame, block.units);
   const contact::ContactSystem system(
       {{space, stiffness, block.lame, block.units, conditions, basis, stabilization}});
 

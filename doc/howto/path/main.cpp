@@ -77,9 +77,8 @@ int run() {
   const std::vector<contact::Conditions> start = pushed(0);
   const bem::Space space = contact::makeSpace(mesh(), start[0], stabilization);
   const bem::Units units{space.mesh().outline().diameter(), steelLike.youngsModulus};
-  const bem::SteklovPoincare stiffness = contact::makeStiffness(
-      space, contact::MultiplierSpace(space.mesh(), basis, start[0]), stabilization, lame,
-      units);
+  const bem::SteklovPoincare stiffness =
+      contact::makeStiffness(space, start[0], stabilization, lame, units);
   // operators, factors and D: once
   const contact::ContactSystem system(
       {{space, stiffness, lame, units, start[0], basis, stabilization}});

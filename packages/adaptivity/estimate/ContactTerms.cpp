@@ -1,5 +1,7 @@
 #include "adaptivity/estimate/ContactTerms.hpp"
 
+#include "contact/results/ContactPlace.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -102,7 +104,6 @@ Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-*): one function of t after the other
 ContactProfiles contactProfiles(const contact::Solved& solved,
                                 const ContactElement& element, const AtEnds& correction) {
   const bem::Mesh& mesh = solved.space.mesh();
@@ -142,121 +143,36 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
   const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
   const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial normal = component(across, false);
-  const contact::Conditions::Contact& condition = *element.condition;
-  const bem::Units units = solved.units;
-  const int e = element.element;
-  const contact::Opposite& opposite = solved.problem.opposite();
-  const auto motion = [&solved](const contact::Opposite::Point& there) {
-    return motionAt(solved.motions, there);
-  };
-  // several profiles ask for the same point one after the other
-  using OppositePoint = contact::Opposite::Point;
-  const auto last = std::make_shared<std::pair<std::optional<double>, OppositePoint>>();
-  const auto oppositeAt = [&opposite, &element, last](double t) {
-    if (last->first != t)
-      *last = {t, opposite.at(element, t)};
-    return last->second;
-  };
-  const auto closing = [&mesh, &condition, units, e, pressure](double t) {
-    return condition.normal
-               ? condition.normal.at(mesh.physicalPoint(e, t), units).closing(pressure(t))
-               : 0;
-  };
-  const contact::Wear* wear = condition.wear ? solved.wear : nullptr;
-  const auto worn = [wear, &element](double t) {
-    return wear == nullptr
-               ? 0
-               : contact::MultiplierSpace::throughPoints(wear->depth, element, t);
-  };
-  const auto opening = [oppositeAt, worn, across, normal, motion, closing](double t) {
-    const OppositePoint there = oppositeAt(t);
-    return there.gap + closing(t) + worn(t) + dot(motion(there), across(t)) - normal(t);
-  };
-  // the whole jump of bonded sides is an error, not what a step adds to it
-  const bool ties = element.ties();
-  const Polynomial own = component(along, !ties && solved.displacementBefore != nullptr);
-  const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
-  const auto tangential = [oppositeAt, along, own, motion, before](double t) {
-    const OppositePoint there = oppositeAt(t);
-    return own(t) - dot(motion(there) - motionAt(before, there), along(t));
-  };
-  // elastic shear is no slip
   const Polynomial shear = stress(&Value::tangential, along);
-  bem::Profile shearYield = [](double) { return 0.0; };
-  if (condition.friction.compliance)
-    shearYield = [&mesh, &condition, units, e](double t) {
-      return condition.friction.compliance(mesh.physicalPoint(e, t)) * units.stress /
-             units.length;
-    };
-  const contact::State* stateBefore = ties ? nullptr : solved.stateBefore;
-  bem::Profile slip = opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential);
-  if (condition.friction.compliance)
-    slip = [slip, shear, shearYield, stateBefore, &multiplier, &element](double t) {
-      const double earlier =
-          stateBefore == nullptr
-              ? 0
-              : multiplier.at(stateBefore->multiplier, element, t).tangential;
-      return slip(t) - shearYield(t) * (shear(t) - earlier);
-    };
-  if (condition.sliding) {
-    const auto* then = ties ? nullptr : solved.conditionsBefore;
-    const bem::Function earlier =
-        then == nullptr ? bem::Function() : then->contact.at(*element.boundary).sliding;
-    slip = [slip, &mesh, &condition, earlier, units, e](double t) {
-      const bem::SurfacePoint x = mesh.physicalPoint(e, t);
-      return slip(t) - (condition.sliding(x) - (earlier ? earlier(x) : 0)) / units.length;
-    };
-  }
-  const auto bound = [&mesh, &condition, units, e, pressure](double t) {
-    return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
-        .bound(pressure(t));
+  const Polynomial normal = component(across, false);
+  // the whole jump of bonded sides is an error, not what a step adds to it
+  const Polynomial tangential =
+      component(along, !element.ties() && solved.displacementBefore != nullptr);
+  // several profiles ask for the same point one after the other
+  const auto last = std::make_shared<std::optional<contact::ContactPlace>>();
+  const auto at = [&solved, &element, last](double t) -> const contact::ContactPlace& {
+    if (!*last || (*last)->t != t)
+      last->emplace(contact::ContactPlace{solved, element, t});
+    return **last;
   };
-  bem::Profile fineness = [](double) { return 1.0; };
-  if (solved.motions != nullptr)
-    fineness = [oppositeAt, &geometry, p, &solved](double t) {
-      const OppositePoint there = oppositeAt(t);
-      if (there.element < 0)
-        return 1.0;
-      const bem::Element& other =
-          solved.motions->displacements[static_cast<std::size_t>(there.body)]
-              .space()
-              .mesh()[there.element];
-      return std::max(1.0, other.degree * geometry.half / (p * other.half));
-    };
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
-  const auto wornMore = [wear, &element](double t) {
-    return wear == nullptr
-               ? 0.0
-               : contact::MultiplierSpace::throughPoints(wear->rate, element, t);
-  };
-  const auto yield = [&mesh, &condition, units, e, pressure, stiffness, wornMore](
-                         double t, double length) {
-    if (!condition.normal)
-      return wornMore(t);
-    const contact::PointClosing law =
-        condition.normal.at(mesh.physicalPoint(e, t), units);
-    // as stiff as where the pressure has closed what overlaps; open sides do not yield
-    const double pressed = std::max(pressure(t), 0.0);
-    const double touching = std::max(
-        pressed,
-        law.resolvent(stiffness, pressed + stiffness * (law.closing(pressed) - length)));
-    return touching > 0 ? law.slope(touching) + wornMore(t) : 0.0;
-  };
+  const contact::Opposite& opposite = solved.problem.opposite();
   return {pressure,
           shear,
-          slip,
-          opening,
-          bound,
+          [=](double t) { return at(t).slip(tangential(t), shear(t)); },
+          [=](double t) { return at(t).opening(pressure(t), normal(t)); },
+          [=](double t) { return at(t).bound(pressure(t)); },
           p,
           geometry.half,
           [&mesh, e = element.element](double t) { return mesh.measure(e, t); },
           opposite.breaks(element),
           std::max(p, opposite.degree(element)),
           element.ties(),
-          fineness,
-          yield,
-          shearYield};
+          [=](double t) { return at(t).fineness(); },
+          [=](double t, double opening) {
+            return at(t).yield(pressure(t), opening, stiffness);
+          },
+          [=](double t) { return at(t).shearYield(); }};
 }
 
 namespace {

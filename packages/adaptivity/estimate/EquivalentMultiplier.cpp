@@ -218,7 +218,7 @@ std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& 
                                 const Contributions& factors,
                                 const std::vector<AtEnds>& moments,
                                 const bem::Processes& processes) {
-  const auto& elements = solved.problem.multiplier().elements();
+  const auto& elements = solved.problem.elements();
   Vector numbers;
   for (const AtEnds& m : moments)
     numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});

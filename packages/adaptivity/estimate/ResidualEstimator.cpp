@@ -270,7 +270,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
   const Residuals residuals(solved, lame, weights);
-  const auto& touching = solved.problem.multiplier().elements();
+  const auto& touching = solved.problem.elements();
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
   };
@@ -289,7 +289,8 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   // and its functions are those of the plane
   const bem::Mesh& mesh = solved.space.mesh();
   const bool alone =
-      solved.problem.opposite().bodies().empty() && !mesh.outline().isAxisymmetric();
+      !solved.problem.opposite().meetsDeformable(solved.problem.number()) &&
+      !mesh.outline().isAxisymmetric();
   const std::vector<AtEnds> correction =
       sharp && alone ? corrections(solved, lame, factors, moments, processes)
                      : std::vector<AtEnds>(touching.size());

@@ -93,6 +93,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const bem::Mesh& mesh,
                               const contact::Conditions& conditions,
                               const contact::MultiplierSpace& multiplier,
+                              std::size_t body,
                               const std::vector<contact::ContactState>& states) {
   if (strategy.grading == Grading::Ignored ||
       !transitions().at(options.transitions).areSingular)
@@ -100,7 +101,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
   std::vector<SingularPoints> all;
   all.reserve(states.size());
   for (const contact::ContactState& state : states)
-    all.push_back(findSingularPoints(mesh, conditions, multiplier, state));
+    all.push_back(findSingularPoints(mesh, conditions, multiplier, body, state));
   return united(all);
 }
 

@@ -59,6 +59,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const bem::Mesh& mesh,
                               const contact::Conditions& conditions,
                               const contact::MultiplierSpace& multiplier,
+                              std::size_t body,
                               const std::vector<contact::ContactState>& states);
 
 /// The marks of the strategy on rank 0, without those that cut short elements.  Collective.

@@ -7,22 +7,22 @@ namespace epafi::adaptivity {
 
 namespace {
 
-using contact::Index;
+using contact::at;
 using contact::MultiplierSpace;
 using contact::Vector;
 using ContactElement = MultiplierSpace::ContactElement;
 
-/// A multiplier at places of an edge, asked for in increasing order.
+/// The multiplier on a body at places of an edge, asked for in increasing order.
 class Walk {
  public:
-  Walk(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier)
-      : mesh_(mesh), space_(space), multiplier_(multiplier) {}
+  Walk(const MultiplierSpace& space, std::size_t body, const Vector& multiplier)
+      : space_(space), elements_(space.elements(body)), multiplier_(multiplier) {}
 
   MultiplierSpace::Value at(int edge, bem::Position position) {
     while (!holds(edge, position))
       ++next_;
-    const ContactElement& element = space_.elements()[next_];
-    const bem::Element& geometry = mesh_[element.element];
+    const ContactElement& element = elements_[next_];
+    const bem::Element& geometry = element.geometry();
     const double half = geometry.half;
     const double before = distanceAlong(geometry.piece.start, position) / half;
     const double behind = distanceAlong(position, geometry.piece.end) / half;
@@ -36,9 +36,9 @@ class Walk {
   static constexpr double tolerance = 1e-3;
 
   bool holds(int edge, bem::Position position) const {
-    if (next_ == space_.elements().size())
+    if (next_ == elements_.size())
       throwMismatch();
-    const bem::Piece& piece = mesh_[space_.elements()[next_].element].piece;
+    const bem::Piece& piece = elements_[next_].geometry().piece;
     return piece.edge == edge && distanceAlong(position, piece.end) >= 0;
   }
 
@@ -46,58 +46,56 @@ class Walk {
     throw bem::NumericalError("the multiplier's two meshes differ in where contact is");
   }
 
-  const bem::Mesh& mesh_;
   const MultiplierSpace& space_;
+  const std::vector<ContactElement>& elements_;
   const Vector& multiplier_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
-                       const Vector& multiplier, const bem::Mesh& toMesh,
+Vector carryMultiplier(const MultiplierSpace& from, const Vector& multiplier,
                        const MultiplierSpace& to) {
-  Walk walk(fromMesh, from, multiplier);
   // element by element; where two elements share a coefficient, it is their mean
-  Vector sums(to.size());
+  Vector sums(at(to.size()));
   std::vector<int> counts(sums.size());
   const auto add = [&](const Vector& coefficients, const contact::Coefficients& own) {
     for (int i = 0; i <= own.degree; ++i)
       if (own.isOwn(i)) {
-        sums[own.number(i)] += coefficients[i];
-        ++counts[own.number(i)];
+        sums[at(own.number(i))] += coefficients[at(i)];
+        ++counts[at(own.number(i))];
       }
   };
-  for (const ContactElement& element : to.elements()) {
-    const bem::Piece& piece = toMesh[element.element].piece;
-    const Vector& places = bem::gaussLegendre(element.degree + 1).points;
-    const bem::LuFactor interpolation = contact::interpolation(to.basis(), places);
-    Vector normal;
-    Vector tangential;
-    for (const double t : places) {
-      const auto value = walk.at(piece.edge, positionAt(piece, t));
-      normal.push_back(value.normal);
-      tangential.push_back(value.tangential);
+  for (std::size_t b = 0; b < to.bodies(); ++b) {
+    Walk walk(from, b, multiplier);
+    for (const ContactElement& element : to.elements(b)) {
+      const bem::Piece& piece = element.geometry().piece;
+      const Vector& places = bem::gaussLegendre(element.degree + 1).points;
+      const bem::LuFactor interpolation = contact::interpolation(to.basis(), places);
+      Vector normal;
+      Vector tangential;
+      for (const double t : places) {
+        const auto value = walk.at(piece.edge, positionAt(piece, t));
+        normal.push_back(value.normal);
+        tangential.push_back(value.tangential);
+      }
+      interpolation.solve(normal);
+      interpolation.solve(tangential);
+      add(normal, element.normal);
+      if (element.shears())
+        add(tangential, element.tangential);
     }
-    interpolation.solve(normal);
-    interpolation.solve(tangential);
-    add(normal, element.normal);
-    if (element.shears())
-      add(tangential, element.tangential);
   }
   for (std::size_t k = 0; k < sums.size(); ++k)
     sums[k] /= counts[k];
   return sums;
 }
 
-contact::State carry(const bem::Mesh& from, const MultiplierSpace& multiplier,
-                     const contact::State& state, const bem::Mesh& to,
-                     const contact::Conditions& conditions) {
+contact::State carry(const MultiplierSpace& from, const contact::State& state,
+                     const MultiplierSpace& to) {
   if (state.multiplier.empty())
     return state;
-  return {carryMultiplier(from, multiplier, state.multiplier, to,
-                          MultiplierSpace(to, multiplier.basis(), conditions)),
-          state.rigid};
+  return {carryMultiplier(from, state.multiplier, to), state.rigid};
 }
 
 }  // namespace epafi::adaptivity

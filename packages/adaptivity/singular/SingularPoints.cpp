@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::adaptivity {
 
@@ -36,6 +37,25 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
                                                               : Singularity::Weak;
 }
 
+/// State of coefficient i of an element.  If the slip bound depends on the pressure, an open
+/// point has no friction state.
+std::pair<contact::NormalState, contact::FrictionState> stateOf(
+    const contact::MultiplierSpace& multiplier,
+    const contact::MultiplierSpace::ContactElement& element, int i,
+    const contact::ContactState& states) {
+  using contact::FrictionState;
+  using contact::NormalState;
+  if (element.ties())
+    return {NormalState::Closed, FrictionState::Stick};
+  const NormalState normal = states.normal[element.normalOf(i)];
+  const contact::Friction& friction = element.condition->friction;
+  const bool idle =
+      normal == NormalState::Open && friction && friction.law->dependsOnPressure();
+  if (!element.shears() || idle)
+    return {normal, FrictionState::None};
+  return {normal, states.tangential[element.tangentialOf(i) - multiplier.normals()]};
+}
+
 }  // namespace
 
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
@@ -50,20 +70,20 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
-                                  const contact::ContactState& states) {
+                                  std::size_t body, const contact::ContactState& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
-    const auto& element = multiplier.elements()[k];
+  const auto& elements = multiplier.elements(body);
+  for (const auto& element : elements) {
     const auto places = multiplier.basis().places(element.degree);
-    const auto stateAt = [&](std::size_t where, int i) {
-      return pointState(multiplier, multiplier.elements()[where], i, states);
+    const auto stateAt = [&](const auto& where, int i) {
+      return stateOf(multiplier, where, i, states);
     };
-    if (const auto next = multiplier.follower(k);
-        next && stateAt(k, element.degree) != stateAt(*next, 0))
+    if (element.follower &&
+        stateAt(element, element.degree) != stateAt(elements[*element.follower], 0))
       points.nodes[mesh[element.element].endNode] = Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
-      if (stateAt(k, i) != stateAt(k, i + 1))
+      if (stateAt(element, i) != stateAt(element, i + 1))
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;
@@ -111,20 +131,6 @@ SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
         inside.insert(std::upper_bound(inside.begin(), inside.end(), t), t);
     }
   return points;
-}
-
-PointState pointState(const contact::MultiplierSpace& multiplier,
-                      const contact::MultiplierSpace::ContactElement& element, int i,
-                      const contact::ContactState& states) {
-  if (element.ties())
-    return {contact::NormalState::Closed, contact::FrictionState::Stick};
-  PointState state{states.normal[element.normalOf(i)], contact::FrictionState::None};
-  const bool idle = state.normal == contact::NormalState::Open &&
-                    element.condition->friction &&
-                    element.condition->friction.law->dependsOnPressure();
-  if (element.shears() && !idle)
-    state.friction = states.tangential[element.tangentialOf(i) - multiplier.normals()];
-  return state;
 }
 
 }  // namespace epafi::adaptivity

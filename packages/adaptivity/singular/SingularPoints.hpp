@@ -39,7 +39,7 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
-                                  const contact::ContactState& states);
+                                  std::size_t body, const contact::ContactState& states);
 
 /// Union of the singular points of several states on one mesh: the strongest singularity at each
 /// node; places closer than a tenth of an element are merged to that of the first state.
@@ -56,22 +56,5 @@ struct EdgePlace {
 /// the node, and as close to another one of the element it is that one.
 SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
                           const std::vector<EdgePlace>& places);
-
-/// State of the point of a coefficient of the multiplier.
-struct PointState {
-  contact::NormalState normal = contact::NormalState::Open;
-  contact::FrictionState friction = contact::FrictionState::None;
-
-  bool operator==(const PointState& other) const {
-    return normal == other.normal && friction == other.friction;
-  }
-  bool operator!=(const PointState& other) const { return !(*this == other); }
-};
-
-/// State of coefficient i of an element.  If the slip bound depends on the pressure, an open
-/// point has no friction state.
-PointState pointState(const contact::MultiplierSpace& multiplier,
-                      const contact::MultiplierSpace::ContactElement& element, int i,
-                      const contact::ContactState& states);
 
 }  // namespace epafi::adaptivity

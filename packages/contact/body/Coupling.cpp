@@ -1,13 +1,13 @@
 #include "contact/body/Coupling.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/basis/Legendre.hpp"
+#include "bem/base/Error.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <utility>
 
 namespace epafi::contact {
@@ -17,229 +17,115 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-/// values of functions times a force, by components: two rows a function.
-void addForce(Vec2 force, const double* values, double* rows, Index size) {
-  for (Index k = 0; k < size; k += 2) {
-    rows[k] += force.x * values[k / 2];
-    rows[k + 1] += force.y * values[k / 2];
-  }
-}
-
-/// What one contact element has of C, G and M, coefficients χ_i d: first those with the normal d,
-/// then those with the tangent, which may turn.  G's rows: with Form Density Legendre polynomials,
-/// the densities', where S u is evaluated orthonormal ones, else none.
-class ElementCoupling {
+/// What the coefficients of a contact element, in a row, do to the displacements of an element, its
+/// own or an opposite one.
+class Works {
  public:
-  ElementCoupling(const bem::Space& space, const MultiplierBasis& basis,
-                  const Stabilization& stabilization, const ContactElement& contact)
-      : space_(space),
-        basis_(basis),
-        byDensity_(stabilization.byDensity()),
-        byTractions_(stabilization.tractions().has_value()),
-        contact_(contact),
-        element_(space.mesh()[contact.element]),
-        traces_(2 * (element_.degree + 1), size()),
-        parts_(rows(), size()),
-        mass_(size(), size()),
-        rests_(at(size())) {
-    integrate();
-  }
+  Works(const ContactElement& contact, const bem::Space& space, int element)
+      : contact_(contact),
+        space_(space),
+        element_(element),
+        traces_(2 * (space.mesh()[element].degree + Index{1}), contact.coefficients()),
+        rests_(at(contact.coefficients())) {}
 
-  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
-    for (Index i = 0; i < size(); ++i) {
-      const Index number = numberOf(i);
-      const Coefficients::End* end = endOf(i);
-      const bool clamped = end != nullptr && end->clamped;
-      addTrace(i, number, 1, clamped ? coupling.completion : coupling.trace);
-      if (end != nullptr)
-        for (const auto& [other, factor] : end->added)
-          addTrace(i, other, factor, coupling.completion);
-      for (Index k = 0; k < size() && gamma != 0; ++k)
-        if (mass_(i, k) != 0)
-          coupling.mass.push_back({number, numberOf(k), gamma * mass_(i, k)});
-      for (Index row = 0; row < rows() && gamma != 0; ++row)
-        coupling.weights.push_back(
-            {firstRow + row, number, gamma * normOf(row) * parts_(row, i)});
+  /// Adds a point of the side, t on the element.
+  void add(const SidePoint& point, double weight, double t) {
+    const int degree = space_.mesh()[element_].degree;
+    std::array<double, bem::largestDegree + 1> phi{};
+    bem::DisplacementBasis::values(degree, t, phi.data());
+    const Vec2 rest = space_.rotationRest(element_, t);
+    for (int i = 0; i < contact_.coefficients(); ++i) {
+      const Vec2 force = weight * point.chiOf(i) * point.directionOf(i);
+      double* trace = traces_.column(i);
+      for (int k = 0; k <= degree; ++k) {
+        trace[2 * k] += force.x * phi[at(k)];
+        trace[2 * k + 1] += force.y * phi[at(k)];
+      }
+      rests_[at(i)] += dot(force, rest);
     }
   }
 
-  /// A traction in λ's place.
-  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
-                  const std::vector<BoundaryTraction>& tested,
-                  Loads::InResidual& moments) const {
-    Vector parts(at(rows()));
-    Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPointOf(contact_, space_.mesh(), basis_, bem::gaussForGiven(element_.degree),
-                   [&](const SidePoint& point) {
-                     const auto legendre = orthonormal(point.t);
-                     const double weight = stabilising(point);
-                     const Vec2 force = weight * traction(contact_.element, point.t);
-                     addForce(force, legendre.data(), parts.data(), rows());
-                     for (std::size_t k = 0; k < tested.size(); ++k) {
-                       const Vec2 r = tested[k](contact_.element, point.t);
-                       addForce(weight * r, legendre.data(),
-                                testedParts.column(static_cast<Index>(k)), rows());
-                       if (isWhole())
-                         moments.means[k] += gamma * dot(force, r);
-                     }
-                     for (Index i = 0; i < size() && isWhole(); ++i)
-                       moments.terms[at(numberOf(i))] -=
-                           gamma * point.chi[functionOf(i)] *
-                           dot(force, directionOf(i, point));
-                   });
-    const auto timesParts = [&](const double* column) {
-      return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
-    };
-    for (Index i = 0; i < size() && !isWhole(); ++i)
-      moments.terms[at(numberOf(i))] -= timesParts(parts_.column(i));
-    for (Index k = 0; k < testedParts.columns() && !isWhole(); ++k)
-      moments.means[at(k)] += timesParts(testedParts.column(k));
-    for (Index row = 0; row < rows(); ++row)
-      moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
+  void addTo(Coupling& coupling) const {
+    for (int i = 0; i < contact_.coefficients(); ++i) {
+      const int k = contact_.functionOf(i);
+      const Coefficients& own = contact_.of(i);
+      const bool clamped = own.holdsNothing(k);
+      addTo(clamped ? coupling.completion : coupling.trace, i, contact_.numberOf(i), 1);
+      for (const std::size_t end : {0, 1})
+        if (k == (end == 0 ? 0 : contact_.degree))
+          for (const auto& [other, factor] : own.ends[end].added)
+            addTo(coupling.completion, i, other, factor);
+    }
   }
 
  private:
-  Index functions() const { return contact_.degree + 1; }
-  Index size() const { return contact_.shears() ? 2 * functions() : functions(); }
-  bool isTangential(Index i) const { return i >= functions(); }
-  std::size_t functionOf(Index i) const { return at(i % functions()); }
-  Index numberOf(Index i) const { return own(i).number(static_cast<int>(functionOf(i))); }
-  Vec2 directionOf(Index i, const SidePoint& point) const {
-    return isTangential(i) ? point.tangent : point.normal;
-  }
-  const Coefficients& own(Index i) const {
-    return isTangential(i) ? contact_.tangential : contact_.normal;
-  }
-  /// Null inside the element.
-  const Coefficients::End* endOf(Index i) const {
-    return functionOf(i) == 0                     ? &own(i).ends[0]
-           : functionOf(i) == at(contact_.degree) ? &own(i).ends[1]
-                                                  : nullptr;
-  }
-  /// The rows of the element's tractions, or its densities.
-  Index rows() const {
-    return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
-  }
-
-  /// The stabilisation weighs with the radius in the middle of the element: its residual is zero
-  /// where the solution is exact, and G stays diagonal.
-  double stabilising(const SidePoint& point) const {
-    const bem::Mesh& mesh = space_.mesh();
-    const int e = contact_.element;
-    return point.weight * (mesh.measure(e, 0) / mesh.measure(e, point.t));
-  }
-
-  /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
-  /// be that of G's row.
-  std::array<double, bem::largestDegree + 2> orthonormal(double t) const {
-    std::array<double, bem::largestDegree + 2> legendre{};
-    const auto count = static_cast<int>(rows() / 2);
-    bem::legendreValues(count - 1, t, legendre.data());
-    for (int l = 0; l < count; ++l)
-      legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element_.half));
-    return legendre;
-  }
-  double normOf(Index row) const {
-    const Index degree = row / 2;
-    const auto l = static_cast<double>(degree);
-    return byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
-  }
-
-  /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
-  /// the product of what they take.
-  bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
-
-  void integrate() {
-    const int p = element_.degree;
-    forEachPointOf(contact_, space_.mesh(), basis_,
-                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
-                   [&](const SidePoint& point) { add(point); });
-    if (!isWhole())
-      mass_ = bem::transposedTimes(parts_, parts_);
-  }
-
-  void add(const SidePoint& point) {
-    std::array<double, bem::largestDegree + 1> phi{};
-    bem::DisplacementBasis::values(element_.degree, point.t, phi.data());
-    const auto legendre = orthonormal(point.t);
-    const Vec2 rest = space_.rotationRest(contact_.element, point.t);
-    const double weight = stabilising(point);
-    for (Index i = 0; i < size(); ++i) {
-      const Vec2 force = point.weight * point.chi[functionOf(i)] * directionOf(i, point);
-      const double value = weight * point.chi[functionOf(i)];
-      addForce(force, phi.data(), traces_.column(i), traces_.rows());
-      addForce(value * directionOf(i, point), legendre.data(), parts_.column(i), rows());
-      rests_[at(i)] += dot(force, rest);
-      for (Index k = 0; k < size(); ++k)
-        if (isTangential(k) == isTangential(i))
-          mass_(i, k) += value * point.chi[functionOf(k)];
-    }
-  }
-
   /// Of a coefficient's work, as a part of that of another one.
-  void addTrace(Index i, Index number, double factor, TraceCoupling& trace) const {
+  void addTo(TraceCoupling& trace, int i, Index number, double factor) const {
     trace.rests[at(number)] += factor * rests_[at(i)];
-    for (int k = 0; k <= element_.degree; ++k)
+    for (int k = 0; 2 * k < traces_.rows(); ++k)
       for (const int c : {0, 1})
-        trace.entries.push_back({space_.displacement(contact_.element, k, c), number,
-                                 factor * traces_(2 * static_cast<Index>(k) + c, i)});
+        trace.entries.push_back({space_.displacement(element_, k, c), number,
+                                 factor * traces_(2 * Index{k} + c, i)});
   }
 
-  const bem::Space& space_;
-  const MultiplierBasis& basis_;
-  bool byDensity_;
-  bool byTractions_;
   const ContactElement& contact_;
-  const bem::Element& element_;
+  const bem::Space& space_;
+  int element_;
   Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
-  Matrix parts_;  ///< ∫ χ_i d·P_l, P_l orthonormal, likewise
-  Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
   Vector rests_;  ///< ∫ χ_i d·(r - r_I)
 };
 
-}  // namespace
-
-Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                      const Stabilization& stabilization, const bem::Lame& lame,
-                      bem::Units units, std::vector<Index> start) {
-  const Vector none(at(multiplier.size()));
-  Coupling coupling;
-  coupling.trace = {{}, space.rotation(), none};
-  coupling.completion = coupling.trace;
-  coupling.stabilization = stabilization;
-  if (stabilization.isOn() && !multiplier.elements().empty())
-    coupling.gamma0 = stabilization.firstGamma0();
-  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
-  const bool ofDensities = start.empty();
-  coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
-  for (const ContactElement& contact : multiplier.elements()) {
-    const double gamma =
-        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
-    const Index first = coupling.start[coupling.gamma.size()];
-    if (ofDensities)
-      coupling.start.push_back(first + 2 * space.mesh()[contact.element].densities);
-    coupling.gamma.push_back(gamma);
-    ElementCoupling(space, multiplier.basis(), stabilization, contact)
-        .addTo(gamma, first, coupling);
-  }
-  return coupling;
+void checkEnds(const ContactElement& element, const MultiplierBasis& basis) {
+  for (const Coefficients* own : {&element.normal, &element.tangential})
+    for (const Coefficients::End& end : own->ends)
+      if (end.clamped || !end.added.empty())
+        throw bem::InputError(
+            "the multiplier '", basis.name,
+            "' cannot end at a clamp or at another contact side where it stands "
+            "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
 }
 
-Loads::InResidual tractionMoments(const bem::Space& space,
-                                  const MultiplierSpace& multiplier,
-                                  const Coupling& coupling,
-                                  const BoundaryTraction& traction,
-                                  const std::vector<BoundaryTraction>& tested) {
-  Loads::InResidual moments;
-  moments.weights.assign(at(coupling.start.back()), 0.0);
-  moments.terms.assign(at(multiplier.size()), 0.0);
-  moments.means.assign(tested.size(), 0.0);
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
-    if (coupling.gamma[k] != 0)
-      ElementCoupling(space, multiplier.basis(), coupling.stabilization,
-                      multiplier.elements()[k])
-          .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
-  return moments;
+}  // namespace
+
+std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces,
+                                    const MultiplierSpace& multiplier,
+                                    const Opposite& opposite) {
+  std::vector<Coupling> couplings(spaces.size());
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    couplings[b].trace = couplings[b].completion = {
+        {}, spaces[b]->rotation(), Vector(at(multiplier.size()))};
+  multiplier.forEachElement([&](const ContactElement& contact) {
+    const bem::Element& side = contact.geometry();
+    Works own(contact, *spaces[at(contact.body)], contact.element);
+    forEachPointOf(
+        contact, multiplier.basis(),
+        bem::gaussLegendre(contact.degree + std::max(1, side.curve.pointsOfTurning())),
+        [&](const SidePoint& point) { own.add(point, point.weight, point.t); });
+    own.addTo(couplings[at(contact.body)]);
+    if (opposite.degree(contact) == 0)
+      return;
+    std::map<std::pair<int, int>, Works> facing;  // by body and element
+    for (const Stretch& stretch : stretches(opposite, contact)) {
+      const Opposite::Point middle = opposite.at(contact, stretch.middle);
+      if (middle.element < 0)
+        continue;
+      checkEnds(contact, multiplier.basis());
+      forEachPointOf(
+          contact, multiplier.basis(),
+          mortarRule(contact, spaces[at(middle.body)]->mesh()[middle.element]),
+          [&](const SidePoint& point) {
+            const int body = point.opposite.body;
+            const int element = point.opposite.element;
+            if (element >= 0)  // else a grazing normal, but for rounding
+              facing.try_emplace({body, element}, contact, *spaces[at(body)], element)
+                  .first->second.add(point, -point.weight, point.opposite.t);
+          },
+          stretch);
+    }
+    for (const auto& [where, works] : facing)
+      works.addTo(couplings[at(where.first)]);
+  });
+  return couplings;
 }
 
 void Coupling::weaken(double newGamma0) {

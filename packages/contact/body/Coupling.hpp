@@ -11,7 +11,8 @@ namespace epafi::contact {
 /// At a point t of an element.
 using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 
-/// The sparse matrices that couple a body and its multiplier, stabilisation included.
+/// The sparse matrices that couple a body and the multiplier, on its own sides and on those that face
+/// it, stabilisation included.
 ///
 ///   B_ij = <χ_i, φ_j> - <γ χ_i, S φ_j>,  M_ij = <γ χ_j, χ_i>,  S^_ij = <γ S φ_j, S φ_i>
 ///                                                                        [doc/theory/contact.md]
@@ -61,14 +62,23 @@ struct Coupling {
                                     const Vector& ofInside) const;
 };
 
+/// C of all bodies, without stabilisation.
+/// \pre all bodies share Units
+/// \throws bem::InputError for a multiplier that shares nodes where contact with another body
+///   meets a clamp or another contact side.
+std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces,
+                                    const MultiplierSpace& multiplier,
+                                    const Opposite& opposite);
+
+/// The same of one body with its stabilisation.
 /// \param start of the elements' columns in R; empty: those of the densities, as without columns
-Coupling makeCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
-                      const Stabilization& stabilization, const bem::Lame& lame,
-                      bem::Units units, std::vector<Index> start = {});
+Coupling stabilised(Coupling plain, const bem::Space& space,
+                    const MultiplierSpace& multiplier, std::size_t body,
+                    const Stabilization& stabilization, const bem::Lame& lame,
+                    bem::Units units, std::vector<Index> start = {});
 
 /// The `weights` and `terms` of a traction t, and <γ t, r> for the `tested` r.
-Loads::InResidual tractionMoments(const bem::Space& space,
-                                  const MultiplierSpace& multiplier,
+Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t body,
                                   const Coupling& coupling,
                                   const BoundaryTraction& traction,
                                   const std::vector<BoundaryTraction>& tested);

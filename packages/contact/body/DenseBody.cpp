@@ -69,18 +69,22 @@ Matrix halfBetween(const bem::TractionRows& tractions, const Vector& gamma, Inde
 }
 
 /// Of the forms that insert S u; else null.
-Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier) {
+Tractions tractionsOf(const BodyInput& input, const MultiplierSpace& multiplier,
+                      std::size_t body) {
   const auto form = input.stabilization.tractions();
-  return form ? bem::tractionRows(input.space, input.lame, input.stiffness,
-                                  multiplier.meshElements(), *form)
-              : nullptr;
+  if (!form)
+    return nullptr;
+  std::vector<int> elements;
+  for (const auto& contact : multiplier.elements(body))
+    elements.push_back(contact.element);
+  return bem::tractionRows(input.space, input.lame, input.stiffness, elements, *form);
 }
 
 Coupling couplingOf(const BodyInput& input, const MultiplierSpace& multiplier,
-                    const Tractions& tractions) {
-  return makeCoupling(input.space, multiplier, input.stabilization, input.lame,
-                      input.units,
-                      tractions != nullptr ? tractions->start : std::vector<Index>());
+                    std::size_t body, const Tractions& tractions, const Coupling& plain) {
+  return stabilised(plain, input.space, multiplier, body, input.stabilization, input.lame,
+                    input.units,
+                    tractions != nullptr ? tractions->start : std::vector<Index>());
 }
 
 double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>& holding,
@@ -173,37 +177,6 @@ Vector DenseBody::solve(const Vector& force) const {
 
 Matrix DenseBody::forward(Matrix rows) const {
   return factor_.forward(rowsAt(free_, std::move(rows)));
-}
-
-Matrix DenseBody::transposedCoupling(const Numbering& numbering, std::size_t b,
-                                     const TraceCoupling& opposite) const {
-  Matrix result(space_.displacements(), numbering.size());
-  coupling_.trace.addTo(result, [&](Index own) { return numbering(b, own); });
-  for (const bem::Entry& entry : coupling_.weights) {
-    const double* traction = columns_->column(entry.row);
-    double* column = result.column(numbering(b, entry.column));
-    for (Index j = 0; j < result.rows(); ++j)
-      column[j] -= entry.value * traction[j];
-  }
-  opposite.addTo(result, [](Index i) { return i; });
-  return result;
-}
-
-// M - Gᵀ X G, G by columns
-void DenseBody::addMultiplierMass(const Numbering& numbering, std::size_t b,
-                                  Matrix& d) const {
-  for (const bem::Entry& entry : coupling_.mass)
-    d(numbering(b, entry.row), numbering(b, entry.column)) += entry.value;
-  if (response_ == nullptr)
-    return;
-  const Matrix& x = response_->density;
-  Matrix half(x.rows(), numbering.sizeOf(b));
-  for (const bem::Entry& entry : coupling_.weights)
-    for (Index i = 0; i < x.rows(); ++i)
-      half(i, entry.column) += entry.value * x(i, entry.row);
-  for (Index j = 0; j < half.columns(); ++j)
-    for (const bem::Entry& entry : coupling_.weights)
-      d(numbering(b, entry.column), numbering(b, j)) -= entry.value * half(entry.row, j);
 }
 
 Vector DenseBody::density(const Vector& u, const Vector& w) const {
@@ -323,11 +296,11 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
       gamma0(used),
       limitGamma0(limit) {}
 
-std::unique_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier,
-    const std::shared_ptr<const Holding>& holding) {
-  const Tractions tractions = tractionsOf(input, multiplier);
-  Coupling coupling = couplingOf(input, multiplier, tractions);
+std::shared_ptr<const DenseBody> makeDenseBody(
+    const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain) {
+  const Tractions tractions = tractionsOf(input, multiplier, body);
+  Coupling coupling = couplingOf(input, multiplier, body, tractions, plain);
   const auto response = input.stiffness.response();
   if (coupling.byDensity()
           ? response == nullptr || response->densities != coupling.compliance.densities
@@ -336,7 +309,7 @@ std::unique_ptr<const DenseBody> makeDenseBody(
         "the stiffness was made for another stabilisation than the contact problem: take "
         "it from contact::makeStiffness");
   try {
-    return std::make_unique<const DenseBody>(input, holding, coupling, tractions);
+    return std::make_shared<const DenseBody>(input, holding, coupling, tractions);
   } catch (const bem::NumericalError&) {
     if (tractions == nullptr || tractions->start.back() == 0)
       throw;
@@ -346,7 +319,7 @@ std::unique_ptr<const DenseBody> makeDenseBody(
   if (input.stabilization.gamma0)
     throw IndefiniteStiffness(first, definiteBelow);
   coupling.weaken(std::min(first, definiteBelow) / 4);
-  return std::make_unique<const DenseBody>(input, holding, std::move(coupling),
+  return std::make_shared<const DenseBody>(input, holding, std::move(coupling),
                                            tractions);
 }
 
@@ -354,10 +327,10 @@ double limitGamma0(const BodyInput& input) {
   if (!input.stabilization.tractions())
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
-  const Tractions tractions = tractionsOf(input, multiplier);
+  const Tractions tractions = tractionsOf(input, multiplier, 0);
   return limitGamma0(
       input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
-      couplingOf(input, multiplier, tractions), tractions);
+      couplingOf(input, multiplier, 0, tractions, {}), tractions);
 }
 
 }  // namespace epafi::contact

@@ -2,6 +2,7 @@
 
 #include "bem/tractions/TractionRows.hpp"
 #include "contact/body/ElasticBody.hpp"
+#include "contact/problem/Flexibility.hpp"
 
 namespace epafi::contact {
 
@@ -29,14 +30,16 @@ class DenseBody final : public ElasticBody {
   DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
             Coupling coupling, Tractions tractions);
 
-  /// Bᵀ of the multipliers of all bodies, this one's number b: `opposite` as in
-  /// oppositeCouplings.
-  Matrix transposedCoupling(const Numbering& numbering, std::size_t b,
-                            const TraceCoupling& opposite) const;
-  /// D += M
-  void addMultiplierMass(const Numbering& numbering, std::size_t b, Matrix& d) const;
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
+  /// D, lower triangle, with the body's part added; d: of the bodies before, or of size zero,
+  ///
+  ///   D + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
+  ///
+  /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
+  ///   Fix holds, see ContactSystem
+  Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
+                       const std::vector<Vector>& reactions) const;
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
@@ -54,6 +57,8 @@ class DenseBody final : public ElasticBody {
   using Extended = std::vector<long double>;
 
   bem::CholeskyFactor factored() const;
+  Matrix transposedCoupling() const;
+  void addMultiplierMass(Matrix& d) const;
   Matrix subtractStabilisation(Matrix a) const;
   void subtractStabilisation(const Extended& u, Extended& forces) const;
   Extended withoutMotions(const Vector& u) const;
@@ -72,9 +77,14 @@ class DenseBody final : public ElasticBody {
 
 /// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.
 /// \pre input.stiffness is formed  \throws IndefiniteStiffness if a given γ₀ is too large
-std::unique_ptr<const DenseBody> makeDenseBody(
-    const BodyInput& input, const MultiplierSpace& multiplier,
-    const std::shared_ptr<const Holding>& holding);
+std::shared_ptr<const DenseBody> makeDenseBody(
+    const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain);
+
+/// D of such bodies.  \param motions, reactions  of each, see DenseBody::addCompliance
+Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>& bodies,
+                             const std::vector<std::vector<Vector>>& motions,
+                             const std::vector<std::vector<Vector>>& reactions);
 
 /// γ₀ at which A loses its definiteness: 1 / the largest eigenvalue of (S^/γ₀, S).  Infinite without
 /// S^.  Relative to S, the smallest eigenvalue of A is 1 - γ₀ / limitGamma0.      [P Lemma 6]

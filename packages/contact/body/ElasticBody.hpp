@@ -17,9 +17,6 @@ struct BodyInput {
   const Conditions& conditions;  ///< must outlive the problem
   const MultiplierBasis& basis;
   Stabilization stabilization;
-  /// Opposite sides of its contact sides, bodies numbered as in the problem; null: obstacles at
-  /// the gap of the conditions.
-  std::shared_ptr<const Opposite> opposite{};
   /// With compressed operators, the largest number of multiplier coefficients of all bodies for
   /// which D is formed, since this is then cheaper than eliminations in the tree.
   Index formedUpTo = 1000;
@@ -37,6 +34,7 @@ class ElasticBody {
   virtual ~ElasticBody() = default;
 
   const Coupling& coupling() const { return coupling_; }
+  const Holding& holding() const { return *holding_; }
   /// Is A formed?  Else solve() is refined by its own product.
   virtual bool isFormed() const = 0;
 

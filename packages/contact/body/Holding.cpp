@@ -201,20 +201,15 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
 }
 
 std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
-                                      const Numbering& numbering, std::size_t b,
-                                      const TraceCoupling& own,
-                                      const TraceCoupling& opposite) {
+                                      const TraceCoupling& trace) {
   std::vector<Vector> columns;
   if (first == holding.allowed.columns())
     return columns;
-  const auto apply = [&](const Vector& u) {
-    return onAllMultipliers(numbering, b, own.apply(u), opposite, u);
-  };
-  const Vector alongX = apply(columnOf(holding.modes.motions, 0));
-  const Vector alongY = apply(columnOf(holding.modes.motions, 1));
+  const Vector alongX = trace.apply(columnOf(holding.modes.motions, 0));
+  const Vector alongY = trace.apply(columnOf(holding.modes.motions, 1));
   for (Index k = first; k < holding.allowed.columns(); ++k) {
     const Vector motion = columnOf(holding.allowed, k);
-    columns.push_back(apply(motion));
+    columns.push_back(trace.apply(motion));
     dropRounding(alongX, alongY, motion, columns.back());
   }
   return columns;

@@ -32,13 +32,9 @@ struct Holding {
 /// \throws bem::InputError if clamps already prevent a mode of Fix
 Holding makeHolding(const bem::Space& space, const Conditions& conditions);
 
-/// C r on all multipliers, of the allowed motions r of body b from number `first` on; zero where that
+/// C r on all multipliers, of the allowed motions r from number `first` on; zero where that
 /// is rounding.  It is B r, too, as the traction of a rigid motion is zero.
-/// \param own  what displacements of the body do to its multiplier  \param opposite  to others, see
-///   oppositeCouplings
 std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
-                                      const Numbering& numbering, std::size_t b,
-                                      const TraceCoupling& own,
-                                      const TraceCoupling& opposite);
+                                      const TraceCoupling& trace);
 
 }  // namespace epafi::contact

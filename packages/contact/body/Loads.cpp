@@ -1,5 +1,6 @@
 #include "contact/body/Loads.hpp"
 
+#include "bem/algebra/LeastSquares.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
@@ -69,47 +70,32 @@ double addTraction(const bem::Space& space, int e, const bem::Rule& rule,
 
 /// Displacements, each with the values of the three rigid motions there.
 struct Samples {
-  std::vector<std::array<double, 3>> motions;
+  std::vector<Vector> motions = std::vector<Vector>(3);
   Vector values;
+
+  void add(const std::array<double, 3>& there, double value) {
+    for (std::size_t k = 0; k < 3; ++k)
+      motions[k].push_back(there[k]);
+    values.push_back(value);
+  }
 };
 
 /// A rigid motion, by the amplitudes of those of the samples, and what is left of them.
 struct RigidPart {
-  std::array<double, 3> amplitudes{};
+  Vector amplitudes;
   double largestRest = 0;  ///< zero where it is rounding
 };
 
 /// The rigid motion next to the samples, by least squares; motions that they do not know are zero.
 RigidPart rigidPartOf(const Samples& samples) {
-  constexpr double dependent = 1e-20;  // of squares
+  constexpr double dependent = 1e-10;
   constexpr double rounding = 1e-13;
-  const std::size_t count = samples.values.size();
-  std::array<Vector, 3> q;  // orthonormal, or zero
-  double r[3][3] = {};
-  for (int k = 0; k < 3; ++k) {
-    for (const auto& motion : samples.motions)
-      q[k].push_back(motion[k]);
-    const double whole = bem::dot(q[k], q[k]);
-    for (int l = 0; l < k; ++l) {
-      r[l][k] = bem::dot(q[l], q[k]);
-      bem::axpy(-r[l][k], q[l], q[k]);
-    }
-    const double rest = bem::dot(q[k], q[k]);
-    r[k][k] = rest > dependent * whole ? std::sqrt(rest) : 0;
-    q[k] = bem::times(r[k][k] > 0 ? 1 / r[k][k] : 0, std::move(q[k]));
-  }
-  RigidPart part;
-  for (int k = 2; k >= 0; --k) {
-    double amplitude = bem::dot(q[k], samples.values);
-    for (int l = k + 1; l < 3; ++l)
-      amplitude -= r[k][l] * part.amplitudes[l];
-    part.amplitudes[k] = r[k][k] > 0 ? amplitude / r[k][k] : 0;
-  }
+  RigidPart part{bem::leastSquares(samples.motions, samples.values, dependent).x};
   double size = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < samples.values.size(); ++i) {
     double rest = samples.values[i];
     for (int k = 0; k < 3; ++k) {
-      const double moved = part.amplitudes[k] * samples.motions[i][k];
+      const double moved = part.amplitudes[k] * samples.motions[k][i];
       rest -= moved;
       size = std::max(size, std::abs(moved));
     }
@@ -136,8 +122,8 @@ void addInside(const bem::Space& space, const ParticularSolution& inside, Loads&
           loads.largestTraction = std::max(loads.largestTraction, norm(traction));
           const Vec2 u = inside.displacement(mesh, e, t);
           const Vec2 x = mesh.scaledPoint(e, t);
-          samples.motions.insert(samples.motions.end(), {{1, 0, -x.y}, {0, 1, x.x}});
-          samples.values.insert(samples.values.end(), {u.x, u.y});
+          samples.add({1, 0, -x.y}, u.x);
+          samples.add({0, 1, x.x}, u.y);
           return traction;
         },
         loads.inside.traction.data());
@@ -180,10 +166,8 @@ void addRigidPart(const bem::Space& space, const std::vector<char>& held, Loads&
   const Matrix motions = space.rigidMotions();
   Samples samples;
   for (Index j = 0; j < motions.rows(); ++j)
-    if (held[at(j)] != 0) {
-      samples.motions.push_back({motions(j, 0), motions(j, 1), motions(j, 2)});
-      samples.values.push_back(loads.prescribed[at(j)]);
-    }
+    if (held[at(j)] != 0)
+      samples.add({motions(j, 0), motions(j, 1), motions(j, 2)}, loads.prescribed[at(j)]);
   const RigidPart part = rigidPartOf(samples);
   loads.largestDeformation = part.largestRest;
   loads.rigidPart.assign(loads.prescribed.size(), 0.0);

@@ -19,10 +19,11 @@ std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
 }
 
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
-                               std::shared_ptr<const Holding> holding)
+                               std::size_t body, std::shared_ptr<const Holding> holding,
+                               Coupling plain)
     : ElasticBody(input.space, std::move(holding),
-                  makeCoupling(input.space, multiplier, input.stabilization, input.lame,
-                               input.units)),
+                  stabilised(std::move(plain), input.space, multiplier, body,
+                             input.stabilization, input.lame, input.units)),
       operators_(input.stiffness.compressed()),
       range_(operators_->range(input.stiffness.compressedBody())) {
   restriction_.held.assign(at(operators_->size()), 1);

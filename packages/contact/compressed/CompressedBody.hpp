@@ -14,7 +14,8 @@ class CompressedBody final : public ElasticBody {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
   CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
-                 std::shared_ptr<const Holding> holding);
+                 std::size_t body, std::shared_ptr<const Holding> holding,
+                 Coupling plain);
 
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }

@@ -55,22 +55,15 @@ CompressedFlexibility::CompressedFlexibility(
 
 // Of the entries that Z has beside the boundary operators.
 void CompressedFlexibility::takeCoupling() {
-  const Index first = operators().further();
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    coupling_.push_back(
-        {{}, bodies_[b]->space().rotation(), operators().local().rotations[b]});
-  for (const auto& [row, column, value] : operators().local().entries)
-    if (row >= first) {
-      mass_.push_back({row - first, column - first, -value});
-      if (row != column)
-        mass_.push_back({column - first, row - first, -value});
-    } else if (column >= first) {
-      std::size_t b = 0;
-      while (row >= operators().range(b).last)
-        ++b;
-      coupling_[b].entries.push_back(
-          {row - operators().range(b).first, column - first, value});
-    }
+  for (const auto& body : bodies_) {
+    const Coupling& own = body->coupling();
+    TraceCoupling& trace = coupling_.emplace_back(own.trace);
+    for (const auto& [row, column, value] : own.weights)
+      trace.entries.push_back(
+          {body->space().displacements() + own.compliance.densities[at(row)], column,
+           -value});
+    mass_.insert(mass_.end(), own.mass.begin(), own.mass.end());
+  }
 }
 
 void CompressedFlexibility::addTranspose(double s, const double* multiplier,

@@ -22,7 +22,8 @@ namespace epafi::contact {
 ///                                                       [doc/theory/compression.md]
 /// \throws bem::InputError for another form
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
-    const std::vector<ContactSide>& bodies, const std::vector<bem::Lame>& lames,
+    const std::vector<const bem::Space*>& spaces, const std::vector<bem::Lame>& lames,
+    const MultiplierSpace& multiplier, const Opposite& opposite,
     const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
     const bem::Compression& options);
 

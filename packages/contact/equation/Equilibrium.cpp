@@ -1,5 +1,6 @@
 #include "contact/equation/Equilibrium.hpp"
 
+#include "bem/algebra/LeastSquares.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
@@ -77,40 +78,6 @@ struct Forces {
   static constexpr double unlimited = 1e3;
 };
 
-/// Least squares coefficients of q in the chosen columns, by Gram-Schmidt; empty if these
-/// are linearly dependent.
-Vector leastSquares(const std::vector<Vector>& columns,
-                    const std::vector<std::size_t>& chosen, Vector q) {
-  constexpr double dependent = 1e-12;
-  std::vector<Vector> basis;
-  std::vector<Vector> triangle;
-  Vector right;
-  for (const std::size_t k : chosen) {
-    Vector column = columns[k];
-    Vector r;
-    for (const Vector& b : basis) {
-      r.push_back(dot(b, column));
-      column = plus(std::move(column), -r.back(), b);
-    }
-    const double length = std::sqrt(dot(column, column));
-    if (!(length > dependent))
-      return {};
-    for (double& value : column)
-      value /= length;
-    r.push_back(length);
-    right.push_back(dot(column, q));
-    q = plus(std::move(q), -right.back(), column);
-    basis.push_back(std::move(column));
-    triangle.push_back(std::move(r));
-  }
-  for (std::size_t j = right.size(); j-- > 0;) {
-    right[j] /= triangle[j][j];
-    for (std::size_t i = 0; i < j; ++i)
-      right[i] -= triangle[j][i] * right[j];
-  }
-  return right;
-}
-
 /// Projection of (q, |q|) onto the cone of all (c, 0) and (z, |q|), by the algorithm of Lawson
 /// and Hanson.
 class NearestPoint {
@@ -177,8 +144,12 @@ class NearestPoint {
   /// Least squares over the chosen columns; drops columns with negative weights.
   bool project() {
     while (!chosen_.empty()) {
-      const Vector wanted = leastSquares(columns_, chosen_, q_);
-      if (wanted.empty())
+      constexpr double dependent = 1e-12;
+      std::vector<Vector> columns;
+      for (const std::size_t k : chosen_)
+        columns.push_back(columns_[k]);
+      const auto [wanted, rank, rest] = bem::leastSquares(columns, q_, dependent);
+      if (at(rank) < chosen_.size())
         return false;
       double step = 1;
       for (std::size_t i = 0; i < wanted.size(); ++i)

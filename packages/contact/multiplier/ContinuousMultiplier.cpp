@@ -1,6 +1,5 @@
 #include "contact/multiplier/ContinuousMultiplier.hpp"
 
-#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
@@ -24,24 +23,25 @@ struct Component {
 
 class Jumps {
  public:
-  Jumps(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier,
+  Jumps(const MultiplierSpace& space, std::size_t body, const Vector& multiplier,
         const Vector& bounds, const Component& component)
-      : mesh_(mesh),
-        space_(space),
+      : space_(space),
+        elements_(space.elements(body)),
         multiplier_(multiplier),
         bounds_(bounds),
         component_(component),
-        before_(space.elements().size(), none),
+        before_(elements_.size(), none),
         behind_(before_),
-        factors_(before_.size(), 0.0),
-        small_(1e-9 * bem::largestEntry(multiplier)) {
+        factors_(before_.size(), 0.0) {
+    for (const Index i : space.columns(body))
+      small_ = std::max(small_, 1e-9 * std::abs(multiplier[at(i)]));
     // at the ends of sides stresses may be singular, and no polynomial is close: what jumps there
     // would spoil the next element
-    const std::vector<char> isInner = insideSides(mesh, space);
+    const std::vector<char> isInner = insideSides(space, body);
     for (std::size_t k = 0; k < before_.size(); ++k)
-      if (const auto next = space.follower(k); next && *next != k && isInner[k] != 0 &&
-                                               isInner[*next] != 0 &&
-                                               isJoint(element(k), element(*next))) {
+      if (const auto next = element(k).follower; next && *next != k && isInner[k] != 0 &&
+                                                 isInner[*next] != 0 &&
+                                                 isJoint(element(k), element(*next))) {
         behind_[k] = *next;
         before_[*next] = k;
       }
@@ -65,8 +65,8 @@ class Jumps {
   }
 
  private:
-  const Element& element(std::size_t k) const { return space_.elements()[k]; }
-  double half(std::size_t k) const { return mesh_[element(k).element].half; }
+  const Element& element(std::size_t k) const { return elements_[k]; }
+  double half(std::size_t k) const { return element(k).geometry().half; }
 
   double coefficient(const Element& e, int i) const {
     return multiplier_[(e.*component_.own).number(i)];
@@ -88,7 +88,7 @@ class Jumps {
   }
 
   bool isJoint(const Element& a, const Element& b) const {
-    if (mesh_[a.element].piece.edge != mesh_[b.element].piece.edge ||
+    if (a.geometry().piece.edge != b.geometry().piece.edge ||
         a.condition != b.condition || !isStressed(a) || !isStressed(b))
       return false;
     const bool turns = coefficient(a, a.degree) * coefficient(b, 0) < 0;
@@ -138,21 +138,21 @@ class Jumps {
       }
   }
 
-  const bem::Mesh& mesh_;
   const MultiplierSpace& space_;
+  const std::vector<Element>& elements_;
   const Vector& multiplier_;
   const Vector& bounds_;
   const Component& component_;
   std::vector<std::size_t> before_;  ///< neighbour across the joint, by contact element
   std::vector<std::size_t> behind_;
   Vector factors_;  ///< c_i, by the element before node i
-  double small_;
+  double small_ = 0;
 };
 
 /// Does the side go on behind an end of the element, which its mirror image may do?
-bool goesOn(const bem::Mesh& mesh, const Conditions& conditions, const Element& here,
-            bool end) {
-  const bem::Element& element = mesh[here.element];
+bool goesOn(const Conditions& conditions, const Element& here, bool end) {
+  const bem::Mesh& mesh = *here.mesh;
+  const bem::Element& element = here.geometry();
   const int next = end ? element.next : element.previous;
   const bem::Curve& curve = element.curve;
   const bem::Curve& other = mesh[next].curve;
@@ -165,17 +165,17 @@ bool goesOn(const bem::Mesh& mesh, const Conditions& conditions, const Element& 
 
 }  // namespace
 
-std::vector<char> insideSides(const bem::Mesh& mesh, const MultiplierSpace& space) {
+std::vector<char> insideSides(const MultiplierSpace& space, std::size_t body) {
   std::vector<char> result;
-  for (const Element& element : space.elements())
-    result.push_back(goesOn(mesh, space.conditions(), element, false) &&
-                             goesOn(mesh, space.conditions(), element, true)
+  for (const Element& element : space.elements(body))
+    result.push_back(goesOn(space.conditions(body), element, false) &&
+                             goesOn(space.conditions(body), element, true)
                          ? 1
                          : 0);
   return result;
 }
 
-Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
+Vector withoutJumps(const MultiplierSpace& space, std::size_t body,
                     const Vector& multiplier, const Vector& bounds) {
   static const Component components[] = {
       {&MultiplierSpace::Value::normal, &Element::normal},
@@ -184,7 +184,7 @@ Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
   if (space.basis().sharesNodes)
     return result;
   for (const Component& component : components)
-    Jumps(mesh, space, multiplier, bounds, component).addTo(result);
+    Jumps(space, body, multiplier, bounds, component).addTo(result);
   return result;
 }
 

@@ -4,11 +4,11 @@
 
 namespace epafi::contact {
 
-/// By contact element: does its contact go on smoothly at both ends, behind a line of symmetry as
-/// its mirror image?
-std::vector<char> insideSides(const bem::Mesh& mesh, const MultiplierSpace& space);
+/// By contact element of a body: does its contact go on smoothly at both ends, behind a line of
+/// symmetry as its mirror image?
+std::vector<char> insideSides(const MultiplierSpace& space, std::size_t body);
 
-/// Coefficients of λ + Σ c_i w_i, which does the same work as λ on all continuous displacements
+/// Coefficients of λ + Σ c_i w_i on the sides of a body, which does the same work as λ on all continuous displacements
 /// v of the space but has no jumps at nodes.
 ///
 /// The discrete equations contain λ only in ⟨λ, v⟩, v continuous, so that at every node between
@@ -24,7 +24,7 @@ std::vector<char> insideSides(const bem::Mesh& mesh, const MultiplierSpace& spac
 /// (it keeps λ = 0), and for shear where the direction of slip changes, with |λₜ| = `bounds` on
 /// both sides.  Bases that share nodes have no jumps.
 /// \param bounds slip bounds in place of the tangential coefficients
-Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
+Vector withoutJumps(const MultiplierSpace& space, std::size_t body,
                     const Vector& multiplier, const Vector& bounds);
 
 }  // namespace epafi::contact

@@ -30,14 +30,27 @@ const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                               0.5 * (piece.start.fromStart + piece.end.fromStart));
 }
 
-MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
-                                 const Conditions& conditions)
-    : basis_(&basis), conditions_(&conditions) {
+MultiplierSpace::MultiplierSpace(const std::vector<Body>& bodies,
+                                 const MultiplierBasis& basis)
+    : basis_(&basis) {
+  for (const Body& body : bodies)
+    addBody(body);
+  number();
+  for (std::size_t b = 0; b < bodies.size() && basis.sharesNodes; ++b)
+    completeEnds(bodies[b].mesh, bodies[b].conditions, elements_[b]);
+}
+
+void MultiplierSpace::addBody(const Body& body) {
+  const auto& [mesh, conditions] = body;
+  std::vector<ContactElement> elements;
+  std::vector<std::optional<std::size_t>> place(bem::at(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e) {
     const Conditions::Contact* condition = contactOn(mesh, e, conditions);
     if (condition == nullptr)
       continue;
     ContactElement element;
+    element.body = static_cast<int>(elements_.size());
+    element.mesh = &mesh;
     element.element = e;
     element.degree = mesh[e].degree;
     element.boundary = &conditions.contact.find(mesh.boundary(e))->first;
@@ -45,29 +58,30 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     element.normal.degree = element.tangential.degree = element.degree;
     if (condition->friction)
       element.tangential.first = 0;
-    element.point = points();
-    elements_.push_back(element);
+    element.point = points_;
+    points_ += element.degree + 1;
+    place[bem::at(e)] = elements.size();
+    elements.push_back(element);
   }
-  joined_.assign(elements_.size(), false);
-  std::vector<std::optional<std::size_t>> place(mesh.size());
-  for (std::size_t k = 0; k < elements_.size(); ++k)
-    place[elements_[k].element] = k;
-  for (const ContactElement& element : elements_)
-    followers_.push_back(place[mesh[element.element].next]);
-  if (basis.sharesNodes)
-    shareNodes(mesh, conditions);
-  number();
-  if (basis.sharesNodes)
-    completeEnds(mesh, conditions, elements_);
+  for (ContactElement& element : elements)
+    element.follower = place[bem::at(element.geometry().next)];
+  if (basis_->sharesNodes)
+    shareNodes(body, elements);
+  meshes_.push_back(&mesh);
+  conditions_.push_back(&conditions);
+  elements_.push_back(std::move(elements));
 }
 
-void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& conditions) {
-  std::vector<bool> joinsNext(elements_.size());
-  for (std::size_t k = 0; k < elements_.size(); ++k)
-    if (const auto behind = follower(k))
-      joined_[*behind] = joinsNext[k] = continues(mesh, elements_[k], elements_[*behind]);
-  chooseEnds(mesh, conditions, joined_, joinsNext, elements_);
-  for (const ContactElement& element : elements_)
+void MultiplierSpace::shareNodes(const Body& body,
+                                 std::vector<ContactElement>& elements) const {
+  std::vector<bool> joined(elements.size());
+  std::vector<bool> joinsNext(elements.size());
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    if (const auto behind = elements[k].follower)
+      joined[*behind] = joinsNext[k] = elements[k].joinsFollower =
+          continues(body.mesh, elements[k], elements[*behind]);
+  chooseEnds(body.mesh, body.conditions, joined, joinsNext, elements);
+  for (const ContactElement& element : elements)
     for (const Coefficients* own : {&element.normal, &element.tangential})
       if (element.degree == 1 && !own->isOwn(0) && !own->isOwn(1))
         throw bem::InputError(
@@ -77,33 +91,38 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
 }
 
 void MultiplierSpace::number() {
-  const auto assign = [&](Coefficients ContactElement::*own, const auto& belongs) {
+  columns_.resize(bodies());
+  const auto assign = [&](std::size_t b, Coefficients ContactElement::*own,
+                          const auto& belongs) {
+    const Index start = size_;
+    std::vector<ContactElement>& elements = elements_[b];
     bool isOpen =
         false;  // the next element shares its first coefficient with the last one
-    for (std::size_t k = 0; k < elements_.size(); ++k) {
-      if (!belongs(elements_[k]))
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      if (!belongs(elements[k]))
         continue;
-      Coefficients& now = elements_[k].*own;
+      Coefficients& now = elements[k].*own;
       now.first = isOpen ? size_ - 1 : size_;
-      const auto behind = follower(k);
-      const bool joins = behind && joined_[*behind];
-      const bool closes = joins && *behind <= k;
+      const bool joins = elements[k].joinsFollower;
+      const bool closes = joins && *elements[k].follower <= k;
       isOpen = joins && !closes;
       size_ = now.number(now.degree) + (closes ? 0 : 1);
       if (closes)
-        now.closing = (elements_[*behind].*own).first;
+        now.closing = (elements[*elements[k].follower].*own).first;
     }
+    for (Index i = start; i < size_; ++i)
+      columns_[b].push_back(i);
   };
   const auto ties = [](const ContactElement& element) { return element.ties(); };
-  assign(&ContactElement::normal, [&](const auto& element) { return !ties(element); });
+  for (std::size_t b = 0; b < bodies(); ++b)
+    assign(b, &ContactElement::normal,
+           [&](const ContactElement& element) { return !ties(element); });
   normals_ = size_;
-  assign(&ContactElement::normal, ties);
-  assign(&ContactElement::tangential,
-         [](const ContactElement& element) { return element.shears(); });
-}
-
-Index MultiplierSpace::points() const {
-  return elements_.empty() ? 0 : elements_.back().point + elements_.back().degree + 1;
+  for (std::size_t b = 0; b < bodies(); ++b) {
+    assign(b, &ContactElement::normal, ties);
+    assign(b, &ContactElement::tangential,
+           [](const ContactElement& element) { return element.shears(); });
+  }
 }
 
 double MultiplierSpace::throughPoints(const Vector& values, const ContactElement& element,
@@ -121,20 +140,15 @@ Index Coefficients::number(int i) const {
   return first + std::clamp(i - skipped, 0, last);
 }
 
-std::vector<int> MultiplierSpace::meshElements() const {
-  std::vector<int> elements;
-  for (const ContactElement& element : elements_)
-    elements.push_back(element.element);
-  return elements;
-}
-
-MultiplierSpace MultiplierSpace::under(const Conditions& conditions) const {
+MultiplierSpace MultiplierSpace::under(const std::vector<Conditions>& conditions) const {
   MultiplierSpace result = *this;
-  result.conditions_ = &conditions;
-  for (ContactElement& element : result.elements_) {
-    const auto& [name, condition] = *conditions.contact.find(*element.boundary);
-    element.boundary = &name;
-    element.condition = &condition;
+  for (std::size_t b = 0; b < bodies(); ++b) {
+    result.conditions_[b] = &conditions[b];
+    for (ContactElement& element : result.elements_[b]) {
+      const auto& [name, condition] = *conditions[b].contact.find(*element.boundary);
+      element.boundary = &name;
+      element.condition = &condition;
+    }
   }
   return result;
 }

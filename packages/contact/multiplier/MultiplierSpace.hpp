@@ -50,10 +50,10 @@ struct Coefficients {
   }
 };
 
-/// Numbering of the multiplier: on each contact element of degree p, p + 1 normal
+/// The multiplier of all bodies: on each contact element of degree p, p + 1 normal
 /// coefficients and, with friction, p + 1 tangential ones.  First the normal coefficients
-/// (pressures), then the normal ones of bonded sides, whose sign is free, then the
-/// tangential ones.
+/// (pressures) of all bodies, then, body by body, the normal ones of bonded sides, whose
+/// sign is free, and the tangential ones.
 ///                                                             [P (12), (14), q = p]
 ///
 /// With a basis that shares nodes, neighbours on a smooth side share the coefficient of
@@ -66,14 +66,26 @@ struct Coefficients {
 class MultiplierSpace {
  public:
   struct ContactElement {
-    int element = 0;  ///< of the mesh
+    int body = 0;
+    const bem::Mesh* mesh = nullptr;  ///< of the body
+    int element = 0;                  ///< of the mesh
     int degree = 1;
     const std::string* boundary = nullptr;
     const Conditions::Contact* condition = nullptr;
     Index point = 0;  ///< number of the first of its p + 1 Gauss points
     Coefficients normal{};
     Coefficients tangential{};  ///< none without friction
+    /// Number in the body's list of the contact element that starts where this one ends, if any.
+    std::optional<std::size_t> follower{};
+    bool joinsFollower = false;  ///< shares its last node with that
 
+    const bem::Element& geometry() const { return (*mesh)[element]; }
+    /// Its coefficients in a row, normal ones first: their count, direction, basis function, number.
+    int coefficients() const { return (shears() ? 2 : 1) * (degree + 1); }
+    bool isTangential(int i) const { return i > degree; }
+    const Coefficients& of(int i) const { return isTangential(i) ? tangential : normal; }
+    int functionOf(int i) const { return i % (degree + 1); }
+    Index numberOf(int i) const { return of(i).number(functionOf(i)); }
     /// Are the sides bonded?
     bool ties() const { return condition->friction.ties(); }
     /// Has it tangential coefficients?
@@ -84,29 +96,47 @@ class MultiplierSpace {
     Index tangentialOf(int i) const { return tangential.number(i); }
   };
 
-  /// Contact elements in the order of the mesh.
+  struct Body {
+    const bem::Mesh& mesh;
+    const Conditions& conditions;
+  };
+  /// Refers to the meshes and conditions.
   /// \throws bem::InputError for an element without a coefficient of its own, if the basis
   /// shares nodes
+  MultiplierSpace(const std::vector<Body>& bodies, const MultiplierBasis& basis);
+  /// Of one body.
   MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
-                  const Conditions& conditions);
+                  const Conditions& conditions)
+      : MultiplierSpace(std::vector<Body>{{mesh, conditions}}, basis) {}
 
-  /// The same numbering with the conditions of another time of a path, which differ in
+  /// The same numbering with the conditions of another time of a path, by body, which differ in
   /// their functions only; refers to them.
-  MultiplierSpace under(const Conditions& conditions) const;
+  MultiplierSpace under(const std::vector<Conditions>& conditions) const;
 
   const MultiplierBasis& basis() const { return *basis_; }
+  std::size_t bodies() const { return elements_.size(); }
+  const bem::Mesh& mesh(std::size_t body) const { return *meshes_[body]; }
   /// Conditions of the constructor, or of under().
-  const Conditions& conditions() const { return *conditions_; }
-  const std::vector<ContactElement>& elements() const { return elements_; }
-  /// Number of the contact element that starts where number k ends, if any.
-  std::optional<std::size_t> follower(std::size_t k) const { return followers_[k]; }
-  /// Mesh indices of elements().
-  std::vector<int> meshElements() const;
+  const Conditions& conditions(std::size_t body) const { return *conditions_[body]; }
+  /// Contact elements of a body in the order of its mesh.
+  const std::vector<ContactElement>& elements(std::size_t body) const {
+    return elements_[body];
+  }
+  /// Numbers of the coefficients of a body, ascending: its columns of the multiplier.
+  const std::vector<Index>& columns(std::size_t body) const { return columns_[body]; }
   /// Number of normal coefficients that are not bonded: pressures.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
   /// Number of Gauss points of all elements, p + 1 on each.
-  Index points() const;
+  Index points() const { return points_; }
+
+  /// visit(element) of all bodies.
+  template <class Visit>
+  void forEachElement(const Visit& visit) const {
+    for (const std::vector<ContactElement>& ofBody : elements_)
+      for (const ContactElement& element : ofBody)
+        visit(element);
+  }
 
   /// λₙ and λₜ (dimensionless) at a point of a contact element; λₜ = 0 without friction.
   struct Value {
@@ -120,16 +150,18 @@ class MultiplierSpace {
                               double t);
 
  private:
-  void shareNodes(const bem::Mesh& mesh, const Conditions& conditions);
+  void addBody(const Body& body);
+  void shareNodes(const Body& body, std::vector<ContactElement>& elements) const;
   void number();
 
   const MultiplierBasis* basis_;
-  const Conditions* conditions_;
-  std::vector<ContactElement> elements_;
-  std::vector<std::optional<std::size_t>> followers_;
-  std::vector<bool> joined_;  ///< shares its first node with the element before
+  std::vector<const bem::Mesh*> meshes_;               ///< by body
+  std::vector<const Conditions*> conditions_;          ///< likewise
+  std::vector<std::vector<ContactElement>> elements_;  ///< likewise
+  std::vector<std::vector<Index>> columns_;            ///< likewise
   Index normals_ = 0;
   Index size_ = 0;
+  Index points_ = 0;
 };
 
 /// Name of the contact: that of Contacts in the scene between bodies, else of its boundary.

@@ -1,5 +1,6 @@
 #include "contact/opposite/Obstacle.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
@@ -86,8 +87,8 @@ void addSurface(const SidePoint& point, const bem::SurfacePoint& x, bem::Units u
   surface.places.push_back({contact.normalOf(point.number), point.weight, law});
 }
 
-void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                 const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+void setFriction(const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  const MultiplierSpace& multiplier = obstacle.multiplier;
   const auto tangential = [&](Index k) -> Tangential& {
     return obstacle.tangentials[k - multiplier.normals()];
   };
@@ -105,7 +106,7 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       multiplier.basis(), normals, contact.condition->friction.law,
       [&](double t) {
         return fieldsAt(contact.condition->friction, "friction", contact,
-                        mesh.physicalPoint(contact.element, t));
+                        contact.mesh->physicalPoint(contact.element, t));
       },
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
@@ -115,16 +116,16 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 
 }  // namespace
 
-Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, bem::Units units) {
-  Obstacle obstacle;
-  obstacle.gap.assign(multiplier.normals(), 0.0);
-  obstacle.jump.assign(multiplier.size(), 0.0);
-  obstacle.tangentials.resize(multiplier.size() - multiplier.normals());
+Obstacle makeObstacle(const MultiplierSpace& multiplier,
+                      const std::shared_ptr<const Opposite>& opposite, bem::Units units) {
+  Obstacle obstacle{multiplier, opposite};
+  obstacle.gap.assign(at(multiplier.normals()), 0.0);
+  obstacle.jump.assign(at(multiplier.size()), 0.0);
+  obstacle.tangentials.resize(at(multiplier.size() - multiplier.normals()));
   obstacle.slid.assign(at(multiplier.points()), 0.0);
   obstacle.wear = obstacle.slid;
   forEachSidePoint(
-      mesh, multiplier, opposite,
+      multiplier, *opposite,
       [](const ContactElement& contact, const Opposite::Point&) {
         return &bem::gaussForGiven(contact.degree);
       },
@@ -134,26 +135,35 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
         Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.normal.holdsNothing(i))
-            numbers[contact.normalOf(i)] += point.weight * gap * point.chi[i];
+            numbers[at(contact.normalOf(i))] += point.weight * gap * point.chi[at(i)];
         const bem::Function& sliding = contact.condition->sliding;
         if (!sliding || !contact.shears())
           return;
         const double m =
-            sliding(mesh.physicalPoint(contact.element, point.t)) / units.length;
+            sliding(contact.mesh->physicalPoint(contact.element, point.t)) / units.length;
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.tangential.holdsNothing(i))
-            obstacle.jump[contact.tangentialOf(i)] += point.weight * m * point.chi[i];
+            obstacle.jump[at(contact.tangentialOf(i))] +=
+                point.weight * m * point.chi[at(i)];
       });
-  for (const ContactElement& contact : multiplier.elements()) {
+  multiplier.forEachElement([&](const ContactElement& contact) {
     if (contact.shears())
-      setFriction(mesh, multiplier, contact, units, obstacle);
+      setFriction(contact, units, obstacle);
     checkSurface(contact, multiplier.basis());
-  }
-  forEachGaussPoint(mesh, multiplier, [&](const SidePoint& point) {
-    addSurface(point, mesh.physicalPoint(point.contact.element, point.t), units,
+  });
+  forEachGaussPoint(multiplier, [&](const SidePoint& point) {
+    const ContactElement& contact = point.contact;
+    addSurface(point, contact.mesh->physicalPoint(contact.element, point.t), units,
                obstacle);
   });
   return obstacle;
+}
+
+Vector Obstacle::given() const {
+  Vector r = bem::times(-1, jump);
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    r[i] -= gap[i];
+  return r;
 }
 
 }  // namespace epafi::contact

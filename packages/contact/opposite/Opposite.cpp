@@ -26,12 +26,13 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
 
 /// An element has nodes where what lies opposite ends, but for slivers, which take part with what is
 /// next to them.  A multiplier that acts beyond would press on nothing.
-void checkCovered(const bem::Mesh& mesh, const ContactElement& element,
+void checkCovered(const ContactElement& element,
                   const std::vector<bem::Facing>& stretches) {
   constexpr double sliver =
       1e-5;  // of an edge; nodes that are closer than 1e-6 are left out
   constexpr double ofScene = 1e-11;
-  const bem::Element& side = mesh[element.element];
+  const bem::Mesh& mesh = *element.mesh;
+  const bem::Element& side = element.geometry();
   double uncovered = side.curve.length();
   for (const bem::Facing& stretch : stretches)
     uncovered -= side.half * (stretch.end - stretch.begin);
@@ -48,34 +49,39 @@ void checkCovered(const bem::Mesh& mesh, const ContactElement& element,
 
 }  // namespace
 
-Opposite::Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                   double length, const std::map<std::string, OppositeSide>& sides)
-    : Opposite(mesh, length) {
-  sides_ = sides;
-  for (const ContactElement& element : multiplier.elements()) {
+Opposite::Opposite(const MultiplierSpace& multiplier, double length,
+                   const std::map<std::string, OppositeSide>& sides)
+    : length_(length), sides_(sides), sights_(multiplier.bodies()) {
+  multiplier.forEachElement([&](const ContactElement& element) {
+    std::vector<Sight>& ofBody = sights_[bem::at(element.body)];
+    ofBody.resize(bem::at(element.mesh->size()));
     if (element.condition->name.empty())
-      continue;
+      return;
     const OppositeSide& side = sides_.at(element.condition->name);
-    Sight& sight = sights_[element.element];
+    Sight& sight = ofBody[bem::at(element.element)];
     sight.side = &side;
     sight.element = &element;
-    sight.stretches = facing(mesh[element.element].curve.moved(side.shift), side.curves,
-                             side.visibility);
-    checkCovered(mesh, element, sight.stretches);
-  }
-  for (std::size_t e = 0; e < sights_.size(); ++e)
-    for (std::size_t k = 0; k < sights_[e].stretches.size(); ++k)
-      if (const OppositeSide& side = *sights_[e].side; side.body >= 0)
-        facing_[{side.body, side.elements[sights_[e].stretches[k].curve]}].push_back(
-            {e, k});
+    sight.stretches =
+        facing(element.geometry().curve.moved(side.shift), side.curves, side.visibility);
+    checkCovered(element, sight.stretches);
+    for (const bem::Facing& stretch : sight.stretches)
+      if (side.body >= 0)
+        facing_[{side.body, side.elements[stretch.curve]}].emplace_back(&sight, &stretch);
+  });
+}
+
+const Opposite::Sight& Opposite::sight(const ContactElement& element) const {
+  static const Sight fixed;
+  return sights_.empty() ? fixed
+                         : sights_[bem::at(element.body)][bem::at(element.element)];
 }
 
 template <class Visit>
 void Opposite::forEachFacing(int body, int element, const Visit& visit) const {
   const auto found = facing_.find({body, element});
   if (found != facing_.end())
-    for (const auto& [e, k] : found->second)
-      visit(sights_[e], sights_[e].stretches[k]);
+    for (const auto& [sight, stretch] : found->second)
+      visit(*sight, *stretch);
 }
 
 Opposite::Point Opposite::at(const ContactElement& element, double t) const {
@@ -87,7 +93,7 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   const bem::Facing& stretch = stretchAt(here.stretches, t);
   const std::size_t k = stretch.curve;
   const bem::Curve& other = side.curves.curves()[k];
-  const bem::Curve& own = mesh_[element.element].curve;
+  const bem::Curve& own = element.geometry().curve;
   std::optional<bem::Crossing> found;
   // a normal that touches an arc meets it beside that place
   for (const double inwards : {0.0, 1e-7, 1.0}) {
@@ -125,20 +131,18 @@ int Opposite::degree(const ContactElement& element) const {
   return degree;
 }
 
-std::vector<int> Opposite::bodies() const {
-  std::vector<int> result;
-  for (const auto& [name, side] : sides_)
-    if (side.body >= 0 &&
-        std::find(result.begin(), result.end(), side.body) == result.end())
-      result.push_back(side.body);
-  return result;
+bool Opposite::meetsDeformable(std::size_t body) const {
+  return body < sights_.size() &&
+         std::any_of(sights_[body].begin(), sights_[body].end(), [](const Sight& here) {
+           return here.side != nullptr && here.side->body >= 0;
+         });
 }
 
 std::vector<Opposite::Source> Opposite::sources(int body, int element, double t) const {
   std::vector<Source> result;
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
     const bem::Curve& other = here.side->curves.curves()[stretch.curve];
-    const bem::Curve& own = mesh_[here.element->element].curve;
+    const bem::Curve& own = here.element->geometry().curve;
     for (const double foot : feetOn(own, other.point(t) - here.side->shift)) {
       if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
         continue;
@@ -157,7 +161,7 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
 Vector Opposite::sourceBreaks(int body, int element) const {
   Vector result;
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
-    const bem::Curve& own = mesh_[here.element->element].curve;
+    const bem::Curve& own = here.element->geometry().curve;
     for (const double t : {stretch.begin, stretch.end})
       if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
                                     here.side->curves.curves()[stretch.curve]))
@@ -180,7 +184,7 @@ std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& e
 
 double Opposite::givenGap(const ContactElement& element, double t) const {
   const bem::Function& gap = element.condition->gap;
-  return gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0;
+  return gap ? gap(element.mesh->physicalPoint(element.element, t)) / length_ : 0.0;
 }
 
 Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {

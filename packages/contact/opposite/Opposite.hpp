@@ -36,9 +36,9 @@ struct OppositeSide {
   bem::Vec2 pole{};              ///< reference point of what does not deform
 };
 
-/// The opposite side as a function of points of the side that carries the multiplier: outlines of
-/// other bodies for contacts with a name, found along the normals of the contact side; fixed
-/// obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
+/// The opposite side as a function of points of the sides that carry the multiplier, of all bodies:
+/// outlines of other bodies for contacts with a name, found along the normals of the contact side;
+/// fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
 ///
 /// The gap is the distance along the normal plus the gap of the condition; on bonded sides
 /// only the latter.  Breaks are the projections of the opposite nodes.
@@ -46,13 +46,12 @@ struct OppositeSide {
 class Opposite {
  public:
   /// Fixed obstacles only.
-  /// \param length of 1, in the user's units.  Refers to the mesh.
-  Opposite(const bem::Mesh& mesh, double length)
-      : mesh_(mesh), length_(length), sights_(bem::at(mesh.size())) {}
-  /// \param sides by the contacts' names.  Refers to the multiplier's elements, too.
+  /// \param length of 1, in the user's units
+  explicit Opposite(double length) : length_(length) {}
+  /// \param sides by the contacts' names.  Refers to the multiplier's elements.
   /// \throws bem::InputError for an element that has nothing opposite, if only on a part longer than
   /// what a mesh leaves out between a node and the end of what is opposite
-  Opposite(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
+  Opposite(const MultiplierSpace& multiplier, double length,
            const std::map<std::string, OppositeSide>& sides);
 
   struct Point {
@@ -86,30 +85,27 @@ class Opposite {
   /// Does nothing opposite move at all?
   bool isStill() const { return sides_.empty(); }
 
-  /// Indices of the opposite deformable bodies, each once.
-  std::vector<int> bodies() const;
+  /// Does another deformable body lie opposite to sides of this one?
+  bool meetsDeformable(std::size_t body) const;
 
  private:
   struct Sight {
     const OppositeSide* side = nullptr;
-    std::vector<bem::Facing> stretches;
+    std::vector<bem::Facing> stretches{};
     const MultiplierSpace::ContactElement* element = nullptr;
   };
-  const Sight& sight(const MultiplierSpace::ContactElement& element) const {
-    return sights_[element.element];
-  }
+  const Sight& sight(const MultiplierSpace::ContactElement& element) const;
   /// The gap of the condition, dimensionless.
   double givenGap(const MultiplierSpace::ContactElement& element, double t) const;
   /// visit(sight, stretch) of all that face an element of a body, in the order of the side.
   template <class Visit>
   void forEachFacing(int body, int element, const Visit& visit) const;
 
-  const bem::Mesh& mesh_;  ///< of the side
   double length_;
   std::map<std::string, OppositeSide> sides_{};
-  std::vector<Sight> sights_;  ///< by element of the mesh
-  /// By body and element: indices into sights_ and their stretches that face it.
-  std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, std::size_t>>>
+  std::vector<std::vector<Sight>> sights_{};  ///< by body and element of its mesh
+  /// By body and element: what faces it.
+  std::map<std::pair<int, int>, std::vector<std::pair<const Sight*, const bem::Facing*>>>
       facing_{};
 };
 
@@ -132,12 +128,5 @@ struct Motions {
 
 /// Displacement of the opposite point, dimensionless; zero if `motions` is null.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
-
-/// What contact knows of an elastic body without its operators.
-struct ContactSide {
-  const bem::Space& space;
-  const MultiplierSpace& multiplier;
-  const Opposite& opposite;
-};
 
 }  // namespace epafi::contact

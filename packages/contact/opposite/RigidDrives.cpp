@@ -12,46 +12,42 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-RigidDrives::Traces RigidDrives::tracesOf(int rigid,
-                                          const std::vector<ContactSide>& bodies,
-                                          const Numbering& numbering) {
-  Traces result{Matrix(numbering.size(), 3)};
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    forEachSidePoint(
-        bodies[a].space.mesh(), bodies[a].multiplier, bodies[a].opposite,
-        [&](const auto& contact, const Opposite::Point& middle) {
-          return middle.rigid == rigid ? &bem::gaussForGiven(contact.degree) : nullptr;
-        },
-        [&](const SidePoint& point) {
-          const bool hasAll = !bodies[a].space.mesh().outline().isAxisymmetric();
-          const Vec2 arm = hasAll ? point.opposite.arm : Vec2{};
-          result.length += point.weight;
-          result.lever = std::max(result.lever, norm(arm));
-          const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
-                                               turnLeft(arm)};
-          point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
-            for (Index k = 0; k < 3; ++k)
-              result.values(numbering(a, i), k) +=
-                  chi * dot(point.weight * motions[k], direction);
-          });
+RigidDrives::Traces RigidDrives::tracesOf(int rigid, const MultiplierSpace& multiplier,
+                                          const Opposite& opposite) {
+  Traces result{Matrix(multiplier.size(), 3)};
+  forEachSidePoint(
+      multiplier, opposite,
+      [&](const auto& contact, const Opposite::Point& middle) {
+        return middle.rigid == rigid ? &bem::gaussForGiven(contact.degree) : nullptr;
+      },
+      [&](const SidePoint& point) {
+        const bool hasAll = !point.contact.mesh->outline().isAxisymmetric();
+        const Vec2 arm = hasAll ? point.opposite.arm : Vec2{};
+        result.length += point.weight;
+        result.lever = std::max(result.lever, norm(arm));
+        const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
+                                             turnLeft(arm)};
+        point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
+          for (Index k = 0; k < 3; ++k)
+            result.values(i, k) += chi * dot(point.weight * motions[k], direction);
         });
+      });
   if (result.lever > 0) {
     Vector turned = bem::columnOf(result.values, 2);
     dropRounding(bem::columnOf(result.values, 0), bem::columnOf(result.values, 1),
                  {result.lever}, turned);
-    for (Index i = 0; i < numbering.size(); ++i)
+    for (Index i = 0; i < multiplier.size(); ++i)
       result.values(i, 2) = turned[at(i)] / result.lever;
   }
   return result;
 }
 
-RigidDrives::RigidDrives(std::vector<Drive> drives,
-                         const std::vector<ContactSide>& bodies,
-                         const Numbering& numbering)
+RigidDrives::RigidDrives(std::vector<Drive> drives, const MultiplierSpace& multiplier,
+                         const Opposite& opposite)
     : drives_(std::move(drives)) {
   std::vector<Traces> traces;
   for (std::size_t k = 0; k < drives_.size(); ++k)
-    traces.push_back(tracesOf(static_cast<int>(k), bodies, numbering));
+    traces.push_back(tracesOf(static_cast<int>(k), multiplier, opposite));
   traces_ = std::make_shared<const std::vector<Traces>>(std::move(traces));
 }
 

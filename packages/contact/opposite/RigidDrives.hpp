@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/opposite/Numbering.hpp"
+#include "contact/opposite/Opposite.hpp"
 #include "contact/problem/Problem.hpp"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct Drive {
 /// do to all multipliers.
 class RigidDrives {
  public:
-  RigidDrives(std::vector<Drive> drives, const std::vector<ContactSide>& bodies,
-              const Numbering& numbering);
+  RigidDrives(std::vector<Drive> drives, const MultiplierSpace& multiplier,
+              const Opposite& opposite);
   /// The same bodies at another time of a path.
   RigidDrives under(std::vector<Drive> drives) const;
 
@@ -73,8 +73,8 @@ class RigidDrives {
     double lever = 0;   ///< largest |y - y₀| at contacts; zero: it has none
     double length = 0;  ///< of the sides that are opposite to it
   };
-  static Traces tracesOf(int rigid, const std::vector<ContactSide>& bodies,
-                         const Numbering& numbering);
+  static Traces tracesOf(int rigid, const MultiplierSpace& multiplier,
+                         const Opposite& opposite);
 
   /// What a motion about the reference point has in the units of its trace, or a moment.
   double scaleOf(std::size_t k, std::size_t c) const {

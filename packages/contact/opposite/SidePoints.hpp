@@ -19,16 +19,19 @@ struct SidePoint {
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
 
+  /// χ_i(t) and d of its coefficient i in a row.
+  double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
+  bem::Vec2 directionOf(int i) const {
+    return contact.isTangential(i) ? tangent : normal;
+  }
+
   /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
-  /// clamped ends.  d: normal or tangent.
+  /// clamped ends.
   template <class Visit>
   void forEachCoefficient(const Visit& visit) const {
-    for (int i = 0; i <= contact.degree; ++i) {
-      if (!contact.normal.holdsNothing(i))
-        visit(contact.normalOf(i), chi[at(i)], normal);
-      if (contact.shears() && !contact.tangential.holdsNothing(i))
-        visit(contact.tangentialOf(i), chi[at(i)], tangent);
-    }
+    for (int i = 0; i < contact.coefficients(); ++i)
+      if (!contact.of(i).holdsNothing(contact.functionOf(i)))
+        visit(contact.numberOf(i), chiOf(i), directionOf(i));
   }
 };
 
@@ -36,41 +39,42 @@ struct SidePoint {
 /// element, in order.
 /// \param stretch one of stretches(), or all of the element without what lies opposite
 template <class Visit>
-void forEachPointOf(const MultiplierSpace::ContactElement& contact, const bem::Mesh& side,
+void forEachPointOf(const MultiplierSpace::ContactElement& contact,
                     const MultiplierBasis& basis, const bem::Rule& rule,
                     const Visit& visit, const Stretch& stretch = {}) {
-  const bem::Element& element = side[contact.element];
+  const bem::Element& element = contact.geometry();
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
-    visit(SidePoint{contact, q, t,
-                    stretch.half * rule.weights[at(q)] * side.measure(contact.element, t),
-                    basis.values(contact.degree, t), element.curve.normal(t),
-                    element.curve.tangent(t),
-                    stretch.opposite != nullptr ? stretch.opposite->at(contact, t)
-                                                : Opposite::Point{}});
+    visit(SidePoint{
+        contact, q, t,
+        stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t),
+        basis.values(contact.degree, t), element.curve.normal(t),
+        element.curve.tangent(t),
+        stretch.opposite != nullptr ? stretch.opposite->at(contact, t)
+                                    : Opposite::Point{}});
   }
 }
 
-/// The same on all contact elements of a body, by the p + 1 Gauss points of each, which integrate
-/// χ_i χ_j exactly.
+/// The same on all contact elements, by the p + 1 Gauss points of each, which integrate χ_i χ_j
+/// exactly.
 template <class Visit>
-void forEachGaussPoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                       const Visit& visit) {
-  for (const auto& contact : multiplier.elements())
-    forEachPointOf(contact, side, multiplier.basis(),
-                   bem::gaussLegendre(contact.degree + 1), visit);
+void forEachGaussPoint(const MultiplierSpace& multiplier, const Visit& visit) {
+  multiplier.forEachElement([&](const auto& contact) {
+    forEachPointOf(contact, multiplier.basis(), bem::gaussLegendre(contact.degree + 1),
+                   visit);
+  });
 }
 
 /// The same with what lies opposite: on each stretch on which that is smooth by *ruleOf(contact
 /// element, opposite point of its midpoint); stretches with a null rule are skipped.
 template <class RuleOf, class Visit>
-void forEachSidePoint(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const RuleOf& ruleOf,
-                      const Visit& visit) {
-  for (const auto& contact : multiplier.elements())
+void forEachSidePoint(const MultiplierSpace& multiplier, const Opposite& opposite,
+                      const RuleOf& ruleOf, const Visit& visit) {
+  multiplier.forEachElement([&](const auto& contact) {
     for (const Stretch& stretch : stretches(opposite, contact))
       if (const bem::Rule* rule = ruleOf(contact, opposite.at(contact, stretch.middle)))
-        forEachPointOf(contact, side, multiplier.basis(), *rule, visit, stretch);
+        forEachPointOf(contact, multiplier.basis(), *rule, visit, stretch);
+  });
 }
 
 }  // namespace epafi::contact

@@ -2,17 +2,17 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/opposite/Numbering.hpp"
+#include "contact/opposite/Opposite.hpp"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace epafi::contact {
 
-/// How a multiplier acts on the displacements of one body, its own or the opposite one: C_ij, the
-/// work of χ_i d_i (d_i: n or t of the side) on the trace of φ_j, and its work on the exact
-/// rotation less the interpolated one, if the body has arcs.
+/// How the multiplier acts on the displacements of one body: C_ij, the work of χ_i d_i (d_i: n or t
+/// of the side) on the trace of φ_j on sides of the body, less that on the trace φ_j∘P where it is the
+/// opposite body (P: Opposite::at), and its work on the exact rotation less the interpolated one, if
+/// the body has arcs.
 struct TraceCoupling {
   std::vector<bem::Entry> entries;                ///< displacements by multipliers
   std::shared_ptr<const bem::Rotation> rotation;  ///< of the body; null without arcs
@@ -24,14 +24,9 @@ struct TraceCoupling {
   void addApplied(const double* u, Vector& r) const;
   /// force += s Cᵀ λ
   void addTranspose(double s, const double* multiplier, double* force) const;
-  /// transposed += Cᵀ, a multiplier's column by its number.
-  void addTo(Matrix& transposed, const std::function<Index(Index)>& columnOf) const;
+  /// transposed += Cᵀ
+  void addTo(Matrix& transposed) const;
 };
-
-/// On all multipliers, the displacement u of body b: `own`, what it does to those of the body, and
-/// by `opposite`, see oppositeCouplings, what it does to those of others.
-Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector& own,
-                        const TraceCoupling& opposite, const Vector& u);
 
 /// Sets to zero what is rounding of what a rigid motion does to multipliers: a disc that turns in its
 /// hole does not press on it.
@@ -40,21 +35,10 @@ Vector onAllMultipliers(const Numbering& numbering, std::size_t b, const Vector&
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved);
 
-/// Mortar couplings of all multipliers with the displacements of each body B as the opposite body,
-///
-///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
-///
-/// the coefficients in the order of `numbering`; empty: B is opposite to no other body.
-/// \pre all bodies share Units
-/// \throws bem::InputError for a multiplier that shares nodes where contact with another body
-///   meets a clamp or another contact side.
-std::vector<TraceCoupling> oppositeCouplings(const std::vector<ContactSide>& bodies,
-                                             const Numbering& numbering);
-
 /// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
 /// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this
 /// rule, so that they balance.
 const bem::Rule& mortarRule(const MultiplierSpace::ContactElement& contact,
-                            const bem::Element& side, const bem::Element& other);
+                            const bem::Element& other);
 
 }  // namespace epafi::contact

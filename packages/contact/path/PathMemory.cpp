@@ -43,7 +43,7 @@ Vector inARow(const Parts& parts) {
 /// Where something acts inside, what Fix holds moves, u_h against the particular solution; where
 /// clamps move, too, the rest against them: Fix pulls at the rest alone.
 bool fixWorks(const ContactSystem& step, std::size_t b) {
-  const Conditions& conditions = step.body(b).multiplier().conditions();
+  const Conditions& conditions = step.body(b).conditions();
   const Conditions::Fix& fix = conditions.fix;
   return conditions.inside != nullptr ||
          (!conditions.dirichlet.empty() && (fix.x || fix.y || fix.rotation));
@@ -114,7 +114,7 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   outside_ +=
       trapezoid(forces, forces_, motions, motions_, motions.size()) +
       trapezoid(at.state.multiplier, multiplier_, step.given(), given_, given_.size());
-  memory_.wear = step.wear().behind(at.bodies);
+  memory_.wear = step.wear().behind(at.state.multiplier, problem.stress);
   Vector worn = step.wear().tested(memory_.wear);
   worn_.resize(worn.size());
   ofWear_ += trapezoid(at.state.multiplier, multiplier_, worn, worn_, normals);
@@ -157,13 +157,13 @@ PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
   return difference;
 }
 
-std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
+std::map<std::string, double> frictionWorkOfContacts(const ContactBody& body,
                                                      const Vector& frictionWork) {
   std::map<std::string, double> result;
   std::vector<char> seen(frictionWork.size(), 0);  // neighbours may share a coefficient
-  for (const Element& element : multiplier.elements()) {
+  for (const Element& element : body.elements()) {
     double& work = result[nameOf(element)];
-    forEachTangential(element, multiplier.normals(), [&](int, std::size_t t) {
+    forEachTangential(element, body.multiplier().normals(), [&](int, std::size_t t) {
       if (seen[t] == 0)
         work += frictionWork[t];
       seen[t] = 1;
@@ -172,10 +172,10 @@ std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& mult
   return result;
 }
 
-Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+Vector frictionWorkDensity(const MultiplierSpace& multiplier,
                            const Vector& frictionWork) {
   Vector lengths(frictionWork.size(), 0.0);  // ∫ χ_i
-  forEachGaussPoint(mesh, multiplier, [&](const SidePoint& point) {
+  forEachGaussPoint(multiplier, [&](const SidePoint& point) {
     forEachTangential(point.contact, multiplier.normals(), [&](int i, std::size_t t) {
       lengths[t] += point.weight * point.chi[at(i)];
     });

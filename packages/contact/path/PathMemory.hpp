@@ -37,7 +37,7 @@ class PathMemory {
 
   /// What the next step has to know; the defect without what r is where contact is closed.
   const StepMemory& forStep() const { return memory_; }
-  const std::vector<Wear>& wear() const { return memory_.wear; }  ///< of each body
+  const Wear& wear() const { return memory_.wear; }
 
   /// Friction work so far, nondecreasing, one number per tangential coefficient.
   const Vector& frictionWork() const { return friction_; }
@@ -79,15 +79,14 @@ class PathMemory {
   Vector given_;   ///< see ContactSystem::given
 };
 
-/// Friction work of each contact of a body, by name (see nameOf), from the body's part of
-/// frictionWork; both dimensionless.
-std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
+/// Friction work of each contact of a body, by name (see nameOf), from frictionWork of all; both
+/// dimensionless.
+std::map<std::string, double> frictionWorkOfContacts(const ContactBody& body,
                                                      const Vector& frictionWork);
 
 /// Friction's work per length as coefficients of the multiplier: w_i / ∫ χ_i, whose
 /// polynomials have the sum of all w_i as their integral.  Dimensionless; normal
 /// coefficients are zero.
-Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                           const Vector& frictionWork);
+Vector frictionWorkDensity(const MultiplierSpace& multiplier, const Vector& frictionWork);
 
 }  // namespace epafi::contact

@@ -4,13 +4,6 @@
 
 namespace epafi::contact {
 
-Tangential Tangential::shifted(Index normals) const {
-  Tangential result = *this;
-  if (!isTied())
-    result.normal_ += normals;
-  return result;
-}
-
 Tangential Tangential::scaled(double factor) const {
   Tangential result = *this;
   if (!isTied())

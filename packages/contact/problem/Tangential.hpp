@@ -50,9 +50,6 @@ class Tangential : public PointLaw {
   /// The least upper bound of s, which is large where s grows without bound.
   double largest() const { return bound(1e30); }
 
-  /// With the number of its normal coefficient increased by `normals`.
-  Tangential shifted(Index normals) const;
-
   /// With s multiplied by factor >= 0; a bond stays one.
   Tangential scaled(double factor) const;
 

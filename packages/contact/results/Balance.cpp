@@ -26,6 +26,13 @@ double ofMotions(double compressibility, bool isFormed) {
   return (isFormed ? smallest : 5e-12) * (1 + 0.2 / std::max(compressibility, least));
 }
 
+/// A force that free motions may miss, dimensionless.
+double unsolvedForce(const ContactSystem& system, double tolerance) {
+  const Vector lengths = system.lengths();
+  return 2 * tolerance * system.numbers().stress *
+         std::accumulate(lengths.begin(), lengths.end(), 0.0);
+}
+
 double forceOf(const Resultant& r) { return std::hypot(r.x, r.y); }
 
 void add(const Resultant& more, Resultant& sum) {
@@ -47,7 +54,7 @@ ContactForces contactForces(const Solved& solved) {
   for (const auto& element : fields.elements()) {
     const bem::Curve& side = mesh[element.element].curve;
     forEachPointOf(
-        element, mesh, solved.problem.multiplier().basis(),
+        element, solved.problem.multiplier().basis(),
         bem::gaussLegendre(element.degree + std::max(2, side.pointsOfTurning())),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
@@ -131,9 +138,7 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
                                    double tolerance) {
   const bem::Units units = bodies.front().units;
   const double force = units.force();
-  const Vector lengths = system.lengths();
-  const double unsolved = 2 * tolerance * system.numbers().stress * force *
-                          std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const double unsolved = force * unsolvedForce(system, tolerance);
   const bool isFormed = system.body(0).elastic()->isFormed();
   double ofAll = 0;
   std::vector<Imbalance> all;
@@ -147,7 +152,7 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
     Imbalance& own =
         all.emplace_back(ofElastic(bodies[b], summaries[b], motions_[b], size));
     own.rounding = ofMotions(compressibilities_[b], isFormed) * size;
-    own.unsolved = at.bodies[b].rigid.empty() ? 0 : unsolved;
+    own.unsolved = system.body(b).holding().free() == 0 ? 0 : unsolved;
     const ContactForces pressed = contactForces(bodies[b]);
     contact.largest = std::max(contact.largest, pressed.all);
     contact.missing.x += summaries[b].contact.x - pressed.ofObstacles.x;
@@ -176,6 +181,25 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
         ofForces(k < bodies.size() ? compressibilities_[k] : 1) * largest_[k];
   }
   return all;
+}
+
+VirtualWork Balance::workOf(const ContactSystem& system, const Configuration& at,
+                            const Vector& shearModuli, double tolerance) {
+  VirtualWork work = virtualWork(system, at);
+  largestWork_ = std::max(largestWork_, work.size);
+  work.rounding += ofForces(1) * largestWork_;
+  const bool isFormed = system.body(0).elastic()->isFormed();
+  double moved = 0;  // of what moves freely
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    work.rounding += ofMotions(compressibilities_[b], isFormed) * shearModuli[b] *
+                     motions_[b] * motions_[b];
+    moved += system.body(b).holding().free() == 0 ? 0 : motions_[b];
+  }
+  for (std::size_t k = 0; k < at.rigid.size(); ++k)
+    if (system.drives()[k].isFree())
+      moved += norm(at.rigid[k].slide) + system.lever(k) * std::abs(at.rigid[k].turn);
+  work.unsolved += moved * unsolvedForce(system, tolerance);
+  return work;
 }
 
 }  // namespace epafi::contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/results/Summary.hpp"
+#include "contact/results/VirtualWork.hpp"
 #include "contact/system/ContactSystem.hpp"
 
 #include <optional>
@@ -41,6 +42,9 @@ struct Imbalance {
 /// Problem::stress times Σ |G|, at most 2 l: l the length of all contact.  A body with a free motion may
 /// miss 2 tolerance stress l more.
 ///
+/// Of the virtual work it is 1e-9 of the sum of the absolute values of its terms, the largest until
+/// then, and what the second term leaves on |u|.  A free motion does as much more as it may miss.
+///
 /// Moments count over the body's diameter; those of a rigid body over the unit of length, or over
 /// the largest lever arm of its contact if that is longer.
 ///                                                  [doc/theory/contact.md, Several bodies]
@@ -56,11 +60,15 @@ class Balance {
   std::vector<Imbalance> of(const ContactSystem& system, const Configuration& at,
                             const std::vector<Solved>& bodies,
                             const std::vector<Summary>& summaries, double tolerance);
+  /// Of a state that of() has been asked for, dimensionless.
+  VirtualWork workOf(const ContactSystem& system, const Configuration& at,
+                     const Vector& shearModuli, double tolerance);
 
  private:
   Vector compressibilities_;
   Vector motions_;  ///< max |u| of each elastic body, dimensionless
   Vector largest_;
+  double largestWork_ = 0;
 };
 
 }  // namespace epafi::contact

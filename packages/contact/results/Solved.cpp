@@ -1,6 +1,7 @@
 #include "contact/results/Solved.hpp"
 
 #include "contact/multiplier/ContinuousMultiplier.hpp"
+#include "contact/results/ContactPlace.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,35 +10,27 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-ForeignPressure::ForeignPressure(std::size_t b, const std::vector<Solved>& bodies)
-    : body_(static_cast<int>(b)) {
-  for (const Solved& solved : bodies) {
-    const std::vector<int> opposites = solved.problem.opposite().bodies();
-    if (std::find(opposites.begin(), opposites.end(), body_) != opposites.end())
-      carriers_.push_back(&solved);
-  }
-}
+ForeignPressure::ForeignPressure(const Solved& solved)
+    : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
 
 Vec2 ForeignPressure::at(int element, double t) const {
   Vec2 sum;
-  for (const Solved* side : carriers_)
-    for (const auto& source : side->problem.opposite().sources(body_, element, t)) {
-      const auto stress = side->problem.multiplier().at(side->state.multiplier,
-                                                        *source.element, source.t);
-      const bem::Curve& curve = side->space.mesh()[source.element->element].curve;
-      sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
-                                       stress.tangential * curve.tangent(source.t));
-    }
+  if (body_ == nullptr)
+    return sum;
+  for (const auto& source :
+       body_->opposite().sources(static_cast<int>(body_->number()), element, t)) {
+    const auto stress = body_->multiplier().at(*multiplier_, *source.element, source.t);
+    const bem::Curve& curve = source.element->geometry().curve;
+    sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
+                                     stress.tangential * curve.tangent(source.t));
+  }
   return sum;
 }
 
 Vector ForeignPressure::breaks(int element) const {
-  Vector result;
-  for (const Solved* side : carriers_) {
-    const Vector more = side->problem.opposite().sourceBreaks(body_, element);
-    result.insert(result.end(), more.begin(), more.end());
-  }
-  return result;
+  return body_ == nullptr
+             ? Vector()
+             : body_->opposite().sourceBreaks(static_cast<int>(body_->number()), element);
 }
 
 namespace {
@@ -45,10 +38,13 @@ namespace {
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
 Vector boundsAsCoefficients(const ContactBody& body, const Vector& multiplier) {
-  const Vector zero(body.multiplier().normals(), 0.0);
-  Vector result = zero;
-  for (const Tangential& tangential : body.obstacle().tangentials)
-    result.push_back(tangential.bound(multiplier.empty() ? zero : multiplier));
+  const Index normals = body.multiplier().normals();
+  const Vector zero(multiplier.empty() ? at(normals) : 0);
+  Vector result(at(body.multiplier().size()));
+  for (const Index i : body.columns())
+    if (i >= normals)
+      result[at(i)] = body.obstacle().tangentials[at(i - normals)].bound(
+          multiplier.empty() ? zero : multiplier);
   return result;
 }
 
@@ -91,40 +87,33 @@ MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
 }
 
 Vector ContactFields::continuous() const {
-  return withoutJumps(solved_.space.mesh(), multiplierSpace(), multiplier_, bounds_);
+  return withoutJumps(multiplierSpace(), solved_.problem.number(), multiplier_, bounds_);
 }
 
 ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
-  const bem::Mesh& mesh = solved_.space.mesh();
-  const bem::Element& geometry = mesh[element.element];
-  const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
-  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
+  const bem::Curve& side = element.geometry().curve;
+  const ContactPlace here{solved_, element, t};
+  const bem::Vec2 u = solved_.relativeDisplacement(element, t, here.opposite);
 
   ContactPoint point;
-  point.place = mesh.physicalPoint(element.element, t);
+  point.place = here.place;
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.normal = units_.length * dot(u, geometry.curve.normal(t));
-  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
-  const Conditions::Contact& condition = *element.condition;
-  point.gap = units_.length * opposite.gap;
-  if (condition.sliding)
-    point.sliding = condition.sliding(point.place);
-  if (condition.normal)
-    point.closing =
-        units_.length * condition.normal.at(point.place, units_).closing(stress.normal);
-  if (solved_.wear != nullptr) {
-    if (condition.wear)
-      point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
+  point.normal = units_.length * dot(u, side.normal(t));
+  point.tangential = units_.length * dot(u, side.tangent(t));
+  point.gap = units_.length * here.opposite.gap;
+  if (element.condition->sliding)
+    point.sliding = element.condition->sliding(point.place);
+  point.closing = units_.length * here.closing(stress.normal);
+  point.worn = units_.length * here.worn(&Wear::depth);
+  if (solved_.wear != nullptr)
     point.distance =
         units_.length * space.throughPoints(solved_.wear->distance, element, t);
-  }
   point.closed = closing(element, stress) > 0;
   if (element.shears()) {
-    point.bound = units_.stress *
-                  condition.friction.at(point.place, units_.stress).bound(stress.normal);
+    point.bound = units_.stress * here.bound(stress.normal);
     const double bound = space.at(bounds_, element, t).tangential;
     if (element.ties() || bound > tolerance_)
       point.friction = slipping(element, stress.tangential, bound) > 0

@@ -12,16 +12,16 @@ struct Solved;
 class ForeignPressure {
  public:
   ForeignPressure() = default;
-  /// Tractions on body b.  Refers to the bodies.
-  ForeignPressure(std::size_t b, const std::vector<Solved>& bodies);
+  /// Tractions on this body.  Refers to its state and problem.
+  explicit ForeignPressure(const Solved& solved);
 
   bem::Vec2 at(int element, double t) const;
   /// Jumps inside an element, in [-1, 1], unsorted.
   Vector breaks(int element) const;
 
  private:
-  std::vector<const Solved*> carriers_;
-  int body_ = -1;
+  const ContactBody* body_ = nullptr;
+  const Vector* multiplier_ = nullptr;
 };
 
 /// The solution of a body and the data from which results are computed.
@@ -30,9 +30,9 @@ struct Solved {
   const ContactBody& problem;
   const Conditions& conditions;
   bem::Units units;
-  const State& state;          ///< multiplier and rigid motions of this body
+  const State& state;          ///< of all bodies
   const Vector& displacement;  ///< all unknowns, dimensionless
-  /// See ContactBody::displacement; that of its own multiplier, if none is given.
+  /// See ContactBody::displacement.
   Vector contactForce = problem.contactForce(state.multiplier);
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
@@ -109,7 +109,7 @@ class ContactFields {
   explicit ContactFields(const Solved& solved);
 
   using Element = MultiplierSpace::ContactElement;
-  const std::vector<Element>& elements() const { return multiplierSpace().elements(); }
+  const std::vector<Element>& elements() const { return solved_.problem.elements(); }
 
   ContactPoint at(const Element& element, double t) const;
 

@@ -57,17 +57,16 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   const bem::Mesh& mesh = solved.space.mesh();
   const MultiplierBasis& basis = solved.problem.multiplier().basis();
   const bem::Element& side = mesh[element.element];
-  forEachPointOf(
-      element, mesh, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
-        const auto stress = fields.stress(element, point.t);
-        const double weight = area * point.weight;
-        summary.forceNormal += weight * stress.normal;
-        summary.forceTangential += weight * stress.tangential;
-        if (solved.wear != nullptr)
-          summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
-      });
+  forEachPointOf(element, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
+    const auto stress = fields.stress(element, point.t);
+    const double weight = area * point.weight;
+    summary.forceNormal += weight * stress.normal;
+    summary.forceTangential += weight * stress.tangential;
+    if (solved.wear != nullptr)
+      summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
+  });
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(element, mesh, basis,
+  forEachPointOf(element, basis,
                  bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
                  [&](const SidePoint& point) {
                    const auto stress = fields.stress(element, point.t);
@@ -92,7 +91,7 @@ template <class Of>
 void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
   const std::vector<char> isInside =
-      insideSides(solved.space.mesh(), solved.problem.multiplier());
+      insideSides(solved.problem.multiplier(), solved.problem.number());
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
     Summary& summary = of(element);
@@ -101,7 +100,7 @@ void addContact(const Solved& solved, const Of& of) {
   }
 }
 
-/// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
+/// Work of the reactions on the rigid motions v of RigidModes, dimensionless:
 ///
 ///   R·v = (A u + Bᵀ λ - f)·v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
 ///
@@ -109,8 +108,7 @@ void addContact(const Solved& solved, const Of& of) {
 /// traction ρ_k r_k acts takes that up again, hence v - v_c.
 std::array<double, 3> reactionWork(const Solved& solved) {
   const Holding& holding = solved.problem.holding();
-  const bem::Matrix& modes = holding.modes.functionals;
-  const bem::Matrix motions = solved.space.rigidMotions();
+  const auto& [motions, modes, centroid] = holding.modes;
   const Vector clamps =
       solved.problem.clampWork(solved.displacement, solved.contactForce);
   const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
@@ -126,13 +124,14 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   return work;
 }
 
-/// From work on the rigid motions of the scaled outline to forces and their moment about
-/// the user's origin: M = M_scaled d + origin x force.
+/// From work on the rigid motions to forces and their moment about the user's origin:
+/// M = M_centroid d + centroid x force.
 Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
-  const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
+  const Vec2 centroid =
+      solved.space.mesh().outline().physical(solved.problem.holding().modes.centroid);
   const double force = solved.units.force();
   return {force * work[0], force * work[1],
-          force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
+          force * (solved.units.length * work[2] + cross(centroid, {work[0], work[1]}))};
 }
 
 /// The rigid motion with the moments of u over the boundary, [length] and radian.
@@ -152,12 +151,9 @@ RigidMotion meanMotion(const Solved& solved) {
 
 /// Work of a load on the rigid motions, fᵀ v.
 std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
-  const bem::Matrix motions = solved.space.rigidMotions();
-  std::array<double, 3> work{};
-  for (Index v = 0; v < 3; ++v)
-    for (Index i = 0; i < motions.rows(); ++i)
-      work[v] += load[i] * motions(i, v);
-  return work;
+  const Vector work = bem::columnOf(
+      transposedTimes(solved.problem.holding().modes.motions, bem::asColumn(load)), 0);
+  return {work[0], work[1], work[2]};
 }
 
 }  // namespace
@@ -241,30 +237,31 @@ std::map<std::string, double> contactLengths(const Solved& solved) {
 
 namespace {
 
-/// The force of one body's multiplier on the bodies that it meets, where it acts on them.
-void addReaction(const std::vector<Solved>& bodies, const Solved& side,
-                 std::vector<Summary>& summaries) {
-  const ContactFields fields(side);
-  const bem::Mesh& mesh = side.space.mesh();
+/// The forces of multipliers on the bodies that they meet, where they act on them.
+void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summaries) {
+  const ContactBody& any = bodies.front().problem;
+  const bem::Units units = bodies.front().units;
   forEachSidePoint(
-      mesh, side.problem.multiplier(), side.problem.opposite(),
+      any.multiplier(), any.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
         return middle.element >= 0
-                   ? &mortarRule(element, mesh[element.element],
-                                 bodies[middle.body].space.mesh()[middle.element])
+                   ? &mortarRule(element,
+                                 any.multiplier().mesh(at(middle.body))[middle.element])
                    : nullptr;
       },
       [&](const SidePoint& point) {
         const Opposite::Point& there = point.opposite;
         if (there.element < 0)
           return;
-        const auto stress = fields.stress(point.contact, point.t);
-        const Vec2 force =
-            side.units.measure() * point.weight *
-            (stress.normal * point.normal + stress.tangential * point.tangent);
-        addForce(side, force,
-                 bodies[there.body].space.mesh().physicalPoint(there.element, there.t),
-                 summaries[there.body].contact);
+        const auto value =
+            any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
+        const Vec2 stress = units.stress * value.normal * point.normal +
+                            units.stress * value.tangential * point.tangent;
+        const Vec2 force = units.measure() * point.weight * stress;
+        addForce(
+            bodies.front(), force,
+            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t),
+            summaries[at(there.body)].contact);
       });
 }
 
@@ -275,9 +272,8 @@ std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
   summaries.reserve(bodies.size());
   for (const Solved& solved : bodies)
     summaries.push_back(summarize(solved));
-  for (const Solved& solved : bodies)
-    if (!solved.problem.opposite().bodies().empty())
-      addReaction(bodies, solved, summaries);
+  if (!bodies.front().problem.opposite().isStill())
+    addReactions(bodies, summaries);
   return summaries;
 }
 

@@ -28,14 +28,13 @@ struct Point {
   bool isSolution = false;
 };
 
-/// The largest displacement, less the body's rigid motion.
-double deformationOf(const ContactBody& body, const State& state, Vector u) {
+/// The largest displacement, less the body's rigid motion.  \param alpha  of its first free one
+double deformationOf(const ContactBody& body, const double* alpha, Vector u) {
   if (const Vector& rigid = body.loads().rigidPart; !rigid.empty())
     bem::axpy(-1, rigid, u);
   const Holding& holding = body.holding();
-  for (std::size_t k = 0; k < state.rigid.size(); ++k)
-    bem::axpy(-state.rigid[k],
-              columnOf(holding.allowed, holding.fixed() + static_cast<Index>(k)), u);
+  for (Index k = 0; k < holding.free(); ++k)
+    bem::axpy(-alpha[k], columnOf(holding.allowed, holding.fixed() + k), u);
   return bem::largestEntry(u);
 }
 
@@ -47,10 +46,12 @@ Point pointOf(const ContactSystem& system, const Equation& equation,
   Evaluation e = equation.at(pack(system.numbers(), at.state), r);
   double displacement = 0;
   double deformation = 0;
+  const double* alpha = at.state.rigid.data();
   for (std::size_t b = 0; b < system.size(); ++b) {
     const Vector& u = at.displacements[b];
     displacement = std::max(displacement, bem::largestEntry(u));
-    deformation = std::max(deformation, deformationOf(system.body(b), at.bodies[b], u));
+    deformation = std::max(deformation, deformationOf(system.body(b), alpha, u));
+    alpha += system.body(b).holding().free();
   }
   Vector open(r.size());
   for (std::size_t i = 0; i < r.size(); ++i)

@@ -41,13 +41,15 @@ bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
 }
 
 bem::LocalCompliance densityCompliance(const bem::Space& space,
-                                       const MultiplierSpace& multiplier,
+                                       const Conditions& conditions,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units) {
   bem::LocalCompliance compliance;
   if (!stabilization.byDensity())
     return compliance;
-  for (const int e : multiplier.meshElements()) {
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    if (contactOn(space.mesh(), e, conditions) == nullptr)
+      continue;
     const Element& element = space.mesh()[e];
     const double gamma = gammaOn(space.mesh(), e, stabilization, lame.nu, units);
     for (int i = 0; i < element.densities; ++i)
@@ -57,18 +59,17 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
                                       (2 * i + 1));
       }
   }
-  for (const int edge : multiplier.conditions().pins)
+  for (const int edge : conditions.pins)
     compliance.pinned.push_back(pinOn(space, edge));
   return compliance;
 }
 
-bem::SteklovPoincare makeStiffness(const bem::Space& space,
-                                   const MultiplierSpace& multiplier,
+bem::SteklovPoincare makeStiffness(const bem::Space& space, const Conditions& conditions,
                                    const Stabilization& stabilization,
                                    const bem::Lame& lame, bem::Units units) {
   return bem::SteklovPoincare(
       bem::assembleOperators(space, lame),
-      densityCompliance(space, multiplier, stabilization, lame, units));
+      densityCompliance(space, conditions, stabilization, lame, units));
 }
 
 }  // namespace epafi::contact

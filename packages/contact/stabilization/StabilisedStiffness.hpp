@@ -17,13 +17,12 @@ bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
 /// Compliance γ <P_i, P_i> on contact elements that Form Density adds to V, for
 /// bem::SteklovPoincare.  Empty for other forms.
 bem::LocalCompliance densityCompliance(const bem::Space& space,
-                                       const MultiplierSpace& multiplier,
+                                       const Conditions& conditions,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units);
 
 /// S for a contact problem with this stabilisation, with densityCompliance().
-bem::SteklovPoincare makeStiffness(const bem::Space& space,
-                                   const MultiplierSpace& multiplier,
+bem::SteklovPoincare makeStiffness(const bem::Space& space, const Conditions& conditions,
                                    const Stabilization& stabilization,
                                    const bem::Lame& lame, bem::Units units);
 

@@ -1,8 +1,6 @@
 #include "contact/system/ContactBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/body/DenseBody.hpp"
-#include "contact/compressed/CompressedBody.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -55,46 +53,32 @@ Vector sum(Vector x, const Vector& y) {
   return x;
 }
 
-/// \throws bem::InputError if the multiplier does not go with the form.
-std::shared_ptr<const ElasticBody> makeElastic(
-    const BodyInput& input, const MultiplierSpace& multiplier,
-    const std::shared_ptr<const Holding>& holding) {
-  if (input.basis.sharesNodes && input.stabilization.isOn())
-    throw bem::InputError("the multiplier '", input.basis.name,
-                          "' needs the stabilisation's form None");
-  if (input.stiffness.compressed() != nullptr)
-    return std::make_shared<const CompressedBody>(input, multiplier, holding);
-  return makeDenseBody(input, multiplier, holding);
-}
-
 }  // namespace
 
-ContactBody::ContactBody(const BodyInput& input)
+ContactBody::ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
+                         std::shared_ptr<const ElasticBody> elastic, std::size_t number,
+                         Index firstMotion)
     : space_(&input.space),
       units_(input.units),
+      obstacle_(std::move(obstacle)),
+      number_(number),
+      firstMotion_(firstMotion),
       loads_(makeLoads(*space_, input.conditions, units_)),
-      holding_(std::make_shared<const Holding>(makeHolding(*space_, input.conditions))),
-      multiplier_(space_->mesh(), input.basis, input.conditions),
-      opposite_(input.opposite
-                    ? input.opposite
-                    : std::make_shared<const Opposite>(space_->mesh(), units_.length)),
-      elastic_(makeElastic(input, multiplier_, holding_)),
-      obstacle_(makeObstacle(space_->mesh(), multiplier_, *opposite_, units_)) {
+      elastic_(std::move(elastic)) {
   reactions_ = std::make_shared<const std::vector<Reaction>>(makeReactions());
   setLoads();
 }
 
-ContactBody ContactBody::under(const Conditions& conditions) const {
+ContactBody ContactBody::under(std::shared_ptr<const Obstacle> obstacle) const {
   ContactBody result = *this;
-  result.multiplier_ = multiplier_.under(conditions);
-  result.loads_ = makeLoads(*space_, conditions, units_);
-  result.obstacle_ = makeObstacle(space_->mesh(), result.multiplier_, *opposite_, units_);
+  result.obstacle_ = std::move(obstacle);
+  result.loads_ = makeLoads(*space_, result.conditions(), units_);
   result.setLoads();
   return result;
 }
 
 void ContactBody::setLoads() {
-  if (const BodyLoadSolution& inside = multiplier_.conditions().inside) {
+  if (const BodyLoadSolution& inside = conditions().inside) {
     loads_.residual = residualOf(
         [&](int e, double t) { return inside->traction(space_->mesh(), e, t); });
     if (!loads_.residual.force.empty())
@@ -107,8 +91,8 @@ void ContactBody::setLoads() {
     load_ = elastic_->residual(load_, deformation);
   }
   constant_ = withoutFixedMotions(
-      *holding_, loads_.prescribed,
-      meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+      holding(), loads_.prescribed,
+      meansOf(conditions(), space_->mesh(), holding().modes.centroid));
 }
 
 Vector ContactBody::apply(const Vector& u) const {
@@ -161,7 +145,7 @@ void ContactBody::addFixedMotions(const Vector& force, const Vector& multiplier,
       beta[k] += dot(one.terms, multiplier);
   }
   for (std::size_t k = 0; k < beta.size(); ++k)
-    axpy(beta[k], columnOf(holding_->allowed, static_cast<Index>(k)), u);
+    axpy(beta[k], columnOf(holding().allowed, static_cast<Index>(k)), u);
 }
 
 Vector ContactBody::displacementOfLoads() const {
@@ -172,17 +156,17 @@ Vector ContactBody::displacementOfLoads() const {
 
 Vector ContactBody::rigidLoad() const {
   Vector result;
-  for (Index k = holding_->fixed(); k < holding_->allowed.columns(); ++k)
-    result.push_back(dot(columnOf(holding_->allowed, k), load_));
+  for (Index k = holding().fixed(); k < holding().allowed.columns(); ++k)
+    result.push_back(dot(columnOf(holding().allowed, k), load_));
   return result;
 }
 
 Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector u = heldDisplacement(force);
-  for (std::size_t k = 0; k < state.rigid.size(); ++k)
-    axpy(state.rigid[k],
-         columnOf(holding_->allowed, holding_->fixed() + static_cast<Index>(k)), u);
+  for (Index k = 0; k < holding().free() && !state.rigid.empty(); ++k)
+    axpy(state.rigid[at(firstMotion_ + k)],
+         columnOf(holding().allowed, holding().fixed() + k), u);
   if (elastic_->isFormed()) {
     // What the factor leaves is ε |A| |u|.
     const Vector whole = wholeForce(contactForce);
@@ -240,7 +224,7 @@ double ContactBody::storedEnergy(const State& state, const Vector& displacement,
   if (!state.multiplier.empty())
     twice -= 2 * dot(reactions.terms, state.multiplier);
   for (std::size_t k = 0; k < reactions.means.size(); ++k)
-    twice += dot(columnOf(holding_->allowed, static_cast<Index>(k)), force) *
+    twice += dot(columnOf(holding().allowed, static_cast<Index>(k)), force) *
              reactions.means[k];
   return twice / 2;
 }
@@ -256,7 +240,7 @@ Vector ContactBody::density(const State& state, const Vector& displacement,
 
 Vector ContactBody::clampForces(const Vector& displacement,
                                 const Vector& contactForce) const {
-  const std::vector<char>& clamped = holding_->clamped;
+  const std::vector<char>& clamped = holding().clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
@@ -271,35 +255,34 @@ Vector ContactBody::clampForces(const Vector& displacement,
 
 Vector ContactBody::clampWork(const Vector& displacement,
                               const Vector& contactForce) const {
-  const RigidModes& modes = holding_->modes;
+  const RigidModes& modes = holding().modes;
   const Vector forces = clampForces(displacement, contactForce);
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
       work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
-  work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
   return work;
 }
 
 Vector ContactBody::fixedReactions(const Vector& contactForce) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector reactions(3, 0.0);
-  for (Index k = 0; k < holding_->fixed(); ++k)
-    reactions[at(holding_->fixedModes[at(k)])] =
-        -holding_->scales[at(k)] * dot(columnOf(holding_->allowed, k), force);
+  for (Index k = 0; k < holding().fixed(); ++k)
+    reactions[at(holding().fixedModes[at(k)])] =
+        -holding().scales[at(k)] * dot(columnOf(holding().allowed, k), force);
   return reactions;
 }
 
 Vector ContactBody::fixedMeans() const {
-  Vector means = bem::times(
-      -1, meansOf(multiplier_.conditions(), space_->mesh(), holding_->modes.centroid));
+  Vector means =
+      bem::times(-1, meansOf(conditions(), space_->mesh(), holding().modes.centroid));
   means.resize(3);
   for (std::size_t i = 0; i < loads_.prescribed.size(); ++i)
-    for (Index k = 0; holding_->clamped[i] != 0 && k < 3; ++k)
+    for (Index k = 0; holding().clamped[i] != 0 && k < 3; ++k)
       means[at(k)] -=
-          holding_->modes.functionals(static_cast<Index>(i), k) * loads_.prescribed[i];
+          holding().modes.functionals(static_cast<Index>(i), k) * loads_.prescribed[i];
   for (std::size_t k = 0; k < loads_.residual.means.size(); ++k)
-    means[at(holding_->fixedModes[k])] += loads_.residual.means[k] / holding_->scales[k];
+    means[at(holding().fixedModes[k])] += loads_.residual.means[k] / holding().scales[k];
   return means;
 }
 

@@ -7,7 +7,7 @@
 
 namespace epafi::contact {
 
-/// A body of a ContactSystem at one time: the stabilised mixed problem [P (13)] on its mesh,
+/// A body of a ContactSystem at one time, multipliers and states those of all bodies: the stabilised mixed problem [P (13)] on its mesh,
 ///
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ
 ///                                                          [doc/theory/contact.md]
@@ -27,16 +27,28 @@ class ContactBody {
   ///   motion that is both fixed and clamped, or if `stiffness` was made for another
   ///   stabilisation; IndefiniteStiffness for a γ₀ that is given
   ///   and too large.
-  explicit ContactBody(const BodyInput& input);
+  /// \param number  of the body among those of the obstacle
+  /// \param firstMotion  number of its first motion in State::rigid
+  ContactBody(const BodyInput& input, std::shared_ptr<const Obstacle> obstacle,
+              std::shared_ptr<const ElasticBody> elastic, std::size_t number,
+              Index firstMotion);
   /// The same at another time of a path; the factor of A is shared.
-  ContactBody under(const Conditions& conditions) const;
+  ContactBody under(std::shared_ptr<const Obstacle> obstacle) const;
 
-  ContactSide side() const { return {*space_, multiplier_, *opposite_}; }
   const bem::Space& space() const { return *space_; }
-  const MultiplierSpace& multiplier() const { return multiplier_; }
-  const Opposite& opposite() const { return *opposite_; }
-  const Obstacle& obstacle() const { return obstacle_; }
-  const Holding& holding() const { return *holding_; }
+  bem::Units units() const { return units_; }
+  const Obstacle& obstacle() const { return *obstacle_; }
+  const Holding& holding() const { return elastic_->holding(); }
+
+  /// The multiplier of all bodies, and what of it is on this one.
+  const MultiplierSpace& multiplier() const { return obstacle_->multiplier; }
+  const std::vector<MultiplierSpace::ContactElement>& elements() const {
+    return multiplier().elements(number_);
+  }
+  const std::vector<Index>& columns() const { return multiplier().columns(number_); }
+  std::size_t number() const { return number_; }
+  const Conditions& conditions() const { return multiplier().conditions(number_); }
+  const Opposite& opposite() const { return *obstacle_->opposite; }
   const std::shared_ptr<const ElasticBody>& elastic() const { return elastic_; }
   const Coupling& coupling() const { return elastic_->coupling(); }
 
@@ -47,14 +59,13 @@ class ContactBody {
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see DenseBody).
   ///
-  /// `contactForce`, here and below: Bᵀ λ of the body's own multiplier and of those that other
-  /// bodies have against it.
+  /// `contactForce`, here and below: Bᵀ λ.
   Vector displacement(const State& state, const Vector& contactForce) const;
-  /// Without other bodies.
   Vector displacement(const State& state) const {
     return displacement(state, contactForce(state.multiplier));
   }
-  /// Bᵀ λ of the body's own multiplier, with forces on clamps and corners; empty: zero.
+  /// Bᵀ λ, of the multiplier on its sides and on those that face it, with forces on clamps and corners;
+  /// empty: zero.
   Vector contactForce(const Vector& multiplier) const;
 
   /// B u, and M λ.
@@ -79,6 +90,11 @@ class ContactBody {
   double storedEnergy(const State& state, const Vector& displacement,
                       const Vector& contactForce) const;
 
+  /// storedEnergy - strainEnergy; with Form Density by itself, as an integral: without body loads
+  /// ½ Σ ∫ γ |λ + ψ - Σ ρ r|².
+  double stabilisationEnergy(const State& state, const Vector& displacement,
+                             const Vector& contactForce) const;
+
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
 
@@ -86,7 +102,7 @@ class ContactBody {
   Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
-  /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
+  /// of RigidModes, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
   Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
@@ -133,12 +149,11 @@ class ContactBody {
 
   const bem::Space* space_;
   bem::Units units_;
+  std::shared_ptr<const Obstacle> obstacle_;
+  std::size_t number_;
+  Index firstMotion_;
   Loads loads_;  ///< with what body loads do through the stabilisation
-  std::shared_ptr<const Holding> holding_;
-  MultiplierSpace multiplier_;
-  std::shared_ptr<const Opposite> opposite_;
   std::shared_ptr<const ElasticBody> elastic_;
-  Obstacle obstacle_;
   Vector load_{};      ///< f - A u_D
   Vector constant_{};  ///< u_D and what Fix makes of it
   std::shared_ptr<const std::vector<Reaction>> reactions_;

@@ -1,61 +1,111 @@
 #include "contact/system/ContactSystem.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/system/GivenPenetration.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 
 namespace epafi::contact {
 
 using bem::axpy;
 using bem::dot;
 
-std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesOf(
-    const std::vector<BodyInput>& inputs) {
+namespace {
+
+std::shared_ptr<const Obstacle> obstacleOf(const std::vector<BodyInput>& inputs,
+                                           std::shared_ptr<const Opposite> opposite) {
   assert(!inputs.empty());
-  auto bodies = std::make_shared<std::vector<ContactBody>>();
+  const BodyInput& any = inputs.front();
+  if (opposite == nullptr)
+    opposite = std::make_shared<const Opposite>(any.units.length);
+  std::vector<MultiplierSpace::Body> bodies;
   for (const BodyInput& input : inputs)
-    bodies->emplace_back(input);
-  return bodies;
+    bodies.push_back({input.space.mesh(), input.conditions});
+  return std::make_shared<const Obstacle>(
+      makeObstacle(MultiplierSpace(bodies, any.basis), opposite, any.units));
 }
 
-std::vector<ContactSide> ContactSystem::sides() const {
-  std::vector<ContactSide> sides;
-  for (const ContactBody& body : *bodies_)
-    sides.push_back(body.side());
-  return sides;
-}
+}  // namespace
 
 ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
-                             const std::vector<Drive>& rigid)
-    : bodies_(bodiesOf(inputs)),
-      numbering_(sides()),
-      opposite_(std::make_shared<const std::vector<TraceCoupling>>(
-          oppositeCouplings(sides(), numbering_))),
-      rigid_(rigid, sides(), numbering_),
-      wear_(bodies_, numbering_, {}) {
-  condense(inputs.front().formedUpTo);
+                             const std::vector<Drive>& rigid,
+                             std::shared_ptr<const Opposite> opposite)
+    : obstacle_(obstacleOf(inputs, std::move(opposite))),
+      bodies_(std::make_shared<std::vector<ContactBody>>()),
+      rigid_(rigid, multiplier(), *obstacle_->opposite),
+      wear_(obstacle_, {}) {
+  condense(addBodies(inputs));
   wear_.setSlips({}, numbers_.surface);
   setScale(loadSize());
+}
+
+ContactSystem::MakeFlexibility ContactSystem::addBodies(
+    const std::vector<BodyInput>& inputs) {
+  std::vector<const bem::Space*> spaces;
+  for (const BodyInput& input : inputs) {
+    if (input.basis.sharesNodes && input.stabilization.isOn())
+      throw bem::InputError("the multiplier '", input.basis.name,
+                            "' needs the stabilisation's form None");
+    spaces.push_back(&input.space);
+  }
+  std::vector<Coupling> plain = makeCouplings(spaces, multiplier(), *obstacle_->opposite);
+  Index motions = 0;
+  const auto add = [&](const auto& make, auto& elastic) {
+    for (std::size_t b = 0; b < inputs.size(); ++b) {
+      auto holding = std::make_shared<const Holding>(
+          makeHolding(inputs[b].space, inputs[b].conditions));
+      elastic.push_back(make(inputs[b], b, holding, std::move(plain[b])));
+      bodies_->emplace_back(inputs[b], obstacle_, elastic.back(), b, motions);
+      motions += holding->free();
+    }
+  };
+  using Holds = std::shared_ptr<const Holding>;
+  if (inputs.front().stiffness.compressed() == nullptr) {
+    std::vector<std::shared_ptr<const DenseBody>> dense;
+    add(
+        [&](const BodyInput& input, std::size_t b, const Holds& holding,
+            const Coupling& coupling) {
+          return makeDenseBody(input, multiplier(), b, holding, coupling);
+        },
+        dense);
+    return [dense](const Columns& r, const Columns& s) {
+      return denseFlexibility(dense, r, s);
+    };
+  }
+  std::vector<std::shared_ptr<const CompressedBody>> compressed;
+  add(
+      [&](const BodyInput& input, std::size_t b, const Holds& holding,
+          Coupling coupling) {
+        return std::make_shared<const CompressedBody>(input, multiplier(), b, holding,
+                                                      std::move(coupling));
+      },
+      compressed);
+  return [compressed, normals = multiplier().normals(),
+          formedUpTo = inputs.front().formedUpTo](const Columns& /*r*/,
+                                                  const Columns& s) {
+    const auto d = std::make_shared<const CompressedFlexibility>(compressed, normals, s);
+    return d->size() <= formedUpTo ? Flexibility(d->formed()) : Flexibility(d);
+  };
 }
 
 ContactSystem::ContactSystem(const ContactSystem& atZero,
                              const std::vector<Conditions>& conditions,
                              const std::vector<Drive>& drives, const StepMemory& memory)
-    : bodies_(atZero.bodiesUnder(conditions)),
-      numbering_(atZero.numbering_),
-      opposite_(atZero.opposite_),
+    : obstacle_(std::make_shared<const Obstacle>(
+          makeObstacle(atZero.multiplier().under(conditions), atZero.obstacle_->opposite,
+                       atZero.body(0).units()))),
+      bodies_(std::make_shared<std::vector<ContactBody>>()),
       rigid_(atZero.rigid_.under(drives)),
-      wear_(bodies_, numbering_, memory.wear),
+      wear_(obstacle_, memory.wear),
       numbers_(atZero.numbers_.copy()),
       responses_(memory.responses) {
   assert(drives.size() == atZero.drives().size());
-  numbers_.tangentials.clear();
+  for (const ContactBody& body : *atZero.bodies_)
+    bodies_->push_back(body.under(obstacle_));
   numbers_.rigidLoad.clear();
   respond();
   wear_.setSlips({}, numbers_.surface);
@@ -70,62 +120,22 @@ ContactSystem::ContactSystem(const ContactSystem& atZero,
   }
 }
 
-std::shared_ptr<std::vector<ContactBody>> ContactSystem::bodiesUnder(
-    const std::vector<Conditions>& conditions) const {
-  assert(conditions.size() == size());
-  auto bodies = std::make_shared<std::vector<ContactBody>>();
-  for (std::size_t b = 0; b < size(); ++b)
-    bodies->push_back(body(b).under(conditions[b]));
-  return bodies;
-}
-
-namespace {
-
-/// D - v wᵀ - w vᵀ
-void subtractProducts(const Vector& v, const Vector& w, Matrix& d) {
-  for (Index j = 0; j < d.columns(); ++j)
-    for (Index i = 0; i < d.rows(); ++i)
-      d(i, j) -= v[at(i)] * w[at(j)] + w[at(i)] * v[at(j)];
-}
-
-}  // namespace
-
-///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C A⁺ Cᵀ = (L⁻¹ Cᵀ)ᵀ L⁻¹ Cᵀ - C R (C R)ᵀ,   G = (C_b R_b)_b,
+///   D = Σ_b B_b A_b⁺ B_bᵀ + M,   G = (B_b R_b)_b,
 ///
-/// less  Σ_k s_k (C r_k)ᵀ + C r_k s_kᵀ  of what Fix holds, see reactionColumns.
-void ContactSystem::condense(Index formedUpTo) {
-  Matrix d;
+/// less  Σ_k s_k (B r_k)ᵀ + B r_k s_kᵀ  of what Fix holds, see reactionColumns.
+void ContactSystem::condense(const MakeFlexibility& makeFlexibility) {
   std::vector<Vector> columns;  // of G
-  std::vector<std::vector<Vector>> reactions;
+  Columns motions;
+  Columns reactions;
   for (std::size_t b = 0; b < size(); ++b) {
-    const auto* dense = dynamic_cast<const DenseBody*>(body(b).elastic().get());
-    Matrix forward;
-    if (dense != nullptr) {
-      forward = dense->forward(dense->transposedCoupling(numbering_, b, (*opposite_)[b]));
-      if (b == 0)  // not before, beside what forward() needs
-        d = Matrix(numbering_.size(), numbering_.size());
-      dense->addMultiplierMass(numbering_, b, d);
-    }
-    std::vector<Vector> motions = motionsOnContacts(
-        body(b).holding(), 0, numbering_, b, body(b).coupling().trace, (*opposite_)[b]);
-    reactions.push_back(reactionColumns(b, motions));
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      Vector w = bem::times(0.5, motions[k]);
-      if (k < reactions.back().size())
-        axpy(1, reactions.back()[k], w);
-      subtractProducts(motions[k], w, d);
-    }
-    std::move(motions.begin() + body(b).holding().fixed(), motions.end(),
-              std::back_inserter(columns));
-    if (dense != nullptr)
-      d = addGram(std::move(d), forward);
+    const Holding& holding = body(b).holding();
+    motions.push_back(motionsOnContacts(holding, 0, body(b).coupling().trace));
+    reactions.push_back(reactionColumns(b, motions.back()));
+    columns.insert(columns.end(), motions.back().begin() + holding.fixed(),
+                   motions.back().end());
   }
-  for (Index j = 0; j < d.columns(); ++j)
-    for (Index i = j + 1; i < d.rows(); ++i)
-      d(j, i) = d(i, j);
-  numbers_.flexibility =
-      isFormed() ? Flexibility(std::move(d)) : compressed(formedUpTo, reactions);
-  numbers_.normals = numbering_.normals();
+  numbers_.flexibility = makeFlexibility(motions, reactions);
+  numbers_.normals = multiplier().normals();
   respond();
   rigid_.setMotions(std::move(columns), numbers_);
 }
@@ -137,10 +147,8 @@ std::vector<Vector> ContactSystem::reactionColumns(
     std::size_t b, const std::vector<Vector>& motions) const {
   std::vector<Vector> columns;
   for (const ContactBody::Reaction& reaction : body(b).reactions()) {
-    Vector own = body(b).apply(reaction.displacement);
-    axpy(1, reaction.residual.terms, own);
-    Vector all =
-        onAllMultipliers(numbering_, b, own, (*opposite_)[b], reaction.displacement);
+    Vector all = body(b).apply(reaction.displacement);
+    axpy(1, reaction.residual.terms, all);
     for (std::size_t l = 0; l < body(b).reactions().size(); ++l)
       axpy(0.5 * (reaction.residual.means[l] -
                   dot(body(b).reactions()[l].residual.force, reaction.displacement)),
@@ -150,25 +158,12 @@ std::vector<Vector> ContactSystem::reactionColumns(
   return columns;
 }
 
-Flexibility ContactSystem::compressed(
-    Index formedUpTo, const std::vector<std::vector<Vector>>& reactions) const {
-  std::vector<std::shared_ptr<const CompressedBody>> forms;
-  for (const ContactBody& body : *bodies_)
-    forms.push_back(std::dynamic_pointer_cast<const CompressedBody>(body.elastic()));
-  const auto flexibility = std::make_shared<const CompressedFlexibility>(
-      std::move(forms), numbering_.normals(), reactions);
-  return flexibility->size() <= formedUpTo ? Flexibility(flexibility->formed())
-                                           : Flexibility(flexibility);
-}
-
 void ContactSystem::respond() {
-  numbers_.offset.assign(at(numbering_.size()), 0.0);
+  numbers_.offset.assign(at(multiplier().size()), 0.0);
   responses_.resize(size());
   for (std::size_t b = 0; b < size(); ++b) {
     const auto ofLoads = [&] {
-      const Vector u = body(b).displacementOfLoads();
-      return onAllMultipliers(numbering_, b, body(b).penetration(u, {}, {}),
-                              (*opposite_)[b], u);
+      return body(b).penetration(body(b).displacementOfLoads(), {}, {});
     };
     // with a factored matrix a solution costs as little
     axpy(1, isFormed() ? ofLoads() : responses_[b].of(body(b).pushing(), ofLoads),
@@ -180,23 +175,18 @@ void ContactSystem::respond() {
 }
 
 void ContactSystem::finish() {
-  numbers_.surface = {};
-  gap_.assign(numbering_.normals(), 0.0);
-  given_.assign(numbering_.size(), 0.0);
-  for (std::size_t b = 0; b < size(); ++b) {
-    const Obstacle& obstacle = body(b).obstacle();
-    const MultiplierSpace& multiplier = body(b).multiplier();
-    if (const auto amplification = multiplier.basis().amplification)
-      for (const auto& element : multiplier.elements())
-        numbers_.amplification =
-            std::max(numbers_.amplification, amplification(element.degree));
-    addObstacle(obstacle, numbering_, b, numbers_, given_);
-    for (Index i = 0; i < numbering_.normalsOf(b); ++i)
-      gap_[numbering_(b, i)] = obstacle.gap[i];
-    for (std::size_t i = 0; i < body(b).loads().residual.terms.size(); ++i)
-      given_[numbering_(b, Index(i))] += body(b).loads().residual.terms[i];
-  }
-  addBodyLoads(sides(), numbering_, given_);
+  numbers_.tangentials = obstacle_->tangentials;
+  numbers_.surface = obstacle_->surface;
+  if (const auto amplification = multiplier().basis().amplification)
+    multiplier().forEachElement([&](const auto& element) {
+      numbers_.amplification =
+          std::max(numbers_.amplification, amplification(element.degree));
+    });
+  given_ = obstacle_->given();
+  for (const ContactBody& body : *bodies_)
+    if (!body.loads().residual.terms.empty())
+      axpy(1, body.loads().residual.terms, given_);
+  addBodyLoads(*obstacle_, given_);
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
 }
@@ -215,15 +205,16 @@ void ContactSystem::setScale(double load) {
 }
 
 double ContactSystem::loadSize() const {
-  Vector given(at(numbering_.size()));
+  Vector given(at(multiplier().size()));
   addGiven(given);
   double own = 0;
   double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < size(); ++b) {
     const Loads& loads = body(b).loads();
-    addRigidPart(loads, numbering_, b, body(b).coupling().trace, (*opposite_)[b], given);
-    for (std::size_t i = 0; i < loads.residual.terms.size(); ++i)  // no penetration
-      given[at(numbering_(b, Index(i)))] -= loads.residual.terms[i];
+    if (!loads.rigidPart.empty())
+      axpy(1, body(b).coupling().trace.apply(loads.rigidPart), given);
+    if (!loads.residual.terms.empty())  // no penetration
+      axpy(-1, loads.residual.terms, given);
     own += loads.size();
     moved = std::max(moved, bem::largestEntry(loads.rigidPart));
   }
@@ -231,26 +222,24 @@ double ContactSystem::loadSize() const {
 }
 
 Vector ContactSystem::penetration(const Configuration& at) const {
-  Vector r(numbering().size());
-  for (std::size_t b = 0; b < size(); ++b) {
-    const Vector own = body(b).penetration(at.displacements[b], at.bodies[b].multiplier,
-                                           at.contactForces[b]);
-    axpy(1, onAllMultipliers(numbering_, b, own, (*opposite_)[b], at.displacements[b]),
+  Vector r(bem::at(multiplier().size()));
+  for (std::size_t b = 0; b < size(); ++b)
+    axpy(1,
+         body(b).penetration(at.displacements[b], at.state.multiplier,
+                             at.contactForces[b]),
          r);
-  }
   addGiven(r);
-  const Index ofRigid = rigid_.freeMotions();
-  for (Index k = numbers().rigidMotions() - ofRigid; k < numbers().rigidMotions(); ++k)
-    axpy(at.state.rigid[k], columnOf(numbers().rigid, k), r);
+  for (Index k = elasticMotions(); k < numbers().rigidMotions(); ++k)
+    axpy(at.state.rigid[bem::at(k)], columnOf(numbers().rigid, k), r);
   for (std::size_t t = 0; t < slipBefore().size(); ++t)
-    r[numbering().normals() + t] -= slipBefore()[t];
+    r[bem::at(multiplier().normals()) + t] -= slipBefore()[t];
   if (!numbers().surface.empty())
     axpy(-1, numbers().surface.closing(at.state.multiplier), r);
   return r;
 }
 
 Vector ContactSystem::slipSoFar(const Configuration& at) const {
-  Vector total(at.penetration.begin() + numbering().normals(), at.penetration.end());
+  Vector total(at.penetration.begin() + multiplier().normals(), at.penetration.end());
   if (!slipBefore().empty())
     axpy(1, slipBefore(), total);
   return total;
@@ -265,16 +254,13 @@ Vector ContactSystem::defect(const Configuration& at) const {
 }
 
 bool ContactSystem::wearsBySlip() const {
-  return wear_.wears() &&
-         std::any_of(bodies_->begin(), bodies_->end(), [](const ContactBody& body) {
-           return body.multiplier().size() > body.multiplier().normals();
-         });
+  return wear_.wears() && multiplier().size() > multiplier().normals();
 }
 
 double ContactSystem::wearBy(const Configuration& at) {
   Surface& surface = numbers_.surface;
   const auto wornBy = [&] {
-    Vector worn(numbering().size());
+    Vector worn(at.state.multiplier.size());
     addTimes(1,
              {surface.linear.end() - static_cast<std::ptrdiff_t>(surface.wearing),
               surface.linear.end()},
@@ -289,51 +275,26 @@ double ContactSystem::wearBy(const Configuration& at) {
   return all > 0 ? bem::largestEntry(change) / (std::min(share, 1.0) * all) : 0;
 }
 
-State ContactSystem::joined(const std::vector<State>& states,
-                            const std::vector<RigidMotion>& rigid) const {
-  State all;
-  const bool empty = std::all_of(states.begin(), states.end(),
-                                 [](const State& s) { return s.multiplier.empty(); });
-  if (!empty)
-    all.multiplier.assign(numbering().size(), 0.0);
-  for (std::size_t b = 0; b < states.size(); ++b) {
-    for (std::size_t i = 0; i < states[b].multiplier.size(); ++i)
-      all.multiplier[numbering()(b, static_cast<Index>(i))] = states[b].multiplier[i];
-    all.rigid.insert(all.rigid.end(), states[b].rigid.begin(), states[b].rigid.end());
+State ContactSystem::with(const std::vector<RigidMotion>& motions, State state) const {
+  if (!state.rigid.empty() || !motions.empty()) {
+    state.rigid.resize(at(elasticMotions()), 0.0);
+    rigid_.append(motions, state.rigid);
   }
-  if (!all.rigid.empty() || !rigid.empty()) {
-    all.rigid.resize(numbers().rigidMotions() - rigid_.freeMotions(), 0.0);
-    rigid_.append(rigid, all.rigid);
-  }
-  return all;
-}
-
-Vector ContactSystem::contactForce(std::size_t b, const Vector& multiplier) const {
-  Vector force = body(b).contactForce(numbering().of(b, multiplier));
-  if (const TraceCoupling& opposite = (*opposite_)[b]; !opposite.rests.empty())
-    opposite.addTranspose(1, multiplier.data(), force.data());
-  return force;
+  return state;
 }
 
 Configuration ContactSystem::configuration(State state) const {
   Configuration result;
   if (state.multiplier.empty())
-    state.multiplier.assign(numbering().size(), 0.0);
+    state.multiplier.assign(at(multiplier().size()), 0.0);
   if (state.rigid.empty())
-    state.rigid.assign(numbers().rigidMotions(), 0.0);
-  const double* motions = state.rigid.data();
+    state.rigid.assign(at(numbers().rigidMotions()), 0.0);
   for (std::size_t b = 0; b < size(); ++b) {
-    State own{numbering().of(b, state.multiplier), {}};
-    own.rigid.assign(motions, motions + body(b).holding().free());
-    motions += body(b).holding().free();
-    result.bodies.push_back(std::move(own));
-  }
-  for (std::size_t b = 0; b < size(); ++b) {
-    Vector force = contactForce(b, state.multiplier);
-    result.displacements.push_back(body(b).displacement(result.bodies[b], force));
+    Vector force = body(b).contactForce(state.multiplier);
+    result.displacements.push_back(body(b).displacement(state, force));
     result.contactForces.push_back(std::move(force));
   }
-  result.rigid = rigid_.motions(motions);
+  result.rigid = rigid_.motions(state.rigid.data() + elasticMotions());
   result.state = std::move(state);
   result.penetration = penetration(result);
   return result;
@@ -342,14 +303,14 @@ Configuration ContactSystem::configuration(State state) const {
 double ContactSystem::strainEnergy(const Configuration& at) const {
   double sum = 0;
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).strainEnergy(at.bodies[b], at.displacements[b], at.contactForces[b]);
+    sum += body(b).strainEnergy(at.state, at.displacements[b], at.contactForces[b]);
   return sum;
 }
 
 double ContactSystem::storedEnergy(const Configuration& at) const {
   double sum = 0;
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).storedEnergy(at.bodies[b], at.displacements[b], at.contactForces[b]);
+    sum += body(b).storedEnergy(at.state, at.displacements[b], at.contactForces[b]);
   return sum;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/opposite/RigidDrives.hpp"
-#include "contact/opposite/TraceCoupling.hpp"
 #include "contact/system/ContactBody.hpp"
 #include "contact/system/LoadResponses.hpp"
 #include "contact/system/LoadSize.hpp"
@@ -11,8 +10,7 @@ namespace epafi::contact {
 
 /// A state of a system with the displacements that follow from it, dimensionless.
 struct Configuration {
-  State state;                ///< of all bodies
-  std::vector<State> bodies;  ///< own multipliers and motions of each elastic body
+  State state;
   std::vector<Vector> contactForces;  ///< on each elastic body, see ContactBody
   std::vector<Vector> displacements;  ///< of each elastic body, all unknowns
   std::vector<RigidMotion> rigid;     ///< of each rigid body
@@ -29,12 +27,12 @@ struct StepMemory {
   Vector defect{};         ///< see ContactSystem::defect
   double largestLoad = 0;  ///< largest loadSize() of all steps
   std::vector<LoadResponses> responses{};  ///< by body; empty: none known
-  std::vector<Wear> wear{};                ///< likewise; empty: no wear so far
+  Wear wear{};                             ///< empty: no wear so far
 };
 
-/// The contact problem of all bodies of a scene, condensed onto all multipliers together:
+/// The contact problem of all bodies of a scene, condensed onto the multiplier, see
+/// MultiplierSpace:
 ///
-///   λ = (λₙ of body 0, of body 1, ..., λₜ of body 0, of body 1, ...),
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C_b = (own coupling of b, mortar coupling of other sides with b)
 ///
 /// A given motion of a rigid body adds to the offset d₀; a motion that is free under a force adds
@@ -43,12 +41,14 @@ struct StepMemory {
 /// All bodies use the same units of length and stress.         [doc/theory/contact.md]
 class ContactSystem {
  public:
-  /// \pre all inputs have the same units, and their opposite points number the bodies in this
-  ///   order
+  /// \param opposite  what lies opposite to the contact sides of all bodies, numbered in this order;
+  ///   null: obstacles at the gap of the conditions
+  /// \pre all inputs have the same units and multiplier basis
   /// \throws see ContactBody, and bem::InputError for a multiplier that shares nodes where
   ///   contact with another body meets a clamp or another contact side.
   explicit ContactSystem(const std::vector<BodyInput>& bodies,
-                         const std::vector<Drive>& rigid = {});
+                         const std::vector<Drive>& rigid = {},
+                         std::shared_ptr<const Opposite> opposite = {});
 
   /// The same bodies on the same meshes at another time, after the steps that `memory` knows.  Kinds of
   /// conditions on boundaries and free motions stay the same; friction uses the slip so far.  Shares
@@ -62,7 +62,7 @@ class ContactSystem {
   }
 
   /// See lengthsOf.
-  Vector lengths() const { return lengthsOf(sides(), numbering_); }
+  Vector lengths() const { return lengthsOf(multiplier()); }
   /// Data for the next step: rₜ since the start of the path; and r from the displacements minus r
   /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;
@@ -77,11 +77,12 @@ class ContactSystem {
 
   std::size_t size() const { return bodies_->size(); }
   const ContactBody& body(std::size_t b) const { return (*bodies_)[b]; }
+  const MultiplierSpace& multiplier() const { return obstacle_->multiplier; }
 
   /// The problem for the nonlinear solver; and g per normal coefficient, which the offset
   /// contains as -g.  Dimensionless.
   const Problem& numbers() const { return numbers_; }
-  const Vector& gap() const { return gap_; }
+  const Vector& gap() const { return obstacle_->gap; }
   /// The prescribed part of r, one number per coefficient: -g, less the jumps of bonded sides and
   /// the prescribed sliding, and with body loads what their displacement u_p of the sides and,
   /// through the stabilisation, their traction t_p add.  Without wear and rigid bodies.
@@ -99,13 +100,11 @@ class ContactSystem {
   /// last state it is then the same in a run that has read it.
   void forgetIterations() { wear_.forgetIterations(); }
 
-  /// The state of all bodies from the states of each; what is empty in all of them stays empty.
-  /// `rigid`: motions of rigid bodies; empty: α = 0 for the free ones.
-  State joined(const std::vector<State>& states,
-               const std::vector<RigidMotion>& rigid = {}) const;
+  /// A state whose α of rigid bodies are those of their motions; empty: α = 0 for the free ones.  A state
+  /// without motions stays one, if there are none.
+  State with(const std::vector<RigidMotion>& motions, State state) const;
   /// The configuration of a state; empty vectors in it mean zero.
   Configuration configuration(State state) const;
-  const Numbering& numbering() const { return numbering_; }
 
   /// Motions or forces of the rigid bodies at this time.
   const std::vector<Drive>& drives() const { return rigid_.drives(); }
@@ -128,17 +127,17 @@ class ContactSystem {
  private:
   ContactSystem(const ContactSystem& atZero, const std::vector<Conditions>& conditions,
                 const std::vector<Drive>& drives, const StepMemory& memory);
-  static std::shared_ptr<std::vector<ContactBody>> bodiesOf(
-      const std::vector<BodyInput>& inputs);
-  std::shared_ptr<std::vector<ContactBody>> bodiesUnder(
-      const std::vector<Conditions>& conditions) const;
-  std::vector<ContactSide> sides() const;
+  Index elasticMotions() const { return numbers().rigidMotions() - rigid_.freeMotions(); }
 
   bool isFormed() const { return body(0).elastic()->isFormed(); }
+  /// What makes D: of the columns r_k, s_k of each body, see condense.
+  using Columns = std::vector<std::vector<Vector>>;
+  using MakeFlexibility =
+      std::function<Flexibility(const Columns& motions, const Columns& reactions)>;
+  /// Makes the bodies, all dense or all compressed.
+  MakeFlexibility addBodies(const std::vector<BodyInput>& inputs);
   /// Computes D and G.
-  void condense(Index formedUpTo);
-  Flexibility compressed(Index formedUpTo,
-                         const std::vector<std::vector<Vector>>& reactions) const;
+  void condense(const MakeFlexibility& makeFlexibility);
   /// s_k of the reactions of a body, see condense.  `motions`: C r of those that it allows
   std::vector<Vector> reactionColumns(std::size_t b,
                                       const std::vector<Vector>& motions) const;
@@ -150,16 +149,12 @@ class ContactSystem {
   void addGiven(Vector& r) const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
-  /// Bᵀ λ of a body's own multiplier, which is a part of the whole one, and of those against it.
-  Vector contactForce(std::size_t b, const Vector& multiplier) const;
 
+  std::shared_ptr<const Obstacle> obstacle_;
   std::shared_ptr<std::vector<ContactBody>> bodies_;
-  Numbering numbering_;
-  std::shared_ptr<const std::vector<TraceCoupling>> opposite_;
   RigidDrives rigid_;
   StepWear wear_;
   Problem numbers_{};
-  Vector gap_{};
   Vector given_{};
   Vector slipBefore_{};
   Vector defectBefore_{};

@@ -1,5 +1,6 @@
 #include "contact/system/LoadResponses.hpp"
 
+#include "bem/algebra/LeastSquares.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 
 #include <cmath>
@@ -14,43 +15,17 @@ Vector LoadResponses::of(const Vector& load, const std::function<Vector()>& solv
   constexpr double tolerance = 1e-14;
   constexpr double largestGrowth = 8;
   const double size = std::sqrt(dot(load, load));
-  /// Of orthonormal loads: `growth` is the size of loads that one was combined from.
-  struct Direction {
-    Vector load;
-    Vector response;
-    double growth;
-  };
-  std::vector<Direction> directions;
-  for (const Known& known : known_) {
-    Direction next{known.load, known.response, std::sqrt(dot(known.load, known.load))};
-    const double whole = next.growth;
-    for (const Direction& other : directions) {
-      const double part = dot(other.load, next.load);
-      axpy(-part, other.load, next.load);
-      axpy(-part, other.response, next.response);
-      next.growth += std::abs(part) * other.growth;
-    }
-    const double left = std::sqrt(dot(next.load, next.load));
-    if (!(left > tolerance * whole))
-      continue;
-    for (double& x : next.load)
-      x /= left;
-    for (double& x : next.response)
-      x /= left;
-    next.growth /= left;
-    directions.push_back(std::move(next));
-  }
-  Vector rest = load;
+  std::vector<Vector> loads;
+  for (const Known& known : known_)
+    loads.push_back(known.load);
+  const auto [parts, rank, rest] = bem::leastSquares(loads, load, tolerance);
   Vector response(known_.empty() ? 0 : known_.front().response.size(), 0.0);
   double growth = 0;
-  for (const Direction& direction : directions) {
-    const double part = dot(direction.load, rest);
-    axpy(-part, direction.load, rest);
-    axpy(part, direction.response, response);
-    growth += std::abs(part) * direction.growth;
+  for (std::size_t k = 0; k < known_.size(); ++k) {
+    axpy(parts[k], known_[k].response, response);
+    growth += std::abs(parts[k]) * std::sqrt(dot(loads[k], loads[k]));
   }
-  if (!directions.empty() && std::sqrt(dot(rest, rest)) <= tolerance * size &&
-      growth <= largestGrowth * size)
+  if (!known_.empty() && rest <= tolerance * size && growth <= largestGrowth * size)
     return response;
   response = solve();
   if (size > 0)

@@ -172,18 +172,14 @@ Bed::Point settled(const Bed& bed, std::size_t motions) {
 
 }  // namespace
 
-Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numbering) {
-  Vector all(at(numbering.size()));
-  for (std::size_t b = 0; b < sides.size(); ++b)
-    for (const auto& element : sides[b].multiplier.elements()) {
-      const double share =
-          2 * sides[b].space.mesh().measure(element.element, 0) / (element.degree + 1);
-      for (int i = 0; i <= element.degree; ++i) {
-        all[at(numbering(b, element.normalOf(i)))] += share;
-        if (element.shears())
-          all[at(numbering(b, element.tangentialOf(i)))] += share;
-      }
-    }
+Vector lengthsOf(const MultiplierSpace& multiplier) {
+  Vector all(at(multiplier.size()));
+  multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
+    const double share =
+        2 * element.mesh->measure(element.element, 0) / (element.degree + 1);
+    for (int i = 0; i < element.coefficients(); ++i)
+      all[at(element.numberOf(i))] += share;
+  });
   return all;
 }
 

@@ -5,7 +5,7 @@
 namespace epafi::contact {
 
 /// For each coefficient about the integral of its function.
-Vector lengthsOf(const std::vector<ContactSide>& sides, const Numbering& numbering);
+Vector lengthsOf(const MultiplierSpace& multiplier);
 
 /// Size of tractions, deformations and penetrations, dimensionless: unit of the residual and of the
 /// states.  Rigid motions, common or apart, add nothing to it: penetrations are those that are

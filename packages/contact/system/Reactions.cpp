@@ -38,7 +38,7 @@ void completeMeans(const Coupling& coupling,
 
 Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) const {
   Loads::InResidual result =
-      tractionMoments(*space_, multiplier_, coupling(), traction, fixedTractions());
+      tractionMoments(multiplier(), number_, coupling(), traction, fixedTractions());
   if (coupling().hasCompliance()) {
     result.compliance = coupling().complianceOf(*space_, result.weights, traction);
     std::tie(result.density, result.force) = elastic_->answerTo(result.compliance);
@@ -54,10 +54,10 @@ Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) cons
 
 std::vector<BoundaryTraction> ContactBody::fixedTractions() const {
   std::vector<BoundaryTraction> tractions;
-  for (Index k = 0; k < holding_->fixed(); ++k)
+  for (Index k = 0; k < holding().fixed(); ++k)
     tractions.emplace_back([this, k](int e, double t) {
-      return holding_->scales[at(k)] *
-             holding_->modes.at(holding_->fixedModes[at(k)],
+      return holding().scales[at(k)] *
+             holding().modes.at(holding().fixedModes[at(k)],
                                 space_->mesh().scaledPoint(e, t));
     });
   return tractions;
@@ -72,8 +72,8 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
         residualOf([&](int e, double t) { return -fixed(e, t); });
     // rigid motions have no traction, whatever rounds
     for (Index k = 0; k < 3; ++k) {
-      const Vector r = columnOf(holding_->modes.motions, k);
-      const Vector functional = columnOf(holding_->modes.functionals, k);
+      const Vector r = columnOf(holding().modes.motions, k);
+      const Vector functional = columnOf(holding().modes.functionals, k);
       if (const double unit = dot(r, functional);
           unit != 0)  // else no motion of the body
         axpy(-dot(r, residual.force) / unit, functional, residual.force);
@@ -90,7 +90,7 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
 Loads::InResidual ContactBody::reactionsTo(const Vector& force) const {
   Loads::InResidual all;
   for (std::size_t k = 0; k < reactions().size(); ++k)
-    add(-dot(columnOf(holding_->allowed, static_cast<Index>(k)), force),
+    add(-dot(columnOf(holding().allowed, static_cast<Index>(k)), force),
         reactions()[k].residual, all);
   return all;
 }

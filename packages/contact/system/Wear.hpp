@@ -1,13 +1,11 @@
 #pragma once
 
-#include "contact/opposite/Numbering.hpp"
-#include "contact/problem/Surface.hpp"
+#include "contact/opposite/Obstacle.hpp"
 #include "contact/system/Aitken.hpp"
-#include "contact/system/ContactBody.hpp"
 
 namespace epafi::contact {
 
-/// What slip has done to the contact sides of a body up to a step of a path, dimensionless values
+/// What slip has done to the contact sides of all bodies up to a step of a path, dimensionless values
 /// at the p + 1 Gauss points of each element, see MultiplierSpace::throughPoints:
 ///
 ///   w = w⁻ + n k |Δs| λₙ,   Δs the step's slip, n how many times it happens.
@@ -19,17 +17,16 @@ struct Wear {
   Vector rate;      ///< n k |Δs| of the step: by how much more a pressure wears
 };
 
-/// The wear of a step of a path, of all bodies together.
+/// The wear of a step of a path.
 class StepWear {
  public:
-  /// `before`: of each body behind the step before; empty: nothing wore.
-  StepWear(std::shared_ptr<const std::vector<ContactBody>> bodies, Numbering numbering,
-           std::vector<Wear> before);
+  /// `before`: behind the step before; empty: nothing wore.
+  StepWear(std::shared_ptr<const Obstacle> obstacle, Wear before);
 
   /// Does anything wear?
   bool wears() const { return wears_; }
   /// <w, χ_i> of all coefficients; of the step before: empty where nothing wore.
-  Vector tested(const std::vector<Wear>& wear) const;
+  Vector tested(const Wear& wear) const;
   const Vector& testedBefore() const { return testedBefore_; }
 
   /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
@@ -40,22 +37,21 @@ class StepWear {
   /// |Δs| are next those of the slips, whatever they were.
   void forgetIterations() { known_ = false; }
 
-  /// Of each body behind the step, `states` their own.
-  std::vector<Wear> behind(const std::vector<State>& states) const;
+  /// Behind the step.  `stress`: see Problem
+  Wear behind(const Vector& multiplier, double stress) const;
 
  private:
   void takeSlips(const Vector& slip);
 
-  std::shared_ptr<const std::vector<ContactBody>> bodies_;
-  Numbering numbering_;
-  std::vector<Wear> before_;
+  std::shared_ptr<const Obstacle> obstacle_;
+  Wear before_;
   bool wears_ = false;
   Vector testedBefore_;
-  std::vector<Vector> slips_;  ///< |Δs| of each body at the points
-  bool known_ = false;         ///< are slips_ those of a solution?
+  Vector slips_{};      ///< |Δs| at the points
+  bool known_ = false;  ///< are slips_ those of a solution?
   Aitken aitken_{};
-  double share_ = 1;           ///< ω
-  std::vector<Vector> rates_;  ///< n k |Δs|
+  double share_ = 1;  ///< ω
+  Vector rates_{};    ///< n k |Δs|
 };
 
 }  // namespace epafi::contact

@@ -1,0 +1,199 @@
+// G and M of a body, and what a traction in λ's place does.
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "contact/body/Coupling.hpp"
+#include "contact/opposite/SidePoints.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace epafi::contact {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+/// values of functions times a force, by components: two rows a function.
+void addForce(Vec2 force, const double* values, double* rows, Index size) {
+  for (Index k = 0; k < size; k += 2) {
+    rows[k] += force.x * values[k / 2];
+    rows[k + 1] += force.y * values[k / 2];
+  }
+}
+
+/// What one contact element has of G and M, coefficients in a row.  G's rows: with Form Density
+/// Legendre polynomials, the densities', where S u is evaluated orthonormal ones, else none.
+class ElementCoupling {
+ public:
+  ElementCoupling(const MultiplierBasis& basis, const Stabilization& stabilization,
+                  const ContactElement& contact)
+      : basis_(basis),
+        byDensity_(stabilization.byDensity()),
+        byTractions_(stabilization.tractions().has_value()),
+        contact_(contact),
+        element_(contact.geometry()),
+        parts_(rows(), size()),
+        mass_(size(), size()) {
+    integrate();
+  }
+
+  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+    for (int i = 0; i < size(); ++i) {
+      const Index number = contact_.numberOf(i);
+      for (int k = 0; k < size(); ++k)
+        if (mass_(i, k) != 0)
+          coupling.mass.push_back({number, contact_.numberOf(k), gamma * mass_(i, k)});
+      for (Index row = 0; row < rows(); ++row)
+        coupling.weights.push_back(
+            {firstRow + row, number, gamma * normOf(row) * parts_(row, i)});
+    }
+  }
+
+  /// A traction in λ's place.
+  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
+                  const std::vector<BoundaryTraction>& tested,
+                  Loads::InResidual& moments) const {
+    Vector parts(at(rows()));
+    Matrix testedParts(rows(), static_cast<Index>(tested.size()));
+    forEachPointOf(contact_, basis_, bem::gaussForGiven(element_.degree),
+                   [&](const SidePoint& point) {
+                     const auto legendre = orthonormal(point.t);
+                     const double weight = stabilising(point);
+                     const Vec2 force = weight * traction(contact_.element, point.t);
+                     addForce(force, legendre.data(), parts.data(), rows());
+                     for (std::size_t k = 0; k < tested.size(); ++k) {
+                       const Vec2 r = tested[k](contact_.element, point.t);
+                       addForce(weight * r, legendre.data(),
+                                testedParts.column(static_cast<Index>(k)), rows());
+                       if (isWhole())
+                         moments.means[k] += gamma * dot(force, r);
+                     }
+                     for (int i = 0; i < size() && isWhole(); ++i)
+                       moments.terms[at(contact_.numberOf(i))] -=
+                           gamma * point.chiOf(i) * dot(force, point.directionOf(i));
+                   });
+    const auto timesParts = [&](const double* column) {
+      return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
+    };
+    for (int i = 0; i < size() && !isWhole(); ++i)
+      moments.terms[at(contact_.numberOf(i))] -= timesParts(parts_.column(i));
+    for (Index k = 0; k < testedParts.columns() && !isWhole(); ++k)
+      moments.means[at(k)] += timesParts(testedParts.column(k));
+    for (Index row = 0; row < rows(); ++row)
+      moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
+  }
+
+ private:
+  int size() const { return contact_.coefficients(); }
+  /// The rows of the element's tractions, or its densities.
+  Index rows() const {
+    return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
+  }
+
+  /// The stabilisation weighs with the radius in the middle of the element: its residual is zero
+  /// where the solution is exact, and G stays diagonal.
+  double stabilising(const SidePoint& point) const {
+    const int e = contact_.element;
+    return point.weight *
+           (contact_.mesh->measure(e, 0) / contact_.mesh->measure(e, point.t));
+  }
+
+  /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
+  /// be that of G's row.
+  std::array<double, bem::largestDegree + 2> orthonormal(double t) const {
+    std::array<double, bem::largestDegree + 2> legendre{};
+    const auto count = static_cast<int>(rows() / 2);
+    bem::legendreValues(count - 1, t, legendre.data());
+    for (int l = 0; l < count; ++l)
+      legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element_.half));
+    return legendre;
+  }
+  double normOf(Index row) const {
+    const Index degree = row / 2;
+    const auto l = static_cast<double>(degree);
+    return byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
+  }
+
+  /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
+  /// the product of what they take.
+  bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
+
+  void integrate() {
+    const int p = element_.degree;
+    forEachPointOf(contact_, basis_,
+                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
+                   [&](const SidePoint& point) { add(point); });
+    if (!isWhole())
+      mass_ = bem::transposedTimes(parts_, parts_);
+  }
+
+  void add(const SidePoint& point) {
+    const auto legendre = orthonormal(point.t);
+    const double weight = stabilising(point);
+    for (int i = 0; i < size(); ++i) {
+      const double value = weight * point.chiOf(i);
+      addForce(value * point.directionOf(i), legendre.data(), parts_.column(i), rows());
+      for (int k = 0; k < size(); ++k)
+        if (contact_.isTangential(k) == contact_.isTangential(i))
+          mass_(i, k) += value * point.chiOf(k);
+    }
+  }
+
+  const MultiplierBasis& basis_;
+  bool byDensity_;
+  bool byTractions_;
+  const ContactElement& contact_;
+  const bem::Element& element_;
+  Matrix parts_;  ///< ∫ χ_i d·P_l, P_l orthonormal: their components x coefficients
+  Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
+};
+
+}  // namespace
+
+Coupling stabilised(Coupling plain, const bem::Space& space,
+                    const MultiplierSpace& multiplier, std::size_t body,
+                    const Stabilization& stabilization, const bem::Lame& lame,
+                    bem::Units units, std::vector<Index> start) {
+  Coupling coupling = std::move(plain);
+  coupling.stabilization = stabilization;
+  if (stabilization.isOn() && !multiplier.elements(body).empty())
+    coupling.gamma0 = stabilization.firstGamma0();
+  coupling.compliance =
+      densityCompliance(space, multiplier.conditions(body), stabilization, lame, units);
+  const bool ofDensities = start.empty();
+  coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
+  for (const ContactElement& contact : multiplier.elements(body)) {
+    const double gamma =
+        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
+    const Index first = coupling.start[coupling.gamma.size()];
+    if (ofDensities)
+      coupling.start.push_back(first + 2 * contact.geometry().densities);
+    coupling.gamma.push_back(gamma);
+    if (gamma != 0)
+      ElementCoupling(multiplier.basis(), stabilization, contact)
+          .addTo(gamma, first, coupling);
+  }
+  return coupling;
+}
+
+Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t body,
+                                  const Coupling& coupling,
+                                  const BoundaryTraction& traction,
+                                  const std::vector<BoundaryTraction>& tested) {
+  Loads::InResidual moments;
+  moments.weights.assign(at(coupling.start.back()), 0.0);
+  moments.terms.assign(at(multiplier.size()), 0.0);
+  moments.means.assign(tested.size(), 0.0);
+  for (std::size_t k = 0; k < multiplier.elements(body).size(); ++k)
+    if (coupling.gamma[k] != 0)
+      ElementCoupling(multiplier.basis(), coupling.stabilization,
+                      multiplier.elements(body)[k])
+          .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
+  return moments;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,55 @@
+// What the stabilisation stores in a state of a body.
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/opposite/SidePoints.hpp"
+#include "contact/system/ContactBody.hpp"
+
+namespace epafi::contact {
+
+using bem::dot;
+using bem::Vec2;
+
+// With E = λ + ψ + t_p - Σ ρ r, on pins of their elements' means:
+//   Σ ∫ γ E · (E - t_p),   and what t_p does through f, r and the means of what Fix holds
+double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
+                                        const Vector& contactForce) const {
+  if (!coupling().hasCompliance())
+    return storedEnergy(state, displacement, contactForce) -
+           strainEnergy(state, displacement, contactForce);
+  const bem::Mesh& mesh = space_->mesh();
+  const BodyLoadSolution& inside = conditions().inside;
+  const Vector psi = density(state, displacement, contactForce);
+  const Vector rho = fixedReactions(contactForce);
+  double twice = 0;
+  for (std::size_t k = 0; k < elements().size(); ++k) {
+    const auto& element = elements()[k];
+    const int e = element.element;
+    forEachPointOf(
+        element, multiplier().basis(), bem::gaussForGiven(element.degree),
+        [&](const SidePoint& point) {
+          const auto stress = multiplier().at(state.multiplier, element, point.t);
+          Vec2 own = stress.normal * point.normal + stress.tangential * point.tangent +
+                     space_->densityAt(psi, e, point.t);
+          for (const int mode : holding().fixedModes)
+            own = own -
+                  rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
+          const Vec2 whole = inside ? own + inside->traction(mesh, e, point.t) : own;
+          twice += coupling().gamma[k] * point.weight * dot(whole, own);
+        });
+  }
+  const Loads::InResidual all = inResidual(contactForce);
+  const Loads::InResidual& ofInside = loads_.residual;
+  for (const auto& [i, value] : coupling().compliance.pinned) {
+    const double given = all.compliance.empty() ? 0 : all.compliance[at(i)];
+    const double own =
+        ofInside.compliance.empty() ? given : given - ofInside.compliance[at(i)];
+    twice += (value * psi[at(i)] + given) * (psi[at(i)] + own / value);
+  }
+  if (inside) {
+    twice += dot(ofInside.force, displacement) + dot(ofInside.terms, state.multiplier);
+    for (std::size_t k = 0; k < ofInside.means.size(); ++k)
+      twice += rho[at(holding().fixedModes[k])] / holding().scales[k] * ofInside.means[k];
+  }
+  return twice / 2;
+}
+
+}  // namespace epafi::contact
