@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem/kernel/RingKernels.hpp"
 #include "bem/moments/ElementRuns.hpp"
+#include "bem/moments/RingKernels.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/kernel/RingFunctions.hpp"
+#include "bem/moments/RingFunctions.hpp"
 #include "bem/simd/ComplexPack.hpp"
 
 namespace epafi::bem {
