@@ -120,7 +120,9 @@ std::string ContactTable::next(const SolvedStep& step) {
                      {"pressure", exactly(stress.normal)},
                      {"shear", exactly(stress.tangential)},
                      {"pressure_error", exactly(doubt.normal)},
-                     {"shear_error", exactly(doubt.tangential)}});
+                     {"shear_error", exactly(doubt.tangential)},
+                     {"d_x", exactly(p.direction.unit.x)},
+                     {"d_y", exactly(p.direction.unit.y)}});
         addRow(row, csv);
       }
     }

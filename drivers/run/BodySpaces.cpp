@@ -44,7 +44,13 @@ contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
   if (pair.opposite.rigid) {
     const RigidBody& body = scene_.rigid[pair.opposite.body];
     const double length = scene_.units().length;
-    opposite.curves = scene_.oppositeEdges(pair).curves;
+    const Scene::OppositeEdges edges = scene_.oppositeEdges(pair);
+    opposite.curves = edges.curves;
+    const double unit = length / body.outline->scaling().length;
+    const std::vector<bem::Continuations> beyond = bem::continuations(*body.outline);
+    for (const int e : edges.edges)
+      opposite.beyond.push_back({beyond[bem::at(e)].before.inUnits(unit),
+                                 beyond[bem::at(e)].after.inUnits(unit)});
     opposite.rigid = static_cast<int>(pair.opposite.body);
     opposite.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
     return opposite;
@@ -52,10 +58,13 @@ contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
   opposite.body = static_cast<int>(pair.opposite.body);
   const bem::Mesh& mesh = spaces_[pair.opposite.body].mesh();
   std::vector<bem::Curve> curves;
+  const std::vector<bem::Continuations> beyond = bem::continuations(mesh.outline());
   for (const int e : mesh.elementsOf(pair.opposite.boundary)) {
     curves.push_back(mesh[e].curve);
     opposite.elements.push_back(e);
     opposite.degrees.push_back(mesh[e].degree);
+    const bem::Piece& piece = mesh[e].piece;
+    opposite.beyond.push_back(beyond[bem::at(piece.edge)].ofPart(piece.start, piece.end));
   }
   opposite.curves = bem::CurveTree(std::move(curves));
   return opposite;

@@ -16,6 +16,9 @@ namespace {
 /// What is told of a contact, the largest over the level or over the steps of its path.
 struct Contact {
   double sliding = 0;  ///< where it is closed, over its length in contact
+  double parting = 0;  ///< of ContactDirection, times the slip where it is closed
+  double slope = 0;    ///< largest angle between the sides where it is closed
+  double apart = 0;    ///< by how much sliding convex sides part [length]
   /// n k |λₜ|, at most n k f p, of a path: the slip follows what it wears, and more than one
   /// solution may exist.
   double wearing = 0;
@@ -30,12 +33,20 @@ std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
       for (const auto& element : fields.elements()) {
         const contact::ContactPoint point = fields.at(element, 0);
         const auto& condition = *element.condition;
-        auto& [sliding, wearing] = contacts[nameOf(element)];
-        if (const double length = lengths.at(nameOf(element)); point.closed && length > 0)
-          sliding = std::max(sliding, std::abs(point.tangential) / length);
+        Contact& contact = contacts[nameOf(element)];
+        const double slip = std::abs(point.tangential);
+        if (const double length = lengths.at(nameOf(element));
+            point.closed && length > 0) {
+          contact.sliding = std::max(contact.sliding, slip / length);
+          const double parting = slip * point.direction.parting / solved.units.length;
+          contact.parting = std::max(contact.parting, parting);
+          contact.slope = std::max(contact.slope, std::abs(point.direction.angle));
+          contact.apart = std::max(contact.apart, slip * parting / 2);
+        }
         if (condition.wear && element.shears() && level.level.onPath())
-          wearing = std::max(
-              wearing, condition.cycles * condition.wear(point.place) * point.bound);
+          contact.wearing =
+              std::max(contact.wearing,
+                       condition.cycles * condition.wear(point.place) * point.bound);
       }
     }
   return contacts;
@@ -130,6 +141,12 @@ void findLarge(const SolvedLevel& level, Warnings& warn) {
       warn("contact '", name, "': sliding reaches ", std::round(100 * contact.sliding),
            " % of the length in contact; what meets what is looked for once, on the "
            "outlines as drawn (small sliding): stresses may belong elsewhere by as much");
+  constexpr double ofSlope = 0.1;
+  for (const auto& [name, contact] : contacts)
+    if (contact.parting > ofSlope * contact.slope)
+      warn("contact '", name, "': its convex sides part by about ", contact.apart,
+           " as they slide, which the equations of small sliding leave out: they are "
+           "pressed deeper into each other by as much");
   for (const auto& [name, contact] : contacts)
     if (contact.wearing > settled)
       warn("contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",

@@ -1,10 +1,13 @@
 // What lies opposite to the contact sides of whole bodies.
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/mesh/Mesh.hpp"
+#include "contact/body/Coupling.hpp"
 #include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -123,6 +126,27 @@ TEUCHOS_UNIT_TEST(Opposite, sourcesLeadBack) {
       TEST_COMPARE(std::abs(back.t - t), <, 1e-13);
     }
   TEST_EQUALITY(fit.facing.sources(2, 0, 0).size(), 0u);
+}
+
+/// What a coefficient does to one body on a translation it takes from the other one.
+TEUCHOS_UNIT_TEST(Opposite, forcesOnBothBodiesBalance) {
+  const Fit fit;
+  const bem::Space ring(fit.ring);
+  const bem::Space disc(fit.disc);
+  const auto couplings =
+      contact::makeCouplings({&ring, &ring, &ring, &disc}, fit.multiplier, fit.facing);
+  for (const bem::Index k : {0, 1}) {
+    const contact::Vector own =
+        couplings[0].trace.apply(bem::columnOf(ring.rigidMotions(), k));
+    const contact::Vector other =
+        couplings[3].trace.apply(bem::columnOf(disc.rigidMotions(), k));
+    double largest = 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      TEST_COMPARE(std::abs(own[i] + other[i]), <, 1e-13);
+      largest = std::max(largest, std::abs(own[i]));
+    }
+    TEST_COMPARE(largest, >, 1e-3);
+  }
 }
 
 /// Another element of the ring on either side of them.

@@ -19,6 +19,7 @@ namespace epafi {
 
 namespace {
 
+using contact::at;
 using contact::Conditions;
 using contact::Index;
 using contact::MultiplierSpace;
@@ -55,6 +56,50 @@ Counts countsOf(const Conditions& conditions, int degree) {
   const bool whole = static_cast<Index>(used.size()) == all && *used.begin() == 0 &&
                      *used.rbegin() == all - 1;
   return whole ? Counts{space.normals(), all - space.normals()} : Counts{-1, -1};
+}
+
+// Pressures of all bodies, then all other coefficients, with the numbers that each has alone.
+TEUCHOS_UNIT_TEST(MultiplierSpace, bodiesAreNumberedTogether) {
+  const bem::Mesh meshes[] = {squareMesh(2), squareMesh(1), squareMesh(3)};
+  Conditions conditions[3];
+  conditions[0].contact["bottom"] = frictional();
+  conditions[0].contact["right"] = {{}, contact::makeFriction("Tied", {})};
+  conditions[2].contact["top"] = frictional();
+  for (const contact::MultiplierBasis& basis : contact::multiplierBases()) {
+    std::vector<MultiplierSpace::Body> bodies;
+    for (const std::size_t b : {0, 1, 2})
+      bodies.push_back({meshes[b], conditions[b]});
+    const MultiplierSpace all(bodies, basis);
+    Index normal = 0;
+    Index other = all.normals();
+    Index point = 0;
+    for (const std::size_t b : {0, 1, 2}) {
+      const MultiplierSpace alone(meshes[b], basis, conditions[b]);
+      const auto number = [&](Index own) {
+        return own < alone.normals() ? normal + own : other + own - alone.normals();
+      };
+      TEST_EQUALITY(all.elements(b).size(), alone.elements(0).size());
+      TEST_EQUALITY(all.columns(b).size(), alone.columns(0).size());
+      for (const Index own : alone.columns(0))
+        TEST_EQUALITY(all.columns(b)[at(own)], number(own));
+      for (std::size_t k = 0; k < alone.elements(0).size(); ++k) {
+        const auto& mine = alone.elements(0)[k];
+        const auto& here = all.elements(b)[k];
+        TEST_EQUALITY(here.body, static_cast<int>(b));
+        TEST_EQUALITY(here.mesh, &meshes[b]);
+        TEST_EQUALITY(here.point, point + mine.point);
+        TEST_EQUALITY(here.coefficients(), mine.coefficients());
+        for (int i = 0; i < mine.coefficients(); ++i)
+          TEST_EQUALITY(here.numberOf(i), number(mine.numberOf(i)));
+      }
+      normal += alone.normals();
+      other += alone.size() - alone.normals();
+      point += alone.points();
+    }
+    TEST_EQUALITY(normal, all.normals());
+    TEST_EQUALITY(other, all.size());
+    TEST_EQUALITY(point, all.points());
+  }
 }
 
 // At a corner of two sides in contact normals come first.

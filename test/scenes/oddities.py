@@ -194,11 +194,13 @@ claim("Solver->Linear->Method = Dense" in text, "compressed operators are named"
 
 # what the solver leaves of free motions is none of rounding
 def resting(load, tolerance, law=NONE, beside=()):
-    """A disc on a block, in balance by contact alone."""
+    """A disc in a groove, in balance by contact and friction alone."""
     weight = listed("Body Loads", Force_X=0.1 * load, Force_Y=-load)
+    bank = 3 - math.sqrt(2)  # a right angle about the disc
+    groove = geometry([(-2, -2), (2, -2), (2, bank), (0, bank - 2), (-2, bank)], "bottom, right, top, top, left")
     return written("resting", [
         body("disc", disc(1, "rim", 0, 1), 1000, inside=weight),
-        body("block", block(-2, -2, 2, 0), 1000, condition("bottom", "Dirichlet", CLAMPED)), *beside],
+        body("block", groove, 1000, condition("bottom", "Dirichlet", CLAMPED)), *beside],
         contact("pair", "disc:rim", "block:top", COULOMB, law), "Projected", 0.3,
         more=listed("Solver", Tolerance=tolerance))
 

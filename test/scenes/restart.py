@@ -259,7 +259,7 @@ def run_limited(arguments, kilobytes):
 
 
 # mpirun has files of its own, which the limit would meet first
-for name in (SOLUTION, "boundary.csv") if RANKS == 1 else ():
+for name in (SOLUTION, "contact.csv") if RANKS == 1 else ():
     kilobytes = len(before[name]) // 1024
     full = copy(base, "full")
     code, text = run_limited(RESTART[:-1] + [full] + options(

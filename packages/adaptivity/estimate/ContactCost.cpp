@@ -90,7 +90,10 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const int p = element.degree;
-  const Vec2 across = geometry.curve.normal(0);
+  const auto directionAt = [&](double t) {
+    return solved.problem.opposite().at(element, t).direction.unit;
+  };
+  const Vec2 across = directionAt(0);
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
@@ -106,7 +109,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     const double pressure = profiles.pressure(t);
     const contact::PointLaw friction = element.condition->friction.at(
         mesh.physicalPoint(element.element, t), solved.units.stress);
-    const Vec2 normal = geometry.curve.normal(t);
+    const Vec2 normal = directionAt(t);
     const bem::EndValues e = bem::endValues(p, t);
     add(q, {normal.x, normal.y, rule.weights[q] * mesh.measure(element.element, t),
             e.start / geometry.half, e.end / geometry.half, pressure, profiles.shear(t),

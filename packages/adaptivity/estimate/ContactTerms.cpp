@@ -118,15 +118,19 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bool acts = solved.conditions.inside || solved.insideBefore();
   const int degreeOfMotion =
       acts ? std::min(std::max(degree, p + forTurning), bem::largestDegree) : degree;
-  const auto component = [&](const auto& direction, bool since) {
-    return Polynomial(
-        [&, since](double t) {
-          bem::Vec2 u = solved.displacementAt(element.element, t);
-          if (since)
-            u = u - solved.displacementBeforeAt(element.element, t);
-          return dot(u, direction(t));
-        },
-        degreeOfMotion);
+  const auto motion = [&](bool since) {
+    const auto component = [&](double bem::Vec2::*part) {
+      return Polynomial(
+          [&](double t) {
+            const bem::Vec2 u = solved.displacementAt(element.element, t);
+            return since ? (u - solved.displacementBeforeAt(element.element, t)).*part
+                         : u.*part;
+          },
+          degreeOfMotion);
+    };
+    return [x = component(&bem::Vec2::x), y = component(&bem::Vec2::y)](double t) {
+      return bem::Vec2{x(t), y(t)};
+    };
   };
   const auto stress = [&](auto part, const auto& direction) {
     return Polynomial(
@@ -140,14 +144,6 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         degree);
   };
   using Value = contact::MultiplierSpace::Value;
-  const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
-  const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
-  const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial shear = stress(&Value::tangential, along);
-  const Polynomial normal = component(across, false);
-  // the whole jump of bonded sides is an error, not what a step adds to it
-  const Polynomial tangential =
-      component(along, !element.ties() && solved.displacementBefore != nullptr);
   // several profiles ask for the same point one after the other
   const auto last = std::make_shared<std::optional<contact::ContactPlace>>();
   const auto at = [&solved, &element, last](double t) -> const contact::ContactPlace& {
@@ -155,12 +151,19 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
       last->emplace(contact::ContactPlace{solved, element, t});
     return **last;
   };
+  const auto across = [at](double t) { return at(t).opposite.direction.unit; };
+  const auto along = [across](double t) { return turnLeft(across(t)); };
+  const Polynomial pressure = stress(&Value::normal, across);
+  const Polynomial shear = stress(&Value::tangential, along);
+  const auto whole = motion(false);
+  // the whole jump of bonded sides is an error, not what a step adds to it
+  const auto slid = motion(!element.ties() && solved.displacementBefore != nullptr);
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
   const contact::Opposite& opposite = solved.problem.opposite();
   return {pressure,
           shear,
-          [=](double t) { return at(t).slip(tangential(t), shear(t)); },
-          [=](double t) { return at(t).opening(pressure(t), normal(t)); },
+          [=](double t) { return at(t).slip(slid(t), shear(t)); },
+          [=](double t) { return at(t).opening(pressure(t), whole(t)); },
           [=](double t) { return at(t).bound(pressure(t)); },
           p,
           geometry.half,

@@ -99,9 +99,9 @@ class Residuals {
     for (const bem::BoundaryValue& value : values) {
       const double t = value.place.t;
       const auto stress = multiplier.at(solved_.state.multiplier, contact, t);
-      result.push_back(stress.normal * mesh_[e].curve.normal(t) +
-                       stress.tangential * mesh_[e].curve.tangent(t) + value.traction -
-                       fixedTraction(e, t));
+      const Vec2 across = solved_.problem.opposite().at(contact, t).direction.unit;
+      result.push_back(stress.normal * across + stress.tangential * turnLeft(across) +
+                       value.traction - fixedTraction(e, t));
       if (solved_.conditions.inside)
         result.back() = result.back() + solved_.conditions.inside->traction(mesh_, e, t);
     }

@@ -16,6 +16,8 @@ class DisplacementField {
   }
 
   const Space& space() const { return *space_; }
+  /// ω(u) of Rotation; 0 on meshes without arcs.
+  double turn() const { return omega_; }
 
   Vec2 at(int e, double t) const {
     const Vec2 value = space_->polynomialAt(*coefficients_, e, t);

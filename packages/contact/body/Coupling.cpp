@@ -21,10 +21,13 @@ namespace {
 /// own or an opposite one.
 class Works {
  public:
-  Works(const ContactElement& contact, const bem::Space& space, int element)
+  /// \param turn  that of directions, of the element's body
+  Works(const ContactElement& contact, const bem::Space& space, int element,
+        double Direction::*turn)
       : contact_(contact),
         space_(space),
         element_(element),
+        turn_(turn),
         traces_(2 * (space.mesh()[element].degree + Index{1}), contact.coefficients()),
         rests_(at(contact.coefficients())) {}
 
@@ -35,13 +38,15 @@ class Works {
     bem::DisplacementBasis::values(degree, t, phi.data());
     const Vec2 rest = space_.rotationRest(element_, t);
     for (int i = 0; i < contact_.coefficients(); ++i) {
-      const Vec2 force = weight * point.chiOf(i) * point.directionOf(i);
+      const Direction& direction = point.directionOf(i);
+      const double value = weight * point.chiOf(i);
+      const Vec2 force = value * direction.unit;
       double* trace = traces_.column(i);
       for (int k = 0; k <= degree; ++k) {
         trace[2 * k] += force.x * phi[at(k)];
         trace[2 * k + 1] += force.y * phi[at(k)];
       }
-      rests_[at(i)] += dot(force, rest);
+      rests_[at(i)] += dot(force, rest) - value * direction.*turn_;
     }
   }
 
@@ -71,8 +76,9 @@ class Works {
   const ContactElement& contact_;
   const bem::Space& space_;
   int element_;
+  double Direction::*turn_;
   Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
-  Vector rests_;  ///< ∫ χ_i d·(r - r_I)
+  Vector rests_;  ///< ∫ χ_i d·(r - r_I), less what turns of arcs do
 };
 
 void checkEnds(const ContactElement& element, const MultiplierBasis& basis) {
@@ -91,37 +97,33 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
                                     const MultiplierSpace& multiplier,
                                     const Opposite& opposite) {
   std::vector<Coupling> couplings(spaces.size());
-  for (std::size_t b = 0; b < spaces.size(); ++b)
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    couplings[b].opposite = &opposite;
     couplings[b].trace = couplings[b].completion = {
         {}, spaces[b]->rotation(), Vector(at(multiplier.size()))};
+  }
   multiplier.forEachElement([&](const ContactElement& contact) {
-    const bem::Element& side = contact.geometry();
-    Works own(contact, *spaces[at(contact.body)], contact.element);
-    forEachPointOf(
-        contact, multiplier.basis(),
-        bem::gaussLegendre(contact.degree + std::max(1, side.curve.pointsOfTurning())),
-        [&](const SidePoint& point) { own.add(point, point.weight, point.t); });
-    own.addTo(couplings[at(contact.body)]);
-    if (opposite.degree(contact) == 0)
-      return;
+    Works own(contact, *spaces[at(contact.body)], contact.element, &Direction::ownTurn);
     std::map<std::pair<int, int>, Works> facing;  // by body and element
     for (const Stretch& stretch : stretches(opposite, contact)) {
       const Opposite::Point middle = opposite.at(contact, stretch.middle);
-      if (middle.element < 0)
-        continue;
-      checkEnds(contact, multiplier.basis());
+      if (middle.element >= 0)
+        checkEnds(contact, multiplier.basis());
       forEachPointOf(
-          contact, multiplier.basis(),
-          mortarRule(contact, spaces[at(middle.body)]->mesh()[middle.element]),
+          contact, multiplier.basis(), ruleOfForces(contact, middle),
           [&](const SidePoint& point) {
+            own.add(point, point.weight, point.t);
             const int body = point.opposite.body;
             const int element = point.opposite.element;
-            if (element >= 0)  // else a grazing normal, but for rounding
-              facing.try_emplace({body, element}, contact, *spaces[at(body)], element)
+            if (element >= 0)
+              facing
+                  .try_emplace({body, element}, contact, *spaces[at(body)], element,
+                               &Direction::oppositeTurn)
                   .first->second.add(point, -point.weight, point.opposite.t);
           },
           stretch);
     }
+    own.addTo(couplings[at(contact.body)]);
     for (const auto& [where, works] : facing)
       works.addTo(couplings[at(where.first)]);
   });

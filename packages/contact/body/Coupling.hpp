@@ -23,7 +23,8 @@ using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 /// Form Density is the same with R = K' (V + G)⁻¹ E, N = <γ P_i, χ_j> in G's place,
 /// M - Nᵀ X N in M's, X = Eᵀ (V + G)⁻¹ E, and no S^ (doc/theory/contact.md).
 struct Coupling {
-  TraceCoupling trace;  ///< C: <χ_i, φ_j>
+  const Opposite* opposite = nullptr;  ///< what directions depend on
+  TraceCoupling trace;                 ///< C: <χ_i, φ_j>
   /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free displacements.
   TraceCoupling completion;
   std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
@@ -62,7 +63,7 @@ struct Coupling {
                                     const Vector& ofInside) const;
 };
 
-/// C of all bodies, without stabilisation.
+/// C of all bodies, without stabilisation.  Refers to the opposite sides.
 /// \pre all bodies share Units
 /// \throws bem::InputError for a multiplier that shares nodes where contact with another body
 ///   meets a clamp or another contact side.

@@ -328,9 +328,12 @@ double limitGamma0(const BodyInput& input) {
     return std::numeric_limits<double>::infinity();
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   const Tractions tractions = tractionsOf(input, multiplier, 0);
+  const Opposite opposite(input.units.length);
+  Coupling plain;
+  plain.opposite = &opposite;
   return limitGamma0(
       input, std::make_shared<const Holding>(makeHolding(input.space, input.conditions)),
-      couplingOf(input, multiplier, 0, tractions, {}), tractions);
+      couplingOf(input, multiplier, 0, tractions, plain), tractions);
 }
 
 }  // namespace epafi::contact

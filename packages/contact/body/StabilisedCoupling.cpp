@@ -29,9 +29,10 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
 /// Legendre polynomials, the densities', where S u is evaluated orthonormal ones, else none.
 class ElementCoupling {
  public:
-  ElementCoupling(const MultiplierBasis& basis, const Stabilization& stabilization,
-                  const ContactElement& contact)
+  ElementCoupling(const MultiplierBasis& basis, const Opposite& opposite,
+                  const Stabilization& stabilization, const ContactElement& contact)
       : basis_(basis),
+        opposite_(opposite),
         byDensity_(stabilization.byDensity()),
         byTractions_(stabilization.tractions().has_value()),
         contact_(contact),
@@ -59,23 +60,26 @@ class ElementCoupling {
                   Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPointOf(contact_, basis_, bem::gaussForGiven(element_.degree),
-                   [&](const SidePoint& point) {
-                     const auto legendre = orthonormal(point.t);
-                     const double weight = stabilising(point);
-                     const Vec2 force = weight * traction(contact_.element, point.t);
-                     addForce(force, legendre.data(), parts.data(), rows());
-                     for (std::size_t k = 0; k < tested.size(); ++k) {
-                       const Vec2 r = tested[k](contact_.element, point.t);
-                       addForce(weight * r, legendre.data(),
-                                testedParts.column(static_cast<Index>(k)), rows());
-                       if (isWhole())
-                         moments.means[k] += gamma * dot(force, r);
-                     }
-                     for (int i = 0; i < size() && isWhole(); ++i)
-                       moments.terms[at(contact_.numberOf(i))] -=
-                           gamma * point.chiOf(i) * dot(force, point.directionOf(i));
-                   });
+    forEachPoint(
+        [&](const Opposite::Point&) -> const auto& {
+          return bem::gaussForGiven(element_.degree);
+        },
+        [&](const SidePoint& point) {
+          const auto legendre = orthonormal(point.t);
+          const double weight = stabilising(point);
+          const Vec2 force = weight * traction(contact_.element, point.t);
+          addForce(force, legendre.data(), parts.data(), rows());
+          for (std::size_t k = 0; k < tested.size(); ++k) {
+            const Vec2 r = tested[k](contact_.element, point.t);
+            addForce(weight * r, legendre.data(),
+                     testedParts.column(static_cast<Index>(k)), rows());
+            if (isWhole())
+              moments.means[k] += gamma * dot(force, r);
+          }
+          for (int i = 0; i < size() && isWhole(); ++i)
+            moments.terms[at(contact_.numberOf(i))] -=
+                gamma * point.chiOf(i) * dot(force, point.directionOf(i).unit);
+        });
     const auto timesParts = [&](const double* column) {
       return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
     };
@@ -122,11 +126,19 @@ class ElementCoupling {
   /// the product of what they take.
   bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
 
+  template <class RuleOf, class Visit>
+  void forEachPoint(const RuleOf& ruleOf, const Visit& visit) const {
+    for (const Stretch& stretch : stretches(opposite_, contact_))
+      forEachPointOf(contact_, basis_, ruleOf(opposite_.at(contact_, stretch.middle)),
+                     visit, stretch);
+  }
+
   void integrate() {
-    const int p = element_.degree;
-    forEachPointOf(contact_, basis_,
-                   bem::gaussLegendre(p + std::max(1, element_.curve.pointsOfTurning())),
-                   [&](const SidePoint& point) { add(point); });
+    forEachPoint(
+        [&](const Opposite::Point& middle) -> const auto& {
+          return ruleOfForces(contact_, middle);
+        },
+        [&](const SidePoint& point) { add(point); });
     if (!isWhole())
       mass_ = bem::transposedTimes(parts_, parts_);
   }
@@ -136,7 +148,8 @@ class ElementCoupling {
     const double weight = stabilising(point);
     for (int i = 0; i < size(); ++i) {
       const double value = weight * point.chiOf(i);
-      addForce(value * point.directionOf(i), legendre.data(), parts_.column(i), rows());
+      addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),
+               rows());
       for (int k = 0; k < size(); ++k)
         if (contact_.isTangential(k) == contact_.isTangential(i))
           mass_(i, k) += value * point.chiOf(k);
@@ -144,6 +157,7 @@ class ElementCoupling {
   }
 
   const MultiplierBasis& basis_;
+  const Opposite& opposite_;
   bool byDensity_;
   bool byTractions_;
   const ContactElement& contact_;
@@ -174,7 +188,7 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
       coupling.start.push_back(first + 2 * contact.geometry().densities);
     coupling.gamma.push_back(gamma);
     if (gamma != 0)
-      ElementCoupling(multiplier.basis(), stabilization, contact)
+      ElementCoupling(multiplier.basis(), *coupling.opposite, stabilization, contact)
           .addTo(gamma, first, coupling);
   }
   return coupling;
@@ -190,7 +204,7 @@ Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t
   moments.means.assign(tested.size(), 0.0);
   for (std::size_t k = 0; k < multiplier.elements(body).size(); ++k)
     if (coupling.gamma[k] != 0)
-      ElementCoupling(multiplier.basis(), coupling.stabilization,
+      ElementCoupling(multiplier.basis(), *coupling.opposite, coupling.stabilization,
                       multiplier.elements(body)[k])
           .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
   return moments;

@@ -74,13 +74,10 @@ void MultiplierSpace::addBody(const Body& body) {
 
 void MultiplierSpace::shareNodes(const Body& body,
                                  std::vector<ContactElement>& elements) const {
-  std::vector<bool> joined(elements.size());
-  std::vector<bool> joinsNext(elements.size());
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    if (const auto behind = elements[k].follower)
-      joined[*behind] = joinsNext[k] = elements[k].joinsFollower =
-          continues(body.mesh, elements[k], elements[*behind]);
-  chooseEnds(body.mesh, body.conditions, joined, joinsNext, elements);
+  for (ContactElement& element : elements)
+    element.joinsFollower =
+        element.follower && continues(body.mesh, element, elements[*element.follower]);
+  chooseEnds(body.mesh, body.conditions, elements);
   for (const ContactElement& element : elements)
     for (const Coefficients* own : {&element.normal, &element.tangential})
       if (element.degree == 1 && !own->isOwn(0) && !own->isOwn(1))

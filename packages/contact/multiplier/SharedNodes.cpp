@@ -149,14 +149,17 @@ void completeNode(const std::vector<EndOf>& ends) {
 }  // namespace
 
 void chooseEnds(const bem::Mesh& mesh, const Conditions& conditions,
-                const std::vector<bool>& joined, const std::vector<bool>& joinsNext,
                 std::vector<ContactElement>& elements) {
+  std::vector<bool> joined(elements.size());  // shares its first node
+  for (const ContactElement& element : elements)
+    if (element.joinsFollower)
+      joined[*element.follower] = true;
   NodeDirections nodes(mesh, conditions);
   for (const bool tangential : {false, true})
     for (std::size_t k = 0; k < elements.size(); ++k)
       for (EndOf& end : endsOf(mesh, elements[k]))
         if (end.own == (tangential ? &elements[k].tangential : &elements[k].normal) &&
-            !(end.last ? joinsNext : joined)[k])
+            !(end.last ? elements[k].joinsFollower : joined[k]))
           end.coefficient().isUnknown = nodes.take(end.node, end.direction);
 }
 

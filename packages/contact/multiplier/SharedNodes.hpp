@@ -6,9 +6,7 @@ namespace epafi::contact {
 
 /// Decides which ends of elements have a coefficient of their own: those whose node has a direction
 /// for it that neither clamps nor other coefficients take, normals first.
-/// \param joined  shares its first node with the element before  \param joinsNext  its last one
 void chooseEnds(const bem::Mesh& mesh, const Conditions& conditions,
-                const std::vector<bool>& joined, const std::vector<bool>& joinsNext,
                 std::vector<MultiplierSpace::ContactElement>& elements);
 
 /// Weights a of the end's coefficient, c_end = Σ_i a_i c_i for every polynomial of degree

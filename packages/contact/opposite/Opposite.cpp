@@ -52,6 +52,7 @@ void checkCovered(const ContactElement& element,
 Opposite::Opposite(const MultiplierSpace& multiplier, double length,
                    const std::map<std::string, OppositeSide>& sides)
     : length_(length), sides_(sides), sights_(multiplier.bodies()) {
+  std::map<const bem::Mesh*, std::vector<bem::Continuations>> ofEdges;
   multiplier.forEachElement([&](const ContactElement& element) {
     std::vector<Sight>& ofBody = sights_[bem::at(element.body)];
     ofBody.resize(bem::at(element.mesh->size()));
@@ -61,6 +62,11 @@ Opposite::Opposite(const MultiplierSpace& multiplier, double length,
     Sight& sight = ofBody[bem::at(element.element)];
     sight.side = &side;
     sight.element = &element;
+    std::vector<bem::Continuations>& beyond = ofEdges[element.mesh];
+    if (beyond.empty())
+      beyond = bem::continuations(element.mesh->outline());
+    const bem::Piece& piece = element.geometry().piece;
+    sight.beyond = beyond[bem::at(piece.edge)].ofPart(piece.start, piece.end);
     sight.stretches =
         facing(element.geometry().curve.moved(side.shift), side.curves, side.visibility);
     checkCovered(element, sight.stretches);
@@ -86,14 +92,18 @@ void Opposite::forEachFacing(int body, int element, const Visit& visit) const {
 
 Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   const Sight& here = sight(element);
-  if (here.side == nullptr)
-    return {givenGap(element, t)};
+  constexpr int forDirections = 8;
+  const bem::Curve& own = element.geometry().curve;
   Point point;
+  point.direction.unit = own.normal(t);
+  point.gap = givenGap(element, t);
+  point.turning = own.pointsOfTurning();
+  if (here.side == nullptr)
+    return point;
   const OppositeSide& side = *here.side;
   const bem::Facing& stretch = stretchAt(here.stretches, t);
   const std::size_t k = stretch.curve;
   const bem::Curve& other = side.curves.curves()[k];
-  const bem::Curve& own = element.geometry().curve;
   std::optional<bem::Crossing> found;
   // a normal that touches an arc meets it beside that place
   for (const double inwards : {0.0, 1e-7, 1.0}) {
@@ -102,11 +112,21 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
       break;
   }
   assert(found);
-  point.gap = (element.ties() ? 0 : found->distance) + givenGap(element, t);
   point.t = std::clamp(found->t, -1.0, 1.0);
+  point.turning = std::max(point.turning, other.pointsOfTurning());
+  if (!element.ties()) {
+    point.direction = directionBetween(
+        shapeAt(own, here.beyond, t),
+        shapeAt(other, side.beyond.empty() ? bem::Continuations{} : side.beyond[k],
+                point.t));
+    point.gap += found->distance * dot(own.normal(t), point.direction.unit);
+    if (point.direction.unit != own.normal(t))
+      point.turning = std::max(point.turning, forDirections);
+  }
   if (side.body >= 0) {
     point.body = side.body;
     point.element = side.elements[k];
+    point.degree = side.degrees[k];
   } else {
     point.rigid = side.rigid;
     point.arm = other.point(point.t) - side.pole;
@@ -170,6 +190,11 @@ Vector Opposite::sourceBreaks(int body, int element) const {
   return result;
 }
 
+const bem::Rule& ruleOfForces(const ContactElement& element,
+                              const Opposite::Point& middle) {
+  return bem::gaussLegendre(std::max(element.degree, middle.degree) + 1 + middle.turning);
+}
+
 std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& element) {
   Vector ends = opposite.breaks(element);
   ends.push_back(1);
@@ -200,6 +225,14 @@ Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
       motions->inside.empty() ? nullptr : motions->inside[point.body];
   return inside ? u + inside->displacement(field.space().mesh(), point.element, point.t)
                 : u;
+}
+
+double turnAt(const Motions* motions, const Opposite::Point& point) {
+  if (motions == nullptr)
+    return 0;
+  if (point.rigid >= 0)
+    return motions->rigid[bem::at(point.rigid)].turn;
+  return point.element < 0 ? 0 : motions->displacements[bem::at(point.body)].turn();
 }
 
 }  // namespace epafi::contact

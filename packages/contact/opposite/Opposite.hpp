@@ -3,8 +3,10 @@
 #include "bem/base/Matrix.hpp"
 #include "bem/base/Vec2.hpp"
 #include "bem/geometry/NormalRay.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/opposite/Direction.hpp"
 
 #include <map>
 #include <string>
@@ -26,11 +28,12 @@ using bem::Matrix;
 
 /// Boundary of the opposite body of a contact side.
 struct OppositeSide {
-  int body = -1;                 ///< index of a deformable body; -1: rigid
-  int rigid = -1;                ///< index of a rigid body
-  bem::CurveTree curves;         ///< elements or edges, in the scaling of that body
-  std::vector<int> elements;     ///< their numbers in its mesh; empty: it does not deform
-  std::vector<int> degrees;      ///< likewise
+  int body = -1;              ///< index of a deformable body; -1: rigid
+  int rigid = -1;             ///< index of a rigid body
+  bem::CurveTree curves;      ///< elements or edges, in the scaling of that body
+  std::vector<int> elements;  ///< their numbers in its mesh; empty: it does not deform
+  std::vector<int> degrees;   ///< likewise
+  std::vector<bem::Continuations> beyond;  ///< the curves; empty: nothing is known
   bem::Vec2 shift;               ///< a place there less the same place on the side
   bem::Visibility visibility{};  ///< of both bodies, in the scaling of that body
   bem::Vec2 pole{};              ///< reference point of what does not deform
@@ -40,9 +43,10 @@ struct OppositeSide {
 /// outlines of other bodies for contacts with a name, found along the normals of the contact side;
 /// fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
 ///
-/// The gap is the distance along the normal plus the gap of the condition; on bonded sides
-/// only the latter.  Breaks are the projections of the opposite nodes.
-///                                                    [doc/theory/contact.md, Several bodies]
+/// The gap is the way to the opposite point along the direction of contact plus the gap of the
+/// condition; on bonded sides only the latter.  The direction is directionBetween the sides, on
+/// bonded sides and before obstacles the side's outward normal.  Breaks are the projections of the
+/// opposite nodes.                                   [doc/theory/contact.md, Several bodies]
 class Opposite {
  public:
   /// Fixed obstacles only.
@@ -55,8 +59,12 @@ class Opposite {
            const std::map<std::string, OppositeSide>& sides);
 
   struct Point {
-    double gap = 0;    ///< along the outward normal, dimensionless
+    ContactDirection direction{};
+    double gap = 0;  ///< along it, dimensionless
+    int turning =
+        0;  ///< Gauss points, beyond those for polynomials, for what turns there
     int element = -1;  ///< of the opposite body; -1: not deformable
+    int degree = 0;    ///< of that element
     double t = 0;      ///< parameter on that element
     int body = 0;      ///< index of the deformable body
     int rigid = -1;    ///< index of the rigid body; -1: none, or fixed
@@ -91,6 +99,7 @@ class Opposite {
  private:
   struct Sight {
     const OppositeSide* side = nullptr;
+    bem::Continuations beyond{};  ///< the element
     std::vector<bem::Facing> stretches{};
     const MultiplierSpace::ContactElement* element = nullptr;
   };
@@ -115,6 +124,11 @@ struct Stretch {
   double half = 1;
   const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
 };
+/// The rule for forces on a stretch, by its middle, the same wherever they are summed, so that they
+/// balance: exact where sides are straight and parallel, up to rounding where directions turn.
+const bem::Rule& ruleOfForces(const MultiplierSpace::ContactElement& element,
+                              const Opposite::Point& middle);
+
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);
 
@@ -128,5 +142,8 @@ struct Motions {
 
 /// Displacement of the opposite point, dimensionless; zero if `motions` is null.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
+
+/// Rotation of the opposite body, of which arcs that turn about their centres do not take notice.
+double turnAt(const Motions* motions, const Opposite::Point& point);
 
 }  // namespace epafi::contact

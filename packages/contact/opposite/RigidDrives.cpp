@@ -18,7 +18,7 @@ RigidDrives::Traces RigidDrives::tracesOf(int rigid, const MultiplierSpace& mult
   forEachSidePoint(
       multiplier, opposite,
       [&](const auto& contact, const Opposite::Point& middle) {
-        return middle.rigid == rigid ? &bem::gaussForGiven(contact.degree) : nullptr;
+        return middle.rigid == rigid ? &ruleOfForces(contact, middle) : nullptr;
       },
       [&](const SidePoint& point) {
         const bool hasAll = !point.contact.mesh->outline().isAxisymmetric();
@@ -27,9 +27,11 @@ RigidDrives::Traces RigidDrives::tracesOf(int rigid, const MultiplierSpace& mult
         result.lever = std::max(result.lever, norm(arm));
         const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
                                              turnLeft(arm)};
-        point.forEachCoefficient([&](Index i, double chi, Vec2 direction) {
+        point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
           for (Index k = 0; k < 3; ++k)
-            result.values(i, k) += chi * dot(point.weight * motions[k], direction);
+            result.values(i, k) += chi * dot(point.weight * motions[k], direction.unit);
+          if (hasAll)
+            result.values(i, 2) -= chi * point.weight * direction.oppositeTurn;
         });
       });
   if (result.lever > 0) {

@@ -8,20 +8,20 @@ namespace epafi::contact {
 /// A quadrature point of a contact side.
 struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
-  int number;     ///< of the point in its rule
-  double t;       ///< parameter on the element
-  double weight;  ///< quadrature weight, by bem::Mesh::measure
-  Vector chi;     ///< χ_i(t) of the element
-  bem::Vec2 normal;
-  bem::Vec2 tangent;
+  int number;                ///< of the point in its rule
+  double t;                  ///< parameter on the element
+  double weight;             ///< quadrature weight, by bem::Mesh::measure
+  Vector chi;                ///< χ_i(t) of the element
   Opposite::Point opposite;  ///< of a loop that has been given what lies opposite
+  Direction normal;          ///< d of contact
+  Direction tangent;         ///< d turned left
 
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
 
   /// χ_i(t) and d of its coefficient i in a row.
   double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
-  bem::Vec2 directionOf(int i) const {
+  const Direction& directionOf(int i) const {
     return contact.isTangential(i) ? tangent : normal;
   }
 
@@ -45,13 +45,16 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
   const bem::Element& element = contact.geometry();
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
-    visit(SidePoint{
-        contact, q, t,
-        stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t),
-        basis.values(contact.degree, t), element.curve.normal(t),
-        element.curve.tangent(t),
-        stretch.opposite != nullptr ? stretch.opposite->at(contact, t)
-                                    : Opposite::Point{}});
+    const Opposite::Point opposite = stretch.opposite != nullptr
+                                         ? stretch.opposite->at(contact, t)
+                                         : Opposite::Point{};
+    const Direction normal = stretch.opposite != nullptr
+                                 ? Direction(opposite.direction)
+                                 : Direction{element.curve.normal(t)};
+    const double weight =
+        stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t);
+    visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite,
+                    normal, Direction{turnLeft(normal.unit)}});
   }
 }
 

@@ -8,8 +8,6 @@
 
 namespace epafi::contact {
 
-using ContactElement = MultiplierSpace::ContactElement;
-
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved) {
   constexpr double rounding = 1e-13;
@@ -52,12 +50,6 @@ void TraceCoupling::addTo(Matrix& transposed) const {
     if (rests[i] != 0)
       for (Index j = 0; j < transposed.rows(); ++j)
         transposed(j, static_cast<Index>(i)) += rests[i] * rotation->functional()[at(j)];
-}
-
-const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& other) {
-  const int turning =
-      std::max(contact.geometry().curve.pointsOfTurning(), other.curve.pointsOfTurning());
-  return bem::gaussLegendre((contact.degree + other.degree) / 2 + 1 + turning);
 }
 
 }  // namespace epafi::contact

@@ -35,10 +35,4 @@ struct TraceCoupling {
 void dropRounding(const Vector& alongX, const Vector& alongY, const Vector& motion,
                   Vector& moved);
 
-/// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
-/// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this
-/// rule, so that they balance.
-const bem::Rule& mortarRule(const MultiplierSpace::ContactElement& contact,
-                            const bem::Element& other);
-
 }  // namespace epafi::contact

@@ -60,8 +60,8 @@ ContactForces contactForces(const Solved& solved) {
           const auto stress = fields.stress(element, point.t);
           const double area = solved.units.measure() * point.weight;
           forces.all += area * std::hypot(stress.normal, stress.tangential);
-          Vec2 force =
-              area * (stress.normal * point.normal + stress.tangential * point.tangent);
+          Vec2 force = area * (stress.normal * point.normal.unit +
+                               stress.tangential * point.tangent.unit);
           if (solved.units.isAxisymmetric)  // around the axis they cancel
             force.x = 0;
           if (element.condition->name.empty())

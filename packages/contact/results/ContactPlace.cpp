@@ -15,17 +15,16 @@ double ContactPlace::worn(Vector Wear::*part) const {
              : 0;
 }
 
-double ContactPlace::opening(double pressure, double normal) const {
-  return opposite.gap + closing(pressure) + worn(&Wear::depth) +
-         dot(motionAt(solved.motions, opposite), element.geometry().curve.normal(t)) -
-         normal;
+double ContactPlace::opening(double pressure, bem::Vec2 u) const {
+  return opposite.gap + closing(pressure) + worn(&Wear::depth) -
+         solved.approach(u, opposite);
 }
 
-double ContactPlace::slip(double tangential, double shear) const {
+double ContactPlace::slip(bem::Vec2 u, double shear) const {
   const bool isStep = !element.ties();
   const bem::Vec2 motion = motionAt(solved.motions, opposite) -
                            motionAt(isStep ? solved.motionsBefore : nullptr, opposite);
-  double slip = tangential - dot(motion, element.geometry().curve.tangent(t));
+  double slip = dot(u - motion, turnLeft(opposite.direction.unit));
   if (element.condition->friction.compliance) {
     const Vector* before = isStep && solved.stateBefore != nullptr
                                ? &solved.stateBefore->multiplier

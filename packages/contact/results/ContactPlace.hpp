@@ -18,11 +18,11 @@ struct ContactPlace {
   double closing(double pressure) const;
   /// A part of Wear where sides wear, else 0.
   double worn(Vector Wear::*part) const;
-  /// By how far the sides are apart, g + φ(λₙ) + w - [u]·n.
-  double opening(double pressure, double normal) const;
+  /// By how far the sides are apart, g + φ(λₙ) + w - uₙ, see Solved::approach.
+  double opening(double pressure, bem::Vec2 u) const;
   /// [u]·t less elastic shear and given sliding; in a step of a path its increment, for which
-  /// `tangential` is one, too, but of bonded sides all of it.
-  double slip(double tangential, double shear) const;
+  /// u is one, too, but of bonded sides all of it.
+  double slip(bem::Vec2 u, double shear) const;
   /// s(λₙ⁺)
   double bound(double pressure) const;
   /// φ' and what wears, as stiff as where the pressure has closed what overlaps against `stiffness`; open

@@ -20,9 +20,9 @@ Vec2 ForeignPressure::at(int element, double t) const {
   for (const auto& source :
        body_->opposite().sources(static_cast<int>(body_->number()), element, t)) {
     const auto stress = body_->multiplier().at(*multiplier_, *source.element, source.t);
-    const bem::Curve& curve = source.element->geometry().curve;
-    sum = sum + source.stretching * (stress.normal * curve.normal(source.t) +
-                                     stress.tangential * curve.tangent(source.t));
+    const Vec2 across = body_->opposite().at(*source.element, source.t).direction.unit;
+    sum = sum + source.stretching *
+                    (stress.normal * across + stress.tangential * turnLeft(across));
   }
   return sum;
 }
@@ -93,16 +93,17 @@ Vector ContactFields::continuous() const {
 ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
-  const bem::Curve& side = element.geometry().curve;
   const ContactPlace here{solved_, element, t};
-  const bem::Vec2 u = solved_.relativeDisplacement(element, t, here.opposite);
+  const bem::Vec2 u = solved_.displacementAt(element.element, t);
 
   ContactPoint point;
   point.place = here.place;
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.normal = units_.length * dot(u, side.normal(t));
-  point.tangential = units_.length * dot(u, side.tangent(t));
+  point.direction = here.opposite.direction;
+  point.normal = units_.length * solved_.approach(u, here.opposite);
+  point.tangential = units_.length * dot(u - motionAt(solved_.motions, here.opposite),
+                                         turnLeft(point.direction.unit));
   point.gap = units_.length * here.opposite.gap;
   if (element.condition->sliding)
     point.sliding = element.condition->sliding(point.place);

@@ -60,10 +60,12 @@ struct Solved {
                : whole(*displacementBefore, insideBefore(), element, t);
   }
 
-  /// [u] = u - u of the opposite point, dimensionless.
-  bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,
-                                 const Opposite::Point& opposite) const {
-    return displacementAt(element.element, t) - motionAt(motions, opposite);
+  /// uₙ = [u]·d, [u] = u - u of the opposite point, without what arcs that turn about their centres add,
+  /// dimensionless.
+  double approach(bem::Vec2 u, const Opposite::Point& opposite) const {
+    return dot(u - motionAt(motions, opposite), opposite.direction.unit) -
+           field.turn() * opposite.direction.ownTurn +
+           turnAt(motions, opposite) * opposite.direction.oppositeTurn;
   }
 
  private:
@@ -80,14 +82,15 @@ enum class FrictionKind {
   Slip
 };
 
-/// State of a point of a contact boundary, in the user's units.  t is the outward normal n
-/// turned counter-clockwise; λ = -σ(u) n.
+/// State of a point of a contact boundary, in the user's units.  Normal is along the direction d of
+/// contact, see Opposite, tangential along d turned counter-clockwise; λ = -σ(u) n.
 struct ContactPoint {
   bem::SurfacePoint place;
-  double pressure = 0;    ///< λₙ [stress]
-  double shear = 0;       ///< λₜ [stress]
-  double normal = 0;      ///< uₙ, relative to the opposite side [length]
-  double tangential = 0;  ///< uₜ, relative to the opposite side [length]
+  ContactDirection direction;  ///< d, dimensionless
+  double pressure = 0;         ///< λₙ [stress]
+  double shear = 0;            ///< λₜ [stress]
+  double normal = 0;           ///< uₙ, relative to the opposite side [length]
+  double tangential = 0;       ///< uₜ, relative to the opposite side [length]
   double sliding = 0;   ///< given, of the opposite side; slip is uₜ - sliding [length]
   double gap = 0;       ///< [length]
   double bound = 0;     ///< slip bound s(λₙ) [stress]

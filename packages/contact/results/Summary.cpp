@@ -37,11 +37,8 @@ void add(const Resultant& more, Resultant& sum) {
 }
 
 /// Around a solid of revolution radial forces cancel, and so do moments.
-void addForce(const Solved& solved, Vec2 force, Vec2 place, Resultant& sum) {
-  if (solved.units.isAxisymmetric)
-    sum.y += force.y;
-  else
-    add({force.x, force.y, cross(place, force)}, sum);
+Resultant around(const bem::Units& units, const Resultant& force) {
+  return units.isAxisymmetric ? Resultant{0, force.y, 0} : force;
 }
 
 double closedPart(const ContactFields& fields, const Element& element) {
@@ -66,19 +63,23 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
       summary.wornVolume += weight * length * solved.wear->depth[point.gaussPoint()];
   });
   // the force on the body, -λₙ n - λₜ t, and its moment
-  forEachPointOf(element, basis,
-                 bem::gaussLegendre(p + std::max(2, side.curve.pointsOfTurning())),
-                 [&](const SidePoint& point) {
-                   const auto stress = fields.stress(element, point.t);
-                   const Vec2 force =
-                       -area * point.weight *
-                       (stress.normal * point.normal + stress.tangential * point.tangent);
-                   const Vec2 place = mesh.physicalPoint(element.element, point.t);
-                   addForce(solved, force, place, summary.contact);
-                   if (point.opposite.element < 0)
-                     addForce(solved, force, place, summary.obstacle);
-                 },
-                 {0, 1, &solved.problem.opposite()});
+  const Opposite& opposite = solved.problem.opposite();
+  for (const Stretch& stretch : stretches(opposite, element))
+    forEachPointOf(
+        element, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
+        [&](const SidePoint& point) {
+          const auto stress = fields.stress(element, point.t);
+          const double weight = -area * point.weight;
+          const Vec2 force = weight * (stress.normal * point.normal.unit +
+                                       stress.tangential * point.tangent.unit);
+          const Vec2 place = mesh.physicalPoint(element.element, point.t);
+          Resultant sum{force.x, force.y, cross(place, force)};
+          sum.moment -= weight * length * stress.normal * point.normal.ownTurn;
+          add(around(solved.units, sum), summary.contact);
+          if (point.opposite.element < 0)
+            add(around(solved.units, sum), summary.obstacle);
+        },
+        stretch);
   summary.contactLength += length * side.half * closedPart(fields, element);
   if (element.shears())
     summary.slipLength +=
@@ -244,10 +245,7 @@ void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summa
   forEachSidePoint(
       any.multiplier(), any.opposite(),
       [&](const Element& element, const Opposite::Point& middle) {
-        return middle.element >= 0
-                   ? &mortarRule(element,
-                                 any.multiplier().mesh(at(middle.body))[middle.element])
-                   : nullptr;
+        return middle.element >= 0 ? &ruleOfForces(element, middle) : nullptr;
       },
       [&](const SidePoint& point) {
         const Opposite::Point& there = point.opposite;
@@ -255,12 +253,14 @@ void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summa
           return;
         const auto value =
             any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
-        const Vec2 stress = units.stress * value.normal * point.normal +
-                            units.stress * value.tangential * point.tangent;
-        const Vec2 force = units.measure() * point.weight * stress;
-        addForce(
-            bodies.front(), force,
-            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t),
+        const double weight = units.force() * point.weight;
+        const Vec2 force = weight * (value.normal * point.normal.unit +
+                                     value.tangential * point.tangent.unit);
+        const Vec2 place =
+            any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t);
+        const double turned =
+            weight * units.length * value.normal * point.normal.oppositeTurn;
+        add(around(units, {force.x, force.y, cross(place, force) - turned}),
             summaries[at(there.body)].contact);
       });
 }

@@ -52,38 +52,28 @@ ContactSystem::MakeFlexibility ContactSystem::addBodies(
                             "' needs the stabilisation's form None");
     spaces.push_back(&input.space);
   }
-  std::vector<Coupling> plain = makeCouplings(spaces, multiplier(), *obstacle_->opposite);
+  const std::vector<Coupling> plain =
+      makeCouplings(spaces, multiplier(), *obstacle_->opposite);
   Index motions = 0;
-  const auto add = [&](const auto& make, auto& elastic) {
+  const auto add = [&](auto& elastic, const auto& make) {
     for (std::size_t b = 0; b < inputs.size(); ++b) {
-      auto holding = std::make_shared<const Holding>(
+      const auto holding = std::make_shared<const Holding>(
           makeHolding(inputs[b].space, inputs[b].conditions));
-      elastic.push_back(make(inputs[b], b, holding, std::move(plain[b])));
+      elastic.push_back(make(inputs[b], multiplier(), b, holding, plain[b]));
       bodies_->emplace_back(inputs[b], obstacle_, elastic.back(), b, motions);
       motions += holding->free();
     }
   };
-  using Holds = std::shared_ptr<const Holding>;
   if (inputs.front().stiffness.compressed() == nullptr) {
     std::vector<std::shared_ptr<const DenseBody>> dense;
-    add(
-        [&](const BodyInput& input, std::size_t b, const Holds& holding,
-            const Coupling& coupling) {
-          return makeDenseBody(input, multiplier(), b, holding, coupling);
-        },
-        dense);
+    add(dense, makeDenseBody);
     return [dense](const Columns& r, const Columns& s) {
       return denseFlexibility(dense, r, s);
     };
   }
   std::vector<std::shared_ptr<const CompressedBody>> compressed;
-  add(
-      [&](const BodyInput& input, std::size_t b, const Holds& holding,
-          Coupling coupling) {
-        return std::make_shared<const CompressedBody>(input, multiplier(), b, holding,
-                                                      std::move(coupling));
-      },
-      compressed);
+  add(compressed,
+      [](const auto&... of) { return std::make_shared<const CompressedBody>(of...); });
   return [compressed, normals = multiplier().normals(),
           formedUpTo = inputs.front().formedUpTo](const Columns& /*r*/,
                                                   const Columns& s) {

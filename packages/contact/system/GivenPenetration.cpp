@@ -30,8 +30,8 @@ void addBodyLoads(const Obstacle& obstacle, Vector& r) {
           if (const BodyLoadSolution& inside = insideOf(there.body))
             u = u - inside->displacement(multiplier.mesh(at(there.body)), there.element,
                                          there.t);
-        point.forEachCoefficient([&](Index i, double chi, bem::Vec2 direction) {
-          r[at(i)] += point.weight * chi * dot(u, direction);
+        point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
+          r[at(i)] += point.weight * chi * dot(u, direction.unit);
         });
       });
 }

@@ -23,18 +23,21 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
   for (std::size_t k = 0; k < elements().size(); ++k) {
     const auto& element = elements()[k];
     const int e = element.element;
-    forEachPointOf(
-        element, multiplier().basis(), bem::gaussForGiven(element.degree),
-        [&](const SidePoint& point) {
-          const auto stress = multiplier().at(state.multiplier, element, point.t);
-          Vec2 own = stress.normal * point.normal + stress.tangential * point.tangent +
-                     space_->densityAt(psi, e, point.t);
-          for (const int mode : holding().fixedModes)
-            own = own -
-                  rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
-          const Vec2 whole = inside ? own + inside->traction(mesh, e, point.t) : own;
-          twice += coupling().gamma[k] * point.weight * dot(whole, own);
-        });
+    for (const Stretch& stretch : stretches(opposite(), element))
+      forEachPointOf(
+          element, multiplier().basis(), bem::gaussForGiven(element.degree),
+          [&](const SidePoint& point) {
+            const auto stress = multiplier().at(state.multiplier, element, point.t);
+            Vec2 own = stress.normal * point.normal.unit +
+                       stress.tangential * point.tangent.unit +
+                       space_->densityAt(psi, e, point.t);
+            for (const int mode : holding().fixedModes)
+              own = own - rho[at(mode)] *
+                              holding().modes.at(mode, mesh.scaledPoint(e, point.t));
+            const Vec2 whole = inside ? own + inside->traction(mesh, e, point.t) : own;
+            twice += coupling().gamma[k] * point.weight * dot(whole, own);
+          },
+          stretch);
   }
   const Loads::InResidual all = inResidual(contactForce);
   const Loads::InResidual& ofInside = loads_.residual;

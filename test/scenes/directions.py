@@ -1,0 +1,149 @@
+"""Gap, pressure and shear are along one direction, whichever side comes first: what slides along a flat
+side, turns about its own centre or rolls is pressed as at rest, forces on both bodies are opposite, and
+beside a corner the other side's normal counts."""
+import math
+
+from runs import claim, epafi, finish, rows, saved, solved
+from written import (CLAMPED, QUARTERS, block, body, circle, condition, contact, geometry, keys, listed,
+                     rigid, round_hole)
+
+E = 210000
+ROUND = math.tan(math.pi / 8)
+SIDES = "base, side, top, side"
+BASE = condition("base", "Dirichlet", CLAMPED)
+
+
+def held(boundary, x, y):
+    return condition(boundary, "Dirichlet", Displacement_X=x, Displacement_Y=y)
+
+
+def run(name, bodies, between, adaptivity, settings=(), size=0.3, degree=1):
+    """The last rows of bodies.csv, the rows of contact.csv, what is printed."""
+    file = saved(name, keys(
+        listed("Bodies", *bodies), listed("Contacts", contact("c", *between)),
+        listed("Discretization", Mesh_Size=size, Degree=degree), listed("Adaptivity", adaptivity),
+        listed("Output", Fields=False)), name)
+    folder, text = solved(name, file, *settings)
+    last = rows(folder, "bodies.csv")[-2:]
+    # what a rigid body needs is a force on it, and that an elastic one takes
+    ofFirst, ofSecond = ((row["contact_x"], row["contact_y"]) for row in last)
+    force = max(map(abs, ofFirst))
+    claim(all(abs(a + b) < 1e-13 * force for a, b in zip(ofFirst, ofSecond)),
+          "%s: forces of contact are opposite, %.15g and %.15g" % (name, ofFirst[1], ofSecond[1]))
+    return last, rows(folder), text
+
+
+def force(last):
+    return last[0]["contact_y"]
+
+
+def peak(points):
+    return max(point["lambda_n"] for point in points)
+
+
+def near(a, b, within):
+    return abs(a - b) <= within * abs(b)
+
+
+# A pad with rounded edges, slid over a plate: the flat side moves along itself.
+PAD = geometry([(-1, 0), (1, 0), (1.3, 0.3), (1.3, 1.5), (-1.3, 1.5), (-1.3, 0.3)],
+               "contact, contact, free, top, free, contact", [0, ROUND, 0, 0, 0, ROUND])
+PLATE = geometry([(-8, -8), (8, -8), (8, 0), (2, 0), (-2, 0), (-8, 0)],
+                 "base, free, free, contact, free, free")
+
+
+def slid(by, between):
+    return run("pad slid by %g, %s first" % (by, between[0]), [
+        body("pad", PAD, E, held("top", by, -0.01)), body("plate", PLATE, E, BASE)],
+        between, keys(Tolerance=3e-3))[:2]
+
+
+for between in (("pad:contact", "plate:contact"), ("plate:contact", "pad:contact")):
+    last, points = slid(0.03, between)
+    claim(near(force(last), 1121.347, 1e-4) and near(peak(points), 2732, 0.01),
+          "%s first: force %.7g, peak %.5g" % (between[0], force(last), peak(points)))
+    claim(all(abs(point["d_x"]) < 1e-12 for point in points), "the direction is the plate's normal")
+    claim(near(force(slid(0.1, between)[0]), force(last), 1e-9), "slid farther all is the same")
+
+# A disc on a block: at rest, turned about its axis, slid, rolled to both sides; the block elastic and
+# rigid.
+HUB = round_hole(0.4, "shaft", 0, 1)
+DISC = geometry(circle(1, 0, 1), ["rim"] * 4, QUARTERS, HUB)
+BLOCK = geometry(block(-3, -3, 3, 0), SIDES)
+for between in (("disc:rim", "block:top"), ("block:top", "disc:rim")):
+    forces = []
+    for turn, slide in ((0, 0), (0.05, 0), (0, 0.05), (0.05, -0.05), (0.05, 0.05)):
+        shaft = held("shaft", "%g-%g*(y-1)" % (slide, turn), "-0.01+%g*x" % turn)
+        forces.append(force(run(
+            "disc turned by %g, slid by %g, %s first" % (turn, slide, between[0]),
+            [body("disc", DISC, E, shaft, mesh=listed("Mesh", Mesh_Size=0.08)),
+             body("block", BLOCK, E, BASE, mesh=listed("Mesh", Elements_per_Edge=[4, 4, 40, 4]))],
+            between, keys(Strategy="None"), degree=2)[0]))
+    claim(all(near(each, forces[0], 1e-9) for each in forces),
+          "turned, slid and rolled as at rest: %s" % forces)
+plate = [0, 0]
+for k, turn in enumerate((0, 0.05)):
+    shaft = held("shaft", "0.02-%g*(y-1)" % turn, "-0.01+%g*x" % turn)
+    plate[k] = force(run("disc turned by %g on a rigid plate" % turn, [
+        body("disc", DISC, E, shaft, mesh=listed("Mesh", Mesh_Size=0.08)),
+        rigid("block", block(-3, -3, 3, 0))],
+        ("disc:rim", "block:top"), keys(Strategy="None"), degree=2)[0])
+claim(near(*plate, 1e-9), "on a rigid plate, too: %s" % plate)
+
+# A roller in a race, slid: as if drawn there, pressed by what it comes into the race.
+R, SLIDE, DEEP = 6.0, 0.1, 0.01
+WIDTH = 1.6
+RIM = R - math.sqrt(R * R - WIDTH * WIDTH)
+BULGE = -math.tan(math.asin(WIDTH / R) / 4)
+ROLLER = geometry([(-1, 1), (0, 0), (1, 1)], "rim, rim, top", [ROUND, ROUND, 0])
+RACE = geometry([(-WIDTH, -4), (WIDTH, -4), (WIDTH, RIM), (0, 0), (-WIDTH, RIM)],
+                "base, side, way, way, side", [0, 0, BULGE, BULGE, 0])
+placed = math.hypot(SLIDE, R - 1 + DEEP) - (R - 1)
+
+
+def pressed(name, x, y, between):
+    last = run(name, [body("roller", ROLLER, E, held("top", x, y)), body("race", RACE, E, BASE)],
+               between, keys(Strategy="Graded hp", Tolerance=0.01))[0]
+    return math.hypot(last[0]["contact_x"], last[0]["contact_y"])
+
+
+drawn = pressed("roller placed", 0, -placed, ("roller:rim", "race:way"))
+for between in (("roller:rim", "race:way"), ("race:way", "roller:rim")):
+    here = pressed("roller slid, %s first" % between[0], SLIDE, -DEEP, between)
+    claim(near(here, drawn, 3e-3), "a roller slid in a race: %.5g for %.5g" % (here, drawn))
+
+# A disc on the apex of a wedge: nothing pushes it aside, and the pressure does not stand in one corner.
+HALF = geometry([(-1, 1), (0, 0), (1, 1)], "rim, rim, top", [ROUND, ROUND, 0])
+WEDGE = geometry([(-2, -2), (2, -2), (0, 0)], "base, flank, flank")
+for between in (("disc:rim", "wedge:flank"), ("wedge:flank", "disc:rim")):
+    last = run("disc on a wedge, %s first" % between[0], [
+        body("disc", HALF, E, held("top", 0, -0.005)), body("wedge", WEDGE, E, BASE)], between,
+        keys(Strategy="Graded hp", Tolerance=0.05))[0]
+    claim(abs(last[0]["contact_x"]) < 1e-10 * force(last),
+          "on an apex contact_x is %.1e of %.4g" % (last[0]["contact_x"], force(last)))
+
+# Two equal domes, slid: what they part by is left out and told of.
+DOME = [0.2, 0, 0, 0]
+UP = geometry([(-1, 0.2), (1, 0.2), (1, 2), (-1, 2)], "arc, side, base, side", DOME)
+LOW = geometry([(1, -0.2), (-1, -0.2), (-1, -2), (1, -2)], "arc, side, base, side", DOME)
+domes = []
+for between, by in ((("up:arc", "low:arc"), 0.1), (("low:arc", "up:arc"), 0.1),
+                    (("up:arc", "low:arc"), 0)):
+    last, _, text = run("domes slid by %g, %s first" % (by, between[0]), [
+        body("up", UP, E, held("base", by, -0.01)), body("low", LOW, E, BASE)], between,
+        keys(Tolerance=0.01))
+    domes.append(force(last))
+    claim(("convex sides part" in text) == (by > 0), "a warning where convex sides slide")
+claim(near(domes[1], domes[0], 3e-3) and near(domes[2], domes[0], 1e-3),
+      "slid domes are pressed as at rest in either order: %s" % domes)
+
+# What nothing holds is still found.
+for fix in ("X", "Rotation"):
+    code, text = epafi("run", saved("free", keys(
+        listed("Bodies", body("disc", geometry(circle(1, 0, 1), ["rim"] * 4, QUARTERS), E, fix=fix,
+                              inside=listed("Body Loads", Force_Y=-1)),
+               body("block", BLOCK, E, BASE)),
+        listed("Contacts", contact("c", "disc:rim", "block:top")),
+        listed("Discretization", Mesh_Size=0.3)), "free"))
+    claim(code == 1, "a disc held in %s alone is refused: %s" % (fix, text[:200]))
+finish()
