@@ -287,14 +287,16 @@ TEUCHOS_UNIT_TEST(Rings, haveTheEnergyNormAndFieldsOfExactData) {
       std::pow(bem::energyNorm(bem::makeCauchyData(space, u, psi), exact.lame), 2),
       exact.work(), 1e-12);
   const bem::BoundaryFields fields(space, exact.lame, {{u, psi}});
-  for (int e = 0; e < space.mesh().size(); ++e)
-    for (const bem::BoundaryValue& value : fields.on(e).front()) {
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const bem::BoundaryFields::Values values = fields.on(e);
+    for (const bem::BoundaryValue& value : values.front()) {
       const double t = value.place.t;
       const Vec2 n = space.mesh()[e].curve.normal(t);
       const double stress = exact.stress(norm(space.mesh().scaledPoint(e, t)));
-      TEST_COMPARE(norm(value.traction - stress * n), <, 1e-8);
-      TEST_COMPARE(norm(value.mismatch), <, 1e-8);
+      TEST_COMPARE(norm(value.traction - stress * n), <, 1e-7);
+      TEST_COMPARE(norm(value.mismatch), <, 1e-7);
     }
+  }
 }
 
 }  // namespace
