@@ -231,8 +231,8 @@ std::string checkScene(const Scene& scene) {
     text << "  path        " << counted(scene.history.times.size(), "step", "steps")
          << " up to t = " << scene.endOfPath() << "\n";
   text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
-       << scene.adaptivity.limits.levels << " levels and "
-       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom";
+       << scene.adaptivity.limits.levels << " levels and " << capOf(scene)
+       << " degrees of freedom";
   if (const auto& tolerance = scene.adaptivity.limits.tolerance)
     text << ", to " << 100 * *tolerance << " %";
   text << "\n"
@@ -243,10 +243,10 @@ std::string checkScene(const Scene& scene) {
 }
 
 int checkCommand(const Given& given, std::ostream& out) {
-  if (given.has("--read")) {
+  if (given.has("--read") || given.has("--format")) {
     const std::string& file = given.argument;
     const RawScene raw = naming(file, [&] { return rawScene(readText(file), file); });
-    out << toXml(raw.list, raw.title);
+    out << (given.value("--format") == "yaml" ? toYaml : toXml)(raw.list, raw.title);
     return 0;
   }
   const Scene scene = readScene(given.argument, given.values("--set"));

@@ -79,13 +79,13 @@ Option outputOf(const std::string& what) {
 
 const Option threads{
     "--threads", "N",
-    "at most so many, as the work pays for; default: all cores, 1 under mpirun"};
+    "at most so many, fewer where the work is small; default: all cores, 1 under mpirun"};
 const Option force{"--force", "", "replace the files of an earlier run"};
 const Option quiet{"--quiet", "", "print nothing but errors"};
 const Option set{"--set",
                  "'A->B->Key=value'",
                  "replace a value of the scene; a list by {Key=value, Key=value}, "
-                 "nothing behind the = removes a key or a list",
+                 "nothing after the = removes a key or a list",
                  {},
                  true};
 
@@ -147,6 +147,7 @@ std::vector<Command> makeCommands() {
        {set,
         {"--read", "",
          "print the scene as it is read, as XML, without defaults; check no more"},
+        {"--format", "xml|yaml", "the same as XML or as YAML", {"xml", "yaml"}},
         {"--used", "",
          "print the complete scene, as used.xml of a run; evaluate nothing"},
         {"--numbers", "",
@@ -163,16 +164,29 @@ std::vector<Command> makeCommands() {
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
        {"DIR", "folder"},
-       withLooks({{"--field", "NAME",
-                   "this field inside the body, too: " + join(fieldNames(), ", "),
-                   fieldNames()},
-                  {"--window", "X0,Y0,X1,Y1",
-                   "this part alone of the field, the deformed bodies and the movie"},
-                  {"--step", "K|all",
-                   "the field at this step of a load path: 1, 2, ...; default: the last, "
-                   "or that of "
-                   "the largest energy where the last bears no load; all: the movie "
-                   "shows it, too"}}),
+       withLooks(
+           {{"--field", "NAME",
+             "this field inside the body, too: " + join(fieldNames(), ", "),
+             fieldNames()},
+            {"--picture",
+             "NAME",
+             "this one alone: contact, deformed, path, convergence, which are drawn "
+             "if none is named, steps, slip (over place and time), rigid, mesh, "
+             "contributions, time, movie, a field, one of a study; or all",
+             {},
+             true},
+            {"--window", "X0,Y0,X1,Y1|contact",
+             "this part alone of the field, the deformed bodies and the movie; "
+             "contact: around what touches"},
+            {"--step", "K|all",
+             "contact, deformed and the field at this step of a load path: 1, 2, "
+             "...; default: that of the largest strain energy; all: the field "
+             "colours the movie"},
+            {"--column",
+             "NAME",
+             "of a study's sweep: this column of study.csv against the parameter",
+             {},
+             true}}),
        onFirst<plotCommand>},
       {"report",
        "a run as one page of HTML: scene, numbers, balance, pictures, warnings, versions",
@@ -190,7 +204,7 @@ std::vector<Command> makeCommands() {
         {"--points", "FILE.csv",
          "points that begin each line of a file: x,y; a row outside is empty"},
         {"--along", "BODY:BOUNDARY", "along a boundary, at the depth ..."},
-        {"--depth", "D", "... below it, a length > 0"},
+        {"--depth", "D", "... below it, a length; 0: on the boundary itself"},
         {"--output", "FILE",
          "default: fields.csv or fields.vtu in DIR; -: to standard output"},
         {"--vtk", "",

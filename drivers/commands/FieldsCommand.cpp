@@ -162,10 +162,18 @@ Points pointsOf(const std::string& file, const BodyInsides& insides) {
   return points;
 }
 
-/// Points at a depth below a boundary, 2(p+1) per element; points outside are left out.
-Points alongPoints(const std::string& where, double depth, const BodyInsides& insides) {
+/// Points with what is there.
+struct Evaluated {
+  Points points;
+  std::vector<InsideValue> values;
+};
+
+/// At a depth below a boundary, 2(p+1) points per element; points outside are left out.
+Evaluated alongPoints(const std::string& where, double depth,
+                      const BodyInsides& insides) {
   std::vector<std::string> known;
   Points points;
+  std::vector<InsideValue> onBoundary;
   for (std::size_t b = 0; b < insides.size(); ++b) {
     const bem::Mesh& mesh = insides.mesh(b);
     for (int e = 0; e < mesh.size(); ++e) {
@@ -178,8 +186,11 @@ Points alongPoints(const std::string& where, double depth, const BodyInsides& in
       for (int k = 0; k < intervals; ++k) {
         const double t = -1 + (2.0 * k + 1) / intervals;
         const bem::Vec2 x = mesh.physicalPoint(e, t) - depth * mesh[e].curve.normal(t);
-        if (mesh.outline().contains(x))
-          points.push_back({b, x});
+        if (depth > 0 && !mesh.outline().contains(x))
+          continue;
+        points.push_back({b, x});
+        if (depth == 0)
+          onBoundary.push_back(insides.atBoundary(b, e, t));
       }
     }
   }
@@ -189,10 +200,12 @@ Points alongPoints(const std::string& where, double depth, const BodyInsides& in
   if (points.empty())
     throw InputError("fields: --depth ", depth,
                      ": no point at this depth lies inside the body");
-  return points;
+  if (depth == 0)
+    return {points, onBoundary};
+  return {points, insides.at(points)};
 }
 
-Points chosenPoints(const Given& given, const BodyInsides& insides) {
+Evaluated chosenPoints(const Given& given, const BodyInsides& insides) {
   const int ways = static_cast<int>(given.has("--grid")) +
                    static_cast<int>(given.has("--points")) +
                    static_cast<int>(given.has("--along"));
@@ -202,17 +215,21 @@ Points chosenPoints(const Given& given, const BodyInsides& insides) {
     throw InputError("fields: --along BODY:BOUNDARY and --depth D belong together");
   if (given.has("--window") && (given.has("--points") || given.has("--along")))
     throw InputError("fields: --window belongs to --grid");
-  if (given.has("--points"))
-    return pointsOf(given.value("--points"), insides);
-  if (!given.has("--along"))
-    return gridPoints(
-        given.value("--grid", "60,60"),
-        given.has("--window") ? windowOf(given.value("--window")) : boxOf(insides),
-        insides);
+  if (!given.has("--along")) {
+    Points points =
+        given.has("--points")
+            ? pointsOf(given.value("--points"), insides)
+            : gridPoints(given.value("--grid", "60,60"),
+                         given.has("--window") ? windowOf(given.value("--window"))
+                                               : boxOf(insides),
+                         insides);
+    std::vector<InsideValue> values = insides.at(points);
+    return {std::move(points), std::move(values)};
+  }
   const auto depth = trimmedNumber(given.value("--depth"));
-  if (!depth || !(*depth > 0))
+  if (!depth || !(*depth >= 0))
     throw InputError("fields: --depth: '", given.value("--depth"),
-                     "' is not a length > 0");
+                     "' is not a length >= 0");
   return alongPoints(given.value("--along"), *depth, insides);
 }
 
@@ -303,14 +320,13 @@ int fieldsCommand(const Given& given, std::ostream& out) {
             out);
     return 0;
   }
-  const Points points = chosenPoints(given, insides);
+  const auto [points, values] = chosenPoints(given, insides);
   if (points.empty())
     throw given.has("--window")
         ? InputError("fields: --window: '", given.value("--window"),
                      "' shows nothing of the bodies; take another --window, or a finer "
                      "--grid")
         : InputError("fields: --grid: none of its points lies inside a body; take more");
-  const std::vector<InsideValue> values = insides.at(points);
   const std::string file = outputOf(given, "fields.csv");
   deliver(file, insides.csv(points, values), summary(file, points, values, insides), out);
   return 0;

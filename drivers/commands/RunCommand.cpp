@@ -78,11 +78,11 @@ std::string filesWritten(const OutputFolder& folder) {
   return text + "\n";
 }
 
-/// "behind level 2", "in level 2, behind 7 solved steps"
+/// "after level 2", "in level 2, after 7 solved steps"
 std::string placeOf(const Level& level) {
   const std::string number = std::to_string(level.number);
-  return level.complete ? "behind level " + number
-                        : "in level " + number + ", behind " +
+  return level.complete ? "after level " + number
+                        : "in level " + number + ", after " +
                               std::to_string(level.path.size()) + " solved steps";
 }
 

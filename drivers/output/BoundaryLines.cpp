@@ -2,6 +2,8 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/Inside.hpp"
+#include "drivers/output/SurfaceStress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +17,7 @@ namespace epafi::drivers {
 namespace {
 
 // The fields of a point, and of a segment.
-enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction };
+enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction, Along, VonMises };
 enum { Element, Degree, Boundary, OfBody, Edge };
 
 VtkGrid emptyGrid() {
@@ -29,7 +31,9 @@ VtkGrid emptyGrid() {
            {"lambda_t", real},
            {"gap", real},
            {"contact", whole},
-           {"friction", whole}},
+           {"friction", whole},
+           {"stress_t", real},
+           {"von_mises", real}},
           {{"element", whole},
            {"degree", whole},
            {"boundary", whole},
@@ -37,9 +41,16 @@ VtkGrid emptyGrid() {
            {"edge", whole}}};
 }
 
+/// Stress at the surface of a body.
+struct Surface {
+  double along = std::numeric_limits<double>::quiet_NaN();  ///< normal stress along it
+  double vonMises = along;
+};
+
 /// Adds a point.  `contact`: empty where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
-              const std::optional<contact::ContactPoint>& contact, VtkGrid& grid) {
+              const std::optional<contact::ContactPoint>& contact, const Surface& surface,
+              VtkGrid& grid) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<DataArray>& fields = grid.pointData;
   grid.points.add(place);
@@ -50,6 +61,8 @@ void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
   fields[Gap].add(contact ? contact->gap : nothing);
   fields[Contact].add(contact ? static_cast<int>(contact->closed) : -1);
   fields[Friction].add(contact ? numberOf(contact->friction) : -1);
+  fields[Along].add(surface.along);
+  fields[VonMises].add(surface.vonMises);
 }
 
 /// Adds a curve as segments: at least `lines`, and one for every 5 degrees.
@@ -84,6 +97,8 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
   std::vector<const contact::ContactFields::Element*> contacts(bem::at(mesh.size()));
   for (const auto& element : fields.elements())
     contacts[element.element] = &element;
+  const SurfaceField surface(solved.space, scene.lame(b), solved.displacement,
+                             step.densities[b]);
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Element& element = mesh[e];
     const int boundary = numbers.at(scene.boundaryName({false, b, mesh.boundary(e)}));
@@ -96,9 +111,14 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
                bem::Vec2 traction = solved.space.densityAt(step.densities[b], e, t);
                if (solved.conditions.inside)
                  traction = traction + solved.conditions.inside->traction(mesh, e, t);
+               const InsideValue stress = stressOf(
+                   surface.at(e, t), scene.bodies[b].material, solved.units,
+                   solved.conditions.inside,
+                   placeOfInside(mesh, e, t, scene.bodies[b].conditions.heat != nullptr));
                addPoint(mesh.physicalPoint(e, t),
                         solved.units.length * solved.displacementAt(e, t),
-                        solved.units.stress * traction, contact, grid);
+                        solved.units.stress * traction, contact,
+                        {stress.along(element.curve.tangent(t)), stress.vonMises}, grid);
              });
   }
 }
@@ -113,7 +133,7 @@ void addRigid(const Scene& scene, std::size_t k, const contact::RigidMotion& mot
     const int boundary = numbers.at(scene.boundaryName({true, k, edge.boundary}));
     addCurve(edge.curve, 1, {e, 1, boundary, number, e}, grid, [&](double t) {
       const bem::Vec2 place = body.outline->physical(edge.curve.point(t));
-      addPoint(place, motion.at(place - body.pole), {}, {}, grid);
+      addPoint(place, motion.at(place - body.pole), {}, {}, {}, grid);
     });
     ++e;
   }
@@ -246,8 +266,8 @@ std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
     return grid.cellData[field].at<int>(line);
   };
   const auto addPoint = [&](std::size_t line, long long point) {
-    const auto at = [&](const DataArray& field, int component) {
-      return exactly(field.at<double>(3 * point + component));
+    const auto at = [&](const DataArray& field, int component, int components = 3) {
+      return exactly(field.at<double>(components * point + component));
     };
     addRow({{"x", at(grid.points, 0)},
             {"y", at(grid.points, 1)},
@@ -259,7 +279,9 @@ std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
             {"element", number(of(line, Element))},
             {"degree", number(of(line, Degree))},
             {"body", scene.bodies[of(line, OfBody)].name},
-            {"edge", number(of(line, Edge))}},
+            {"edge", number(of(line, Edge))},
+            {"stress_t", at(fields[Along], 0, 1)},
+            {"von_mises", at(fields[VonMises], 0, 1)}},
            csv);
   };
   const std::size_t lines = grid.corners.size() / 2;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::drivers {
 
@@ -43,6 +44,28 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
   return ofInside + (material.planeStress
                          ? e * strain - nu * pressure
                          : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure);
+}
+
+/// Arc length at the start of each element of contacts, from 0 at the start of each side, or of a
+/// side without one at its first element.
+bem::Vector startsOf(const contact::ContactFields& fields, const bem::Mesh& mesh) {
+  std::vector<const contact::Conditions::Contact*> on(bem::at(mesh.size()));
+  for (const Element& element : fields.elements())
+    on[element.element] = element.condition;
+  bem::Vector starts(on.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto walk = [&](int first) {
+    double start = 0;
+    for (int e = first; on[e] == on[first] && std::isnan(starts[e]); e = mesh[e].next) {
+      starts[e] = start;
+      start += 2 * mesh[e].half;
+    }
+  };
+  for (const Element& element : fields.elements())
+    if (on[mesh[element.element].previous] != element.condition)
+      walk(element.element);
+  for (const Element& element : fields.elements())
+    walk(element.element);
+  return starts;
 }
 
 }  // namespace
@@ -84,14 +107,9 @@ std::string ContactTable::next(const SolvedStep& step) {
     const bem::Mesh& mesh = solved.space.mesh();
     const contact::ContactFields fields(solved);
     const bem::Vector continuous = fields.continuous();
-    const Element* last = nullptr;
-    double start = 0;  // arc length, from 0 on each chain of elements of one contact
+    const bem::Vector starts = startsOf(fields, mesh);
     for (const Element& element : fields.elements()) {
-      const bool follows = last != nullptr &&
-                           mesh[last->element].next == element.element &&
-                           last->condition == element.condition;
-      start = follows ? start + 2 * mesh[last->element].half : 0;
-      last = &element;
+      const double start = starts[element.element];
       const auto doubt = contact::resolutionOf(fields, element).error;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;

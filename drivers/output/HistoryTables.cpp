@@ -15,6 +15,24 @@ using contact::Summary;
 
 // Users rely on order and names of columns: append new ones, never rename.
 
+namespace {
+
+/// Of one contact, in history.csv and steps.csv.
+CsvRow cellsOf(const Summary& s) {
+  return {{"force_x", number(s.contact.x)},
+          {"force_y", number(s.contact.y)},
+          {"force_normal", number(s.forceNormal)},
+          {"force_tangential", number(s.forceTangential)},
+          {"contact_length", number(s.contactLength)},
+          {"slip_length", number(s.slipLength)},
+          {"pressure_max", number(s.peak.value())},
+          {"pressure_max_error", number(s.peak.error())},
+          {"pressure_unbounded", number(s.peak.isUnbounded())},
+          {"moment", number(s.contact.moment)}};
+}
+
+}  // namespace
+
 CsvRow cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a table
   using adaptivity::Source;
   const Summary& s = r.summary;
@@ -24,7 +42,7 @@ CsvRow cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a tab
   const auto seconds = [&](Phase phase) {
     return number(r.seconds[static_cast<std::size_t>(phase)]);
   };
-  return {
+  CsvRow cells = {
       {"level", number(r.level)},
       {"elements", number(r.elements)},
       {"dof_displacement", number(r.displacements)},
@@ -78,10 +96,14 @@ CsvRow cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a tab
       {"worst_step_estimate", number(r.worstEstimate)},
       {"estimate_relative", number(r.relativeEstimate)},
       {"energy_interface", number(r.energyInterface)},
+      {"estimate_contact", number(r.contactEstimate)},
       {"pressure_max", number(s.peak.value())},
       {"pressure_max_error", number(s.peak.error())},
       {"pressure_unbounded", number(s.peak.isUnbounded())},
   };
+  for (const auto& [name, contact] : r.contacts)
+    append(cells, cellsOf(contact), name + ".");
+  return cells;
 }
 
 double energyOf(const CsvRow& row) {
@@ -110,20 +132,13 @@ CsvRow cellsOf(const StepRow& r) {
       {"cycles", number(r.cycles)},
       {"energy_springs", number(r.energySprings)},
   };
-  for (const auto& [name, s] : r.contacts)
+  for (const auto& [name, contact] : r.contacts) {
+    append(cells, cellsOf(contact), name + ".");
     append(cells,
-           {{"force_x", number(s.contact.x)},
-            {"force_y", number(s.contact.y)},
-            {"force_normal", number(s.forceNormal)},
-            {"force_tangential", number(s.forceTangential)},
-            {"contact_length", number(s.contactLength)},
-            {"slip_length", number(s.slipLength)},
-            {"energy_dissipated", number(s.dissipated)},
-            {"worn_volume", number(s.wornVolume)},
-            {"pressure_max", number(s.peak.value())},
-            {"pressure_max_error", number(s.peak.error())},
-            {"pressure_unbounded", number(s.peak.isUnbounded())}},
+           {{"energy_dissipated", number(contact.dissipated)},
+            {"worn_volume", number(contact.wornVolume)}},
            name + ".");
+  }
   for (const auto& [name, s] : r.rigid)  // the forces that move or hold it
     append(cells,
            {{"motion_x", number(s.motion.slide.x)},
@@ -199,6 +214,10 @@ std::string bodiesLines(const SolvedStep& solved) {
 
 }  // namespace
 
+std::string historyHead(const Scene& scene) {
+  return headOf(cellsOf(BodySpaces(scene, firstMeshes(scene)).levelRow()));
+}
+
 std::string bodiesHead() { return headOf(bodyCells({}, "", {})); }
 
 namespace {
@@ -207,6 +226,13 @@ namespace {
 std::string fixed(double value) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << value;
+  return text.str();
+}
+
+/// A part of the energy norm, with three digits.
+std::string percent(double part) {
+  std::ostringstream text;
+  text << std::setprecision(3) << 100 * part;
   return text.str();
 }
 
@@ -225,6 +251,7 @@ void forEachColumn(const LevelRow& r, const Add& add) {
   add("steps", 9,
       two(r.report.newtonIterations, "/", r.report.coulombIterations, isCoulomb), 0);
   add("estimate", 11, r.estimate, 4);
+  add("error %", 9, percent(r.relativeEstimate), 0);
   add("strain energy", 16, r.summary.energyStrain, 9);
   add("load energy", 16, r.summary.energyLoad, 9);
   add("friction", 13, r.energyFriction, 6);
@@ -335,7 +362,7 @@ Checkpoint Checkpoint::before(const Scene& scene,
   Checkpoint tables = earlier.value_or(Checkpoint());
   tables.used = usedXml(scene);
   if (!earlier)
-    tables.history = headOf(cellsOf(LevelRow()));
+    tables.history = historyHead(scene);
   if (!scene.tellsBodies())
     tables.bodies.clear();
   else if (tables.bodies.empty())

@@ -25,6 +25,8 @@ std::vector<double> dissipatedOf(const std::string& steps, int level);
 /// motion: of an elastic body the mean over its boundary, of a rigid one that of its
 /// reference point.
 std::string bodiesHead();
+/// The same of history.csv, which names the scene's contacts.
+std::string historyHead(const Scene& scene);
 
 /// The table that a run prints: its head, and a line per level.
 std::string tableHead();

@@ -22,38 +22,31 @@
 
 namespace epafi::drivers {
 
-namespace {
-
-/// Depth of the points that stand for the boundary, over half the element length.
-constexpr double skin = 1e-3;
-/// Smallest distance to the ends of an element, over half the element length.
-constexpr double end = 0.05;
-
-}  // namespace
-
 BodyInsides::BodyInsides(const Scene& scene, const Level& level, const SolvedState& step)
     : scene_(scene), spaces_(scene, level) {
   for (const auto& conditions :
        spaces_.conditionsAt(level.timeOf(step, scene.endOfPath())))
     inside_.push_back(conditions.inside);
   for (std::size_t b = 0; b < size(); ++b) {
-    displacements_.emplace_back(spaces_.space(b), step.displacement[b]);
+    surfaces_.emplace_back(spaces_.space(b), scene.lame(b), step.displacement[b],
+                           step.density[b]);
     fields_.emplace_back(spaces_.space(b), scene.lame(b), step.displacement[b],
                          step.density[b]);
   }
 }
 
-InsideValue BodyInsides::inUnits(
-    std::size_t body, bem::Vec2 scaled, const bem::InteriorValue& field,
-    const contact::ParticularSolution::Value& particular) const {
-  const bem::Material& material = scene_.bodies[body].material;
-  const bem::Units units = scene_.units();
+namespace {
+
+InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& material,
+                    const bem::Units& units, const contact::BodyLoadSolution& inside,
+                    bem::Vec2 scaled,
+                    const contact::ParticularSolution::Value& particular) {
   InsideValue value;
   value.displacement = units.length * field.displacement;
   value.xx = units.stress * field.xx;
   value.yy = units.stress * field.yy;
   value.xy = units.stress * field.xy;
-  if (const contact::BodyLoadSolution& inside = inside_[body]) {
+  if (inside) {
     const auto stress = inside->stress(scaled);
     value.displacement = value.displacement + units.length * particular.displacement;
     value.xx += units.stress * stress.xx;
@@ -61,7 +54,7 @@ InsideValue BodyInsides::inUnits(
     value.xy += units.stress * stress.xy;
   }
   value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
-  if (const contact::BodyLoadSolution& inside = inside_[body]) {
+  if (inside) {
     value.zz += units.stress * inside->stressAcross(particular.temperature);
     value.temperature = particular.temperature;
   }
@@ -75,13 +68,32 @@ InsideValue BodyInsides::inUnits(
   return value;
 }
 
-InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
-  const bem::Element& element = mesh(b)[e];
+}  // namespace
+
+InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+                     const bem::Units& units, const contact::BodyLoadSolution& inside,
+                     bem::Vec2 scaled) {
+  contact::ParticularSolution::Value particular;
+  if (inside)
+    particular = inside->at({scaled}).front();
+  return inUnits(field, material, units, inside, scaled, particular);
+}
+
+bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts) {
+  constexpr double skin = 1e-3;  // over half the element's length
+  constexpr double end = 0.05;   // likewise
+  if (!conducts)
+    return mesh.scaledPoint(e, t);
   const double place = std::clamp(t, -1 + end, 1 - end);
-  const bem::Vec2 inward = -1 * element.curve.normal(place);
-  const bem::Vec2 x = element.curve.point(place) + (skin * element.half) * inward;
-  InsideValue value = at({{b, mesh(b).outline().physical(x)}}).front();
-  bem::Vec2 u = displacements_[b].at(e, t);
+  return mesh.scaledPoint(e, place) - (skin * mesh[e].half) * mesh[e].curve.normal(place);
+}
+
+InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
+  const bem::InteriorValue own = surfaces_[b].at(e, t);
+  const bool conducts = scene_.bodies[b].conditions.heat != nullptr;
+  InsideValue value = stressOf(own, scene_.bodies[b].material, scene_.units(), inside_[b],
+                               placeOfInside(mesh(b), e, t, conducts));
+  bem::Vec2 u = own.displacement;
   if (inside_[b])
     u = u + inside_[b]->displacement(mesh(b), e, t);
   value.displacement = scene_.units().length * u;
@@ -114,7 +126,8 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
       particular = inside_[b]->at(places);
     for (std::size_t k = 0; k < own.size(); ++k) {
       InsideValue& value = values[own[k]];
-      value = inUnits(b, places[k], fields[k], particular[k]);
+      value = inUnits(fields[k], scene_.bodies[b].material, scene_.units(), inside_[b],
+                      places[k], particular[k]);
       if (isImage[k]) {
         value.displacement = scene_.symmetry.mirrored(value.displacement);
         value.xy = -value.xy;

@@ -2,6 +2,7 @@
 
 #include "bem/base/Vec2.hpp"
 #include "bem/fields/Interior.hpp"
+#include "drivers/output/SurfaceStress.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <array>
@@ -21,7 +22,22 @@ struct InsideValue {
   double principal1 = 0;  ///< the larger principal stress in the plane
   double principal2 = 0;
   double temperature = 0;  ///< above the stress-free state [temperature]
+
+  /// Normal stress on a plane whose normal is a unit vector.
+  double along(bem::Vec2 n) const {
+    return xx * n.x * n.x + yy * n.y * n.y + 2 * xy * n.x * n.y;
+  }
 };
+
+/// With body loads and heat, in the user's units.
+/// \param field of the rest, at a point in scaled coordinates
+InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+                     const bem::Units& units, const contact::BodyLoadSolution& inside,
+                     bem::Vec2 scaled);
+
+/// Where the particular solution's stress is taken for a point of the boundary: there, but that of
+/// conducted heat, an integral over the boundary, just inside and away from the ends of elements.
+bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts);
 
 /// The numbers of a value by their names in files: the scalar fields of fields.vtu, and in
 /// this order the columns of fields.csv and interior.csv.
@@ -60,8 +76,7 @@ class BodyInsides {
   std::size_t size() const { return spaces_.size(); }
   const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 
-  /// At t in [-1, 1] on element e of body b; stresses just inside the boundary and not at
-  /// the ends of the element, where they have logarithmic singularities.
+  /// At t in [-1, 1] on element e of body b, see SurfaceField.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
 
   /// Estimated work of one evaluation in body b [ns], see Parallel.hpp.
@@ -75,12 +90,9 @@ class BodyInsides {
                   const std::vector<InsideValue>& values) const;
 
  private:
-  InsideValue inUnits(std::size_t body, bem::Vec2 scaled, const bem::InteriorValue& field,
-                      const contact::ParticularSolution::Value& particular) const;
-
   const Scene& scene_;
   BodySpaces spaces_;
-  std::vector<bem::DisplacementField> displacements_;
+  std::vector<SurfaceField> surfaces_;  ///< of each body
   std::vector<contact::BodyLoadSolution>
       inside_;                         ///< of each body, at the level's last time
   std::vector<bem::Interior> fields_;  ///< of each body

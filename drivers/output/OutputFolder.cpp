@@ -35,7 +35,7 @@ constexpr const char* pictures[] = {
     "convergence",   "time",           "contributions", "mesh",  "deformed",
     "contact",       "path",           "rigid",         "steps", "contact_stress",
     "effectivity",   "work-precision", "exponential",   "sweep", "sweep_forces",
-    "sweep_contact", "scene"};
+    "sweep_contact", "sweep_column",   "slip",          "scene"};
 
 template <class Names>
 bool isAmong(const Names& names, const std::string& name) {

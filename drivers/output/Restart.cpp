@@ -92,8 +92,9 @@ std::string rowsBehind(const std::string& text, const Level& level) {
   return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
-std::string historyBehind(const std::string& text, const Level& level) {
-  checkHead(text, headOf(cellsOf(LevelRow())));
+std::string historyBehind(const std::string& text, const Level& level,
+                          const Scene& scene) {
+  checkHead(text, historyHead(scene));
   const int rows = level.number + (level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
@@ -149,6 +150,54 @@ void checkLevel(const Level& level, const Scene& scene) {
     throw InputError("has no path");
 }
 
+namespace {
+
+/// Level::doubts of the last level, from the tables.
+bem::Vector doubtsIn(const Checkpoint& checkpoint, const Scene& scene) {
+  bem::Vector doubts;
+  const auto rows = rowsOf(scene.history ? checkpoint.steps : checkpoint.history);
+  for (const auto& [name, ignored] :
+       BodySpaces(scene, checkpoint.level).stepRow().contacts) {
+    double largest = 0;
+    double doubt = 0;
+    for (const CsvRow& row : rows) {
+      const double value = valueOf(row, name + ".pressure_max");
+      if (valueOf(row, "level") == checkpoint.level.number && value > largest) {
+        largest = value;
+        doubt = valueOf(row, name + ".pressure_unbounded") > 0
+                    ? 0
+                    : valueOf(row, name + ".pressure_max_error") / value;
+      }
+    }
+    doubts.push_back(doubt);
+  }
+  return doubts;
+}
+
+/// Level::energies of the last level, from the tables.
+bem::Vector energiesIn(const Checkpoint& checkpoint, const Scene& scene) {
+  bem::Vector energies(scene.bodies.size(), 0.0);
+  const auto add = [&](std::size_t b, const CsvRow& row, double share) {
+    energies[b] = std::max(energies[b], share * valueOf(row, "energy_strain"));
+  };
+  if (!scene.tellsBodies()) {
+    for (const CsvRow& row :
+         rowsOf(scene.history ? checkpoint.steps : checkpoint.history))
+      if (valueOf(row, "level") == checkpoint.level.number)
+        add(0, row, 1);
+    return energies;
+  }
+  for (CsvRow row : rowsOf(checkpoint.bodies))
+    for (std::size_t b = 0; b < energies.size(); ++b)
+      if (valueOf(row, "level") == checkpoint.level.number &&
+          cellOf(row, "body") == scene.bodies[b].name)
+        add(b, row,
+            scene.symmetry.cuts(*scene.bodies[b].outline) ? 1 : scene.symmetry.copies());
+  return energies;
+}
+
+}  // namespace
+
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   return within("--restart: ", [&] {
     const std::string path = ownFile(folder, "solution.hdf");
@@ -157,12 +206,15 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkScene(checkpoint, scene);
       checkMeaning(checkpoint, scene);
       Level& level = checkpoint.level;
-      checkpoint.history = historyBehind(checkpoint.history, level);
-      if (level.isSolved())
-        level.relativeEstimate =
-            valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
+      checkpoint.history = historyBehind(checkpoint.history, level, scene);
       checkpoint.steps = rowsBehind(checkpoint.steps, level);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, level);
+      if (level.isSolved()) {
+        level.relativeEstimate =
+            valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
+        level.energies = energiesIn(checkpoint, scene);
+        level.doubts = doubtsIn(checkpoint, scene);
+      }
       if (!checkpoint.bodies.empty())
         checkHead(checkpoint.bodies, bodiesHead());
     });

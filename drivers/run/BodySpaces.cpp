@@ -86,6 +86,7 @@ std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {
 
 LevelRow BodySpaces::levelRow() const {
   LevelRow row;
+  row.contacts = stepRow().contacts;
   row.multipliers = multiplier_->size();
   row.degreeMin = bem::largestDegree;
   row.sizeMin = std::numeric_limits<double>::infinity();

@@ -34,6 +34,17 @@ struct SolvedState {
   std::vector<contact::RigidMotion> rigid{};  ///< by rigid body
 };
 
+/// See contactEstimates.
+struct ContactEstimate {
+  std::string name;
+  std::size_t carrier = 0;                   ///< the body that carries its stresses
+  std::vector<int> closed{};                 ///< elements of that body
+  std::vector<std::vector<int>> elements{};  ///< of each body, what its estimate is of
+  double relative = 0;
+  std::size_t body = 0;  ///< whose energy norm it is relative to
+  double doubt = 0;      ///< see Level::doubts
+};
+
 /// The data of a level that the next level and solution.hdf need.  Before the solve it has its
 /// meshes, in `steps` the start values (empty: zero), and in `path` the points that an earlier
 /// run has solved.
@@ -67,6 +78,14 @@ struct Level {
   /// those of heat and weight would store.  Infinite if the norm is zero and the error is not;
   /// zero if both are rounding errors of what loads and motions could store.
   double relativeEstimate = 0;
+  /// The largest strain energy of each body over the steps, of both halves of a symmetric scene, at
+  /// least what rounding could store [stress length²].
+  bem::Vector energies{};
+  /// Of each contact, as in a StepRow, the error of the largest pressure over that, in the step in
+  /// which it is largest; 0 where the pressure has no bound.
+  bem::Vector doubts{};
+  /// Of a solved level whose indicators are energies.
+  std::vector<ContactEstimate> contacts{};
 };
 
 /// A row of steps.csv, in the user's units.  Works are sums over the path, see
@@ -116,13 +135,15 @@ struct LevelRow {
   /// Forecast for dense operators, if they may replace compressed ones that fail: under Method
   /// "Automatic", if they fit into memory.
   std::optional<double> memoryOfDense{};
-  contact::Summary summary{};  ///< over all bodies
+  contact::Summary summary{};                                        ///< over all bodies
+  std::vector<std::pair<std::string, contact::Summary>> contacts{};  ///< as in a StepRow
   double energyFriction = 0;   ///< friction's work so far [stress length²]
   double energyInterface = 0;  ///< stored by contact surfaces [stress length²]
   contact::Report report{};
-  double gamma0 = 0;                    ///< zero without stabilisation
-  double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
-  double relativeEstimate = 0;          ///< see Level
+  double gamma0 = 0;            ///< zero without stabilisation
+  double estimate = 0;          ///< [(stress length²)^½] under Weights "Energy"
+  double relativeEstimate = 0;  ///< see Level
+  double contactEstimate = 0;   ///< the largest of a contact, see contactEstimates
   adaptivity::Contributions squares{};  ///< of the estimate, by source
   /// Step with the largest estimate, from 1; 0 without a History.
   int worstStep = 0;

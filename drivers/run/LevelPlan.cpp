@@ -182,8 +182,25 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
   return row;
 }
 
+namespace {
+
+// Unless the first mesh has more than half of them.
+constexpr long usualCap = 4000;
+
+}  // namespace
+
+long capOf(const Scene& scene) {
+  if (const auto& limit = scene.adaptivity.limits.degreesOfFreedom)
+    return static_cast<long>(*limit);
+  const long first = BodySpaces(scene, firstMeshes(scene)).levelRow().dof();
+  return std::max(usualCap, 2 * first);
+}
+
 std::string aboveCap(int level, const LevelRow& size, const Scene& scene) {
-  const long cap = scene.adaptivity.limits.degreesOfFreedom;
+  const auto& limit = scene.adaptivity.limits.degreesOfFreedom;
+  if (size.dof() <= (limit ? static_cast<long>(*limit) : usualCap))
+    return "";
+  const long cap = capOf(scene);
   if (size.dof() <= cap)
     return "";
   std::string text =

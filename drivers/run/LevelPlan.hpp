@@ -7,6 +7,9 @@
 
 namespace epafi::drivers {
 
+/// Degrees of freedom that a level may have.
+long capOf(const Scene& scene);
+
 /// Largest number of multipliers of all bodies for which D is formed with compressed
 /// operators, once for all `steps`; with more, eliminations in the tree cost less.
 int formedUpTo(int steps);

@@ -165,6 +165,7 @@ void findLarge(const SolvedLevel& level, Warnings& warn) {
 }  // namespace
 
 std::vector<std::string> warningsOf(const SolvedLevel& level) {
+  constexpr double coarse = 0.1;
   const Scene& scene = level.last().spaces.scene();
   Warnings warn;
   double energy = level.row.summary.energyStrain;
@@ -196,6 +197,13 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
     findErrorInTime(level, warn);
     if (const std::string missing = missingTo(scene, level.level); !missing.empty())
       warn("a limit ends the run", missing);
+    else if (level.level.relativeEstimate > coarse &&
+             !scene.adaptivity.limits.tolerance &&
+             scene.adaptivity.estimator.weights != "Paper")
+      warn("the estimated error is ", std::round(100 * level.level.relativeEstimate),
+           " % of the energy norm: take a finer mesh, or Adaptivity->Tolerance = 0.01, "
+           "which "
+           "refines it");
   }
   findLarge(level, warn);
   return warn.all();

@@ -10,7 +10,9 @@
 #include "bem/geometry/NormalRay.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/ContactEstimate.hpp"
 #include "drivers/run/UnheldMotions.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -283,6 +285,17 @@ std::vector<SolvedState> loaded(std::vector<SolvedState> steps) {
   return steps;
 }
 
+/// Does the whole keep Adaptivity->Tolerance, whatever its contacts do?
+bool isReachedByWhole(const Scene& scene, const Level& level) {
+  const auto& tolerance = scene.adaptivity.limits.tolerance;
+  return tolerance && level.relativeEstimate <= *tolerance;
+}
+
+bool isReached(const Scene& scene, const Level& level) {
+  return isReachedByWhole(scene, level) &&
+         worst(level.contacts, *scene.adaptivity.limits.tolerance) == nullptr;
+}
+
 /// The elements that carry most of the estimate are chosen among those of all bodies; where
 /// Graded hp cuts one side of a contact, the other follows.
 std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& level,
@@ -298,6 +311,10 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
       if (adaptivity::isShort(meshes[b].mesh, static_cast<int>(e)))
         squares[b][e] = 0;
   }
+  const bool ofContacts = isReachedByWhole(scene, level);
+  if (ofContacts)
+    squares = onlyMissing(level.contacts, *scene.adaptivity.limits.tolerance,
+                          std::move(squares));
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
     worst = withFacing(scene, meshes, std::move(worst));
@@ -307,6 +324,13 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
                                      analyticIn(steps, b, spaces), meshes[b].singular,
                                      gradingOf(scene)};
     marks.push_back(adaptivity::decide(strategy, data, processes));
+  }
+  if (ofContacts) {
+    const auto few = tooFew(level.contacts, spaces.size());
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      for (const int e : few[b])
+        if (!adaptivity::isShort(meshes[b].mesh, e))
+          marks[b][e] = adaptivity::Mark::Bisect;
   }
   return marks;
 }
@@ -326,11 +350,6 @@ double shareOfShort(const BodySpaces& spaces, const Level& level) {
   return all > 0 ? std::sqrt(ofShort / all) : 0;
 }
 
-bool isReached(const Scene& scene, const Level& level) {
-  const auto& tolerance = scene.adaptivity.limits.tolerance;
-  return tolerance && level.relativeEstimate <= *tolerance;
-}
-
 /// Under Weights "Paper" squares of different units are added, which tell no error.
 bool isNoResult(const Scene& scene, const Level& level) {
   return scene.adaptivity.estimator.weights != "Paper" && level.relativeEstimate > 1;
@@ -342,9 +361,22 @@ std::string reached(const Scene& scene, const Level& level) {
   text << std::setprecision(3) << "the estimated error is "
        << 100 * level.relativeEstimate << " % of the energy norm"
        << (scene.history ? " in the worst step" : "");
-  if (const auto& tolerance = scene.adaptivity.limits.tolerance)
-    text << (isReached(scene, level) ? ", within" : ", above")
-         << " Adaptivity->Tolerance = " << *tolerance;
+  const auto& tolerance = scene.adaptivity.limits.tolerance;
+  if (!tolerance)
+    return text.str();
+  if (const ContactEstimate* contact = worst(level.contacts, *tolerance)) {
+    text << "; at contact '" << contact->name << "' ";
+    if (contact->relative > *tolerance)
+      text << 100 * contact->relative << " % of that of '"
+           << scene.bodies[contact->body].name << "'";
+    else if (contact->closed.size() < fewestClosed)
+      text << "only " << counted(contact->closed.size(), "element is", "elements are")
+           << " closed";
+    else
+      text << "the largest pressure is uncertain by " << 100 * contact->doubt << " %";
+  }
+  text << (isReached(scene, level) ? ", within" : ", above")
+       << " Adaptivity->Tolerance = " << *tolerance;
   return text.str();
 }
 
@@ -429,9 +461,12 @@ std::variant<Level, Outcome> nextLevel(const Scene& scene, const Level& level,
 
 std::variant<Level, Outcome> levelAfterRestart(const Scene& scene, const Level& level,
                                                const bem::Processes& processes) {
-  if (level.isSolved())
-    return nextLevel(scene, level, processes);
   Level again = level;
+  if (level.isSolved()) {
+    if (scene.adaptivity.limits.tolerance)
+      again.contacts = contactEstimates(BodySpaces(scene, level), level, processes);
+    return nextLevel(scene, again, processes);
+  }
   if (scene.history)  // whose last state is not that of the first step
     again.steps.clear();
   return again;

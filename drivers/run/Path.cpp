@@ -315,19 +315,8 @@ class Follower {
       checkBalance(balance_, run_, step, path_);
       row_.converged = path_.unbalanced.empty();
     }
-    auto contact = row_.contacts.begin();
     step.frictionWork = here_.memory.frictionWork();
-    for (std::size_t b = 0; b < system.size(); ++b) {
-      auto work = contact::frictionWorkOfContacts(system.body(b), step.frictionWork);
-      for (const auto& [name, summary] : contact::summarizeContacts(step.bodies[b])) {
-        const bem::Outline& outline = *scene_.bodies[b].outline;
-        contact->second = wholeOf(scene_.symmetry, outline, summary);
-        const double share =
-            scene_.symmetry.cuts(outline) ? 1 : 1 / scene_.symmetry.copies();
-        contact->second.dissipated = share * energy * work[name];
-        ++contact;
-      }
-    }
+    step.addContacts(row_);
     step.row = row_;
     path_.steps.push_back(made);
   }

@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/run/ContactEstimate.hpp"
 #include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
@@ -100,6 +101,17 @@ bem::Vector estimateErrors(const bem::Processes& processes, SolvedLevel& solved)
   return estimates;
 }
 
+/// See Level::energies.
+bem::Vector energiesOf(const SolvedLevel& solved) {
+  const double copies = solved.last().spaces.scene().symmetry.copies();
+  bem::Vector energies(solved.last().bodies.size(), 0.0);
+  for (const auto& step : solved.steps)
+    for (std::size_t b = 0; b < energies.size(); ++b)
+      energies[b] = std::max({energies[b], copies * step->summaries()[b].energyStrain,
+                              step->storable().rounding});
+  return energies;
+}
+
 /// The smallest gamma0 of a body with stabilised contact; zero if there is none.
 double gamma0Of(const contact::ContactSystem& system) {
   double smallest = 0;
@@ -131,11 +143,14 @@ void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
   LevelRow& row = solved.row;
   row.level = level.number;
   row.gamma0 = gamma0Of(*last.system);
+  row.contacts = last.row.contacts;
   row.summary = wholeOf(last.spaces.scene().symmetry, contact::sumOf(last.summaries()));
   row.energyFriction = last.row.energyDissipated;
   row.energyInterface = last.interfaceEnergy();
   row.estimate = level.estimate();
   row.relativeEstimate = level.relativeEstimate;
+  for (const ContactEstimate& contact : level.contacts)
+    row.contactEstimate = std::max(row.contactEstimate, contact.relative);
   row.squares = level.squares();
   row.worstEstimate = row.estimate;
   if (level.onPath()) {
@@ -143,6 +158,21 @@ void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
     row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
     row.worstEstimate = *worst;
   }
+}
+
+/// See Level::doubts.
+bem::Vector doubtsOf(const SolvedLevel& solved) {
+  bem::Vector doubts(solved.last().row.contacts.size(), 0.0);
+  for (std::size_t k = 0; k < doubts.size(); ++k) {
+    double largest = 0;
+    for (const auto& step : solved.steps)
+      if (const contact::PeakPressure& peak = step->row.contacts[k].second.peak;
+          peak.value() > largest) {
+        largest = peak.value();
+        doubts[k] = peak.isUnbounded() ? 0 : peak.error() / peak.value();
+      }
+  }
+  return doubts;
 }
 
 /// Estimates the error of what is solved and hands out the level.
@@ -157,6 +187,10 @@ Level finish(const Run& run, SolvedLevel solved) {
   level.indicators.clear();
   const bem::Vector estimates = run.timer.run(
       Phase::Estimate, [&] { return estimateErrors(run.processes, solved); });
+  level.energies = energiesOf(solved);
+  level.doubts = doubtsOf(solved);
+  if (solved.last().spaces.scene().adaptivity.estimator.weights == "Energy")
+    level.contacts = contactEstimates(solved.last().spaces, level, run.processes);
   run.timer.run(Phase::Results, [&] {
     addResults(estimates, solved);
     addTimes(run, solved.row);
@@ -213,6 +247,7 @@ void solveOnce(const BodySpaces& spaces,
       wholeOf(spaces.scene().symmetry, contact::sumOf(solved->summaries())).energyStrain;
   row.energyDissipated = solved->frictionWorkOfStep();
   solved->addRigid(row);
+  solved->addContacts(row);
   level.steps.push_back(solved);
   contact::Balance balance = balanceOf(spaces.scene());
   if (converged)

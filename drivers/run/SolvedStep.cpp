@@ -3,6 +3,7 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/equation/ContactState.hpp"
+#include "contact/path/PathMemory.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,6 +12,19 @@
 namespace epafi::drivers {
 
 namespace {
+
+/// Does a contact end at a line of symmetry, where its mirror image goes on?
+bool touchesLine(const contact::Solved& solved, const std::string& name) {
+  const bem::Mesh& mesh = solved.space.mesh();
+  const contact::ContactFields fields(solved);
+  const auto& elements = fields.elements();
+  return std::any_of(elements.begin(), elements.end(), [&](const auto& element) {
+    const bem::Element& side = mesh[element.element];
+    return contact::nameOf(element) == name &&
+           (mesh.boundary(side.previous) == Symmetry::boundary ||
+            mesh.boundary(side.next) == Symmetry::boundary);
+  });
+}
 
 contact::Configuration atRest(const BodySpaces& spaces) {
   contact::Configuration at;
@@ -141,6 +155,26 @@ void SolvedStep::addRigid(StepRow& filled) const {
     }
     const RigidBody& body = scene.rigid[k];
     summary = wholeOf(scene.symmetry, *body.outline, summary, body.pole);
+  }
+}
+
+void SolvedStep::addContacts(StepRow& filled) const {
+  const Scene& scene = spaces.scene();
+  auto contact = filled.contacts.begin();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bem::Outline& outline = *scene.bodies[b].outline;
+    const bool isCut = scene.symmetry.cuts(outline);
+    std::map<std::string, double> work;
+    if (!frictionWork.empty())
+      work = contact::frictionWorkOfContacts(system->body(b), frictionWork);
+    for (const auto& [name, summary] : contact::summarizeContacts(bodies[b])) {
+      contact->second = wholeOf(scene.symmetry, outline, summary);
+      if (!touchesLine(bodies[b], name))
+        contact->second.forceTangential = (isCut ? 2 : 1) * summary.forceTangential;
+      const double share = isCut ? 1 : 1 / scene.symmetry.copies();
+      contact->second.dissipated = share * scene.energy() * work[name];
+      ++contact;
+    }
   }
 }
 

@@ -59,6 +59,9 @@ struct SolvedStep : SolvedPart {
   double interfaceEnergy() const;
   /// Fills what a row says of rigid bodies.
   void addRigid(StepRow& filled) const;
+  /// Fills what a row says of contacts.  Of a body that a line of symmetry cuts, the shear of a contact away
+  /// from the line is that of both halves, each along t as the drawn half has it.
+  void addContacts(StepRow& filled) const;
 
   const BodySpaces& spaces;
   std::shared_ptr<const SolvedPart> before;

@@ -141,6 +141,15 @@ void readBoundary(const Part& part, const std::string& boundary,
   const double length = lengthOf(outline, boundary);
   contact::Conditions::Neumann load{readTraction(part, "X", length),
                                     readTraction(part, "Y", length)};
+  if (part.has("Pressure")) {
+    const bem::Function pressure = part.function("Pressure");
+    load.x = sum(load.x, [pressure](const bem::SurfacePoint& x) {
+      return -pressure(x) * x.normal.x;
+    });
+    load.y = sum(load.y, [pressure](const bem::SurfacePoint& x) {
+      return -pressure(x) * x.normal.y;
+    });
+  }
   if (part.has("Moment"))
     addMoment(part.number("Moment"), outline, boundary, load);
   for (const char* axis : {"X", "Y"})

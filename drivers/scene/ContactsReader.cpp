@@ -21,7 +21,7 @@ SideOfBody readSide(const std::string& text, const std::string& path,
   if (colon == std::string::npos)
     throw InputError(
         path, ": '", text,
-        R"(' is no side; write body:boundary, as in {"pad:bottom", "plate:top"})");
+        R"(' is not a side; write body:boundary, as in {"pad:bottom", "plate:top"})");
   const std::string name = text.substr(0, colon);
   std::vector<std::string> names;
   for (SideOfBody side : scene.everyBody()) {

@@ -82,6 +82,31 @@ struct Source {
   }
 };
 
+/// What a text of another language is here; empty where it is none.
+std::string otherLanguage(const std::string& text) {
+  const auto hasWord = [&](const std::string& word) {
+    for (auto i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) {
+      const auto isLetter = [&](std::size_t k) {
+        return k < text.size() && std::string(letters).find(text[k]) != std::string::npos;
+      };
+      if (!isLetter(i - 1) && !isLetter(i + word.size()))
+        return true;
+    }
+    return false;
+  };
+  if (hasWord("if") || hasWord("else"))
+    return "; a choice is written 'condition ? value : other value'";
+  for (const auto& [word, sign] : {std::pair("and", "&&"), std::pair("or", "||"),
+                                   std::pair("AND", "&&"), std::pair("OR", "||")})
+    if (hasWord(word))
+      return message("; '", word, "' is written '", sign, "'");
+  if (text.find("**") != std::string::npos)
+    return "; a power is written '^'";
+  if (text.find("math.") != std::string::npos || text.find("np.") != std::string::npos)
+    return "; functions stand without 'math.' or 'np.'";
+  return "";
+}
+
 /// A muParser with its own variables.
 class Parser {
  public:
@@ -132,8 +157,9 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const mu::Parser::exception_type& error) const {
-    source_.fail("is no expression in " + source_.known() + ": " + error.GetMsg() +
-                 meant(error));
+    source_.fail("is not an expression in " + source_.known() + ": " + error.GetMsg() +
+                 (otherLanguage(source_.text).empty() ? meant(error)
+                                                      : otherLanguage(source_.text)));
   }
 
   std::string meant(const mu::Parser::exception_type& error) const {
@@ -224,7 +250,7 @@ void checkName(const std::string& name, const Names& earlier) {
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
     throw InputError(
-        "is no name for expressions; letters, digits and _ make one, a letter first");
+        "is not a name for expressions; letters, digits and _ make one, a letter first");
   const mu::Parser parser;
   for (const char* known : {"x", "y", "t", "nx", "ny", "pi"})
     if (name == known)

@@ -158,8 +158,8 @@ std::vector<int> alongHole(const std::vector<int>& counts) {
   return result;
 }
 
-std::vector<int> countsFromSize(const Part& part, const bem::Outline& outline) {
-  const auto size = part.list->get<double>("Mesh Size");
+std::vector<int> countsFromSize(double size, const Part& part,
+                                const bem::Outline& outline) {
   std::vector<int> counts;
   for (const bem::Edge& edge : outline.edges()) {
     // Rounding must not add an element if the length is a multiple of the size.
@@ -177,14 +177,24 @@ std::vector<int> countsFromSize(const Part& part, const bem::Outline& outline) {
   return counts;
 }
 
+bool isSized(const Part& part) {
+  return std::any_of(part.list->begin(), part.list->end(), [&](const auto& item) {
+    return item.first == "Mesh Size" ||
+           item.first.find("Elements per Edge") != std::string::npos;
+  });
+}
+
 std::vector<int> readElements(const Part& part, const bem::Outline& outline) {
   const int holes = outline.loops() - 1;
   if (part.has("Mesh Size")) {
     for (const auto& item : *part.list)
       if (item.first.find("Elements per Edge") != std::string::npos)
         throw InputError(part.path(item.first), ": give this or Mesh Size, not both");
-    return countsFromSize(part, outline);
+    return countsFromSize(part.list->get<double>("Mesh Size"), part, outline);
   }
+  constexpr double usual = 1.0 / 8;  // of the body's diameter
+  if (!isSized(part))
+    return countsFromSize(usual * outline.diameter(), part, outline);
   const auto edgesOf = [&outline](int loop) {
     return static_cast<std::size_t>(
         std::count_if(outline.edges().begin(), outline.edges().end(),
@@ -226,14 +236,14 @@ bem::SchemaRows meshRows(const char* degree) {
       Row("Hole <k> Elements per Edge", Kind::Counts, "1", bem::from(1),
           "equal elements on each edge of hole k"),
       Row("Mesh Size", Kind::Real, "length", bem::above(0),
-          "largest element; each edge gets the smallest number of equal ones"),
+          "largest element; each edge gets the smallest number of equal ones; without it "
+          "and Elements per Edge an eighth of the body's diameter"),
       degree != nullptr ? ownDegree.defaultValue(degree) : ownDegree,
   };
 }
 
 void readMesh(const Part& own, const Part& discretization, Body& body) {
-  const bool sized = own.has("Mesh Size") || own.has("Elements per Edge");
-  body.elementsPerEdge = readElements(sized ? own : discretization, *body.outline);
+  body.elementsPerEdge = readElements(isSized(own) ? own : discretization, *body.outline);
   for (std::size_t k = 0; k < body.elementsPerEdge.size(); ++k)
     if (body.outline->isAxis(static_cast<int>(k)))
       body.elementsPerEdge[k] = 1;

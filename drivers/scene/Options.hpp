@@ -59,9 +59,10 @@ SolverOptions parseSolver(const Teuchos::ParameterList& list);
 
 /// Limits that end a run.
 struct RunLimits {
-  int levels = 6;               ///< including the first
-  int degreesOfFreedom = 4000;  ///< of a level: displacement and multiplier
-  double estimate = 0;          ///< a smaller estimate ends the run
+  int levels = 6;  ///< including the first
+  /// Of a level, displacement and multiplier; empty: 4000, or twice the first mesh's.
+  std::optional<double> degreesOfFreedom{};
+  double estimate = 0;  ///< a smaller estimate ends the run
   /// A Level::relativeEstimate of at most this ends the run.
   std::optional<double> tolerance{};
   std::optional<double> memory;  ///< of a level, all processes [MiB]; empty: all free
@@ -79,7 +80,8 @@ struct RunLimits {
              "levels computed, the first included");
     keys.add(
         &degreesOfFreedom, "Maximum Degrees of Freedom", "1", bem::from(1),
-        "a level with more, displacement and contact stress together, is not computed");
+        "a level with more, displacement and contact stress together, is not computed; "
+        "without it 4000, or twice the first mesh's if that is more");
     keys.add(&memory, "Maximum Memory", "MiB", bem::above(0),
              "a level that is foretold to take more, all processes together, is not "
              "computed; without it what the machine and its control groups have free");

@@ -68,7 +68,7 @@ void removeAt(ParameterList& list, const std::string& path) {
   if (holder == nullptr)
     throw InputError(path +
                      ": is not in the scene, so it cannot be removed; a value is written "
-                     "behind the =");
+                     "after the =");
   holder->remove(lastOf(path));
 }
 
@@ -156,7 +156,11 @@ void dropRemovedKeys(ParameterList& scene) {
 void applyOverride(ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
-    throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
+    throw InputError(
+        "--set '", assignment, "': write 'A->B->Key=value'",
+        !assignment.empty() && assignment.back() == '-'
+            ? "; the shell has taken the > for itself: put quotes round all of it"
+            : "");
   const std::string path = trimmed(assignment.substr(0, equal));
   const std::string value = trimmed(assignment.substr(equal + 1));
   within("--set ", [&] {

@@ -87,5 +87,7 @@ void dropRemovedKeys(Teuchos::ParameterList& scene);
 
 /// The list as XML; reading it gives the same list, numbers to the last bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
+/// The same as YAML.
+std::string toYaml(const Teuchos::ParameterList& list, const std::string& title);
 
 }  // namespace epafi::drivers

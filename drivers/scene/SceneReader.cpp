@@ -96,16 +96,46 @@ void checkLinear(const Scene& scene) {
                        "without contact; Automatic, Dense and Compressed can");
 }
 
-/// The scene with the strategy and the number of levels that a tolerance alone implies.
+/// Does a scene say how long or how many its first elements are?
+bool statesMesh(const ParameterList& scene) {
+  const auto states = [](const ParameterList& mesh) {
+    return std::any_of(mesh.begin(), mesh.end(), [](const auto& item) {
+      return item.first == "Mesh Size" ||
+             item.first.find("Elements per Edge") != std::string::npos;
+    });
+  };
+  if (scene.isSublist("Discretization") && states(scene.sublist("Discretization")))
+    return true;
+  if (!scene.isSublist("Bodies"))
+    return false;
+  const ParameterList& bodies = scene.sublist("Bodies");
+  return std::any_of(bodies.begin(), bodies.end(), [&](const auto& body) {
+    return bodies.isSublist(body.first) && bodies.sublist(body.first).isSublist("Mesh") &&
+           states(bodies.sublist(body.first).sublist("Mesh"));
+  });
+}
+
+/// The scene with the strategy and the number of levels that a tolerance alone implies, and with the
+/// tolerance that is implied where neither mesh nor strategy is stated.
 ParameterList withStrategy(ParameterList scene) {
-  if (scene.isSublist("Adaptivity") &&
-      scene.sublist("Adaptivity").isParameter("Tolerance")) {
-    ParameterList& list = scene.sublist("Adaptivity");
-    if (!list.isParameter("Strategy"))
-      list.set("Strategy", "Graded hp");
-    if (!list.isParameter("Maximum Levels"))
-      list.set("Maximum Levels", 100);
-  }
+  constexpr double usual = 0.01;
+  const bool adapts = scene.isSublist("Adaptivity");
+  const auto says = [&](const char* key) {
+    return adapts && scene.sublist("Adaptivity").isParameter(key);
+  };
+  const bool tolerance = says("Tolerance");
+  if (!tolerance && (says("Strategy") || statesMesh(scene)))
+    return scene;
+  ParameterList& list = scene.sublist("Adaptivity");
+  if (!list.isParameter("Strategy"))
+    list.set("Strategy", "Graded hp");
+  if (!list.isParameter("Maximum Levels"))
+    list.set("Maximum Levels", 100);
+  const bool isPaper = list.isParameter("Weights") &&
+                       list.isType<std::string>("Weights") &&
+                       list.get<std::string>("Weights") == "Paper";
+  if (!tolerance && !isPaper && !list.isParameter("Target Estimate"))
+    list.set("Tolerance", usual);
   return scene;
 }
 

@@ -40,7 +40,7 @@ void addBody(Table& table) {
           Row("Young's Modulus", Kind::Real, "stress", above(0),
               "Young's modulus E; every body has one unless it is Rigid"),
           Row("Poisson's Ratio", Kind::Real, "1", {-1, 0.5, true, false},
-              "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density"),
+              "Poisson's ratio nu, likewise; 1/2 in plane strain needs Form Density"),
           Row("Plane State", Kind::Text, "no strain or no stress across the plane")
               .defaultValue("Plane Strain")
               .allowed({"Plane Strain", "Plane Stress"}),
@@ -152,6 +152,8 @@ void addConditions(Table& table) {
                "whole boundary, per unit of thickness; in t and constants"),
            Row("Force Y", Kind::Expression, "stress length",
                "instead of Traction Y, likewise"),
+           Row("Pressure", Kind::Expression, "stress",
+               "added to it: on the body, against the outward normal"),
            Row("Moment", Kind::Expression, "stress length^2",
                "added to it: the traction, linear in place, that turns the boundary "
                "about its centroid, > 0 anticlockwise, per unit of thickness; in t and "
@@ -248,8 +250,7 @@ void addSettings(Table& table) {
           "the path of the loads, solved step by step; friction remembers.  Without it "
           "one load, t = 1"),
       historyRows());
-  add(table,
-      Row("Discretization", Kind::List, "the first mesh and the spaces on it").required(),
+  add(table, Row("Discretization", Kind::List, "the first mesh and the spaces on it"),
       meshRows("1"));
   append(table, {contact::multiplierRow()}, "Discretization");
   add(table,

@@ -8,7 +8,7 @@ its files.  It needs numpy, h5py for `Run.solution` and matplotlib for pictures.
 
     scene = epafi.Scene.read("coulomb.xml")
     run = epafi.run(scene.changed({"Discretization->Degree": 2}))
-    print(run.history["force_normal"][-1], run.contact["lambda_n"].max())
+    print(run.history["force_normal"][-1], run.contact["pressure"].max())
 
 Numbers are in the scene's own units.
 """

@@ -92,6 +92,11 @@ def dang_van(stress: np.ndarray, alpha: float) -> tuple[float, int, float, float
             float(hydrostatic[step]))
 
 
+# Those of Dang Van, the last four, where alpha is given.
+NAMES = ("swt", "swt_plane", "swt_stress", "swt_strain", "dang_van", "dang_van_t", "dang_van_shear",
+         "dang_van_hydrostatic")
+
+
 def cycle_of(run: Run, first: Optional[float], last: Optional[float]) -> tuple[np.ndarray, np.ndarray]:
     """Numbers and times of the steps of the last level from first to last."""
     steps = run.steps
@@ -138,13 +143,14 @@ def inside(run: Run, steps: Sequence[int], points: Optional[np.ndarray], along: 
                       for table in tables]))
 
 
-def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *, alpha: float,
-            first: Optional[float] = None, last: Optional[float] = None,
+def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *,
+            alpha: Optional[float] = None, first: Optional[float] = None, last: Optional[float] = None,
             depth: Optional[float] = None) -> Table:
     """As Run.fatigue."""
     if depth is not None and not (isinstance(where, str) and ":" in where):
         raise InputError("depth: belongs to a boundary, 'body:boundary'")
-    if not isinstance(alpha, (int, float, np.number)) or not math.isfinite(alpha):
+    if alpha is not None and (not isinstance(alpha, (int, float, np.number))
+                              or not math.isfinite(alpha)):
         raise InputError("alpha: %r is no finite number" % (alpha,))
     steps, t = cycle_of(run, first, last)
     scene = run.scene
@@ -166,11 +172,12 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *, al
     rows = []
     for body, stress in zip(places["body"], stresses.swapaxes(0, 1)):
         if not np.isfinite(stress).all():  # outside
-            rows.append([math.nan] * 8)
+            rows.append([math.nan] * (4 if alpha is None else len(NAMES)))
             continue
         young, poisson, _ = _constants(run, str(body))
-        value, step, tau, hydrostatic = dang_van(stress, alpha)
-        rows.append([*swt(stress, young, poisson), value, t[step], tau, hydrostatic])
-    return Table.of({**places, **dict(zip(
-        ("swt", "swt_plane", "swt_stress", "swt_strain", "dang_van", "dang_van_t", "dang_van_shear",
-         "dang_van_hydrostatic"), np.array(rows).T))})
+        row = list(swt(stress, young, poisson))
+        if alpha is not None:
+            value, step, tau, hydrostatic = dang_van(stress, alpha)
+            row += [value, t[step], tau, hydrostatic]
+        rows.append(row)
+    return Table.of({**places, **dict(zip(NAMES, np.array(rows).T))})

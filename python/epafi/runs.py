@@ -14,7 +14,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene, tree_of
-from epafi.tables import HISTORY, Table, html_table, loaded_step, nearest, own, read, title_of
+from epafi.tables import HISTORY, Table, html_table, nearest, own, read, shown_step
 
 if TYPE_CHECKING:
     import h5py
@@ -27,7 +27,7 @@ CELLS = 240  # along the longer side of a window that is drawn
 class Run:
     """The folder of a run; its files are read when they are first asked for.
 
-    Columns are those of the files, as doc/columns.md lists them: `run.contact["lambda_n"]`.
+    Columns are those of the files, as doc/columns.md lists them: `run.contact["pressure"]`.
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
@@ -152,14 +152,14 @@ class Run:
 
         return intensities(self, step)
 
-    def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *, alpha: float,
-                first: Optional[float] = None, last: Optional[float] = None,
+    def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *,
+                alpha: Optional[float] = None, first: Optional[float] = None, last: Optional[float] = None,
                 depth: Optional[float] = None) -> Table:
         """Fatigue parameters over the steps of a path from t = first to last, its cycle; a row per
         point, with the columns of doc/columns.md.
 
         where   a contact's name: on its surface; "body:boundary": along it, `depth` below; or points
-        alpha   Dang Van's weight of the hydrostatic stress, of the material
+        alpha   Dang Van's weight of the hydrostatic stress, of the material; without it no Dang Van
         """
         from epafi.fatigue import fatigue
 
@@ -170,39 +170,39 @@ class Run:
         """solution.hdf, open for reading; doc/solution-file.md says what is in it."""
         return opened(own(self.folder, "solution.hdf"))
 
-    def plot(self, what: str = "contact", *, window: Optional[Window] = None,
+    def plot(self, what: str = "contact", *, window: Optional[Window | str] = None,
              step: Optional[int] = None, axes: Any = None, **looks: Any) -> tuple[Figure, Any]:
         """One of the pictures of `epafi plot` ("contact", "deformed", "mesh", "path", ...) or a
         field inside the bodies ("von_mises", "syy", ...): its figure and its axes, an array where
         there are several.
 
-        window  what of the plane a field, or "deformed", shows (x0, y0, x1, y1) [length]
-        step    of a path, for a field or "contact"; else the last one, or that of the largest energy
-                where the last one bears no load
+        window  what of the plane a field, or "deformed", shows (x0, y0, x1, y1) [length]; "contact":
+                around what touches
+        step    of a path, for a field, "contact" or "deformed"; else that of the largest strain energy
         axes    as many as the picture has, to be drawn into
         looks   size=(width, height) in inches, dpi, font (points), title=False,
                 units="mm,MPa" of length and stress
         """
-        from epafi.plot import contact
-        from epafi.plot.figures import Looks, Pictures, plain, plt
+        from epafi.plot.figures import Looks, Pictures, plt
         from epafi.plot.folder import NAMES, draw_field, draw_run, when
         from epafi.plot.inside import NAMES as FIELDS
 
         if what not in (*NAMES, *FIELDS):
             raise _unknown("picture", what, [*NAMES, *FIELDS])
-        for name, value, other in (("window", window, "deformed"), ("step", step, "contact")):
-            if value is not None and what not in (other, *FIELDS):
-                raise InputError("the picture %r takes no %s; %r and fields do" % (
-                    what, name, other))
-        pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes)
+        for name, value, others in (("window", window, ["deformed"]),
+                                    ("step", step, ["contact", "deformed"])):
+            if value is not None and what not in (*others, *FIELDS):
+                raise InputError("the picture %r takes no %s; %s and fields do" % (
+                    what, name, ", ".join(map(repr, others))))
+        if step is not None:
+            self.step(step)  # there is one
+        window = self._window(window, step)
+        pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes, step=step)
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
             if what in FIELDS:
-                step = loaded_step(self.folder) if step is None else step
+                step = shown_step(self.folder) if step is None else step
                 draw_field(what, field_file(self.folder, place, window, step), pictures,
                            when(self.folder, step))
-            elif step is not None:
-                contact.draw(self.step(step), plain(title_of(self.folder)) +
-                             when(self.folder, step), pictures)
             else:
                 draw_run(pictures)
         if not pictures.names:
@@ -210,24 +210,38 @@ class Run:
                 self.folder, what))
         return np.ravel(pictures.axes)[0].figure, pictures.axes
 
-    def pictures(self, field: Optional[str] = None, *, window: Optional[Window] = None,
+    def pictures(self, field: Optional[str] = None, *, window: Optional[Window | str] = None,
                  step: Optional[int] = None, pdf: bool = False, **looks: Any) -> list[str]:
         """Writes all that `epafi plot` writes into the run's folder, arguments as for `plot`; the
         files (PNG; SVG, with pdf PDF beside them)."""
         from epafi.plot import Looks, Pictures, draw_folder
         from epafi.plot.inside import NAMES as FIELDS
 
-        if field is None and step is not None:
-            raise InputError("step: belongs to a field")
         if field is not None and field not in FIELDS:
             raise _unknown("field", field, FIELDS)
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
-        pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
+        if step is not None:
+            self.step(step)  # there is one
+        window = self._window(window, step)
+        pictures = Pictures(self.folder, Looks(endings=endings, **looks), window, step=step)
         if field is not None:
-            step = loaded_step(self.folder) if step is None else step
-            field_file(self.folder, self.folder, window, step)
+            field_file(self.folder, self.folder, window,
+                       shown_step(self.folder) if step is None else step)
         return [os.path.join(self.folder, name + ".png")
-                for name in draw_folder(pictures, field, step)]
+                for name in draw_folder(pictures, field)]
+
+    def _window(self, window: Optional[Window | str], step: Optional[int]) -> Optional[Window]:
+        """Of what touches, if it is named so."""
+        from epafi.plot.folder import contact_window
+
+        if not isinstance(window, str):
+            return window
+        if window != "contact":
+            raise InputError("window: %r is neither (x0, y0, x1, y1) nor 'contact'" % window)
+        try:
+            return contact_window(self.folder, step or shown_step(self.folder))
+        except ValueError as error:
+            raise InputError("window: %s" % error) from error
 
     def report(self) -> str:
         """Writes what `epafi report` writes, a page of HTML with all in it; its file."""

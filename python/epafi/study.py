@@ -177,7 +177,8 @@ class Study:
     def add(self, variant: Variant, row: Mapping[str, str], **more: str) -> None:
         """A row of study.csv."""
         if "dof" in row:
-            self.columns = [name for name in row if name not in (*ERRORS, *OWN)]
+            self.columns = list(dict.fromkeys(
+                name for name in (*row, *self.columns) if name not in (*ERRORS, *OWN)))
         try:
             more["sweep_value"] = "%.17g" % float(variant.value or "")
         except ValueError:  # no sweep, or not of numbers

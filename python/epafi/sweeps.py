@@ -90,11 +90,18 @@ class Sweep:
         """For notebooks: the table, and a picture where matplotlib is installed."""
         return html_table(*self.rows()) + pictured(lambda: self.plot()[0], "contact of all cases")
 
-    def plot(self, file: Optional[str | os.PathLike[str]] = None,
-             axes: Any = None) -> tuple[Figure, Any]:
-        """Pressure and shear of all cases, one upon the other: figure and axes, of its own or
-        those given; written into a file if one is named."""
-        from epafi.plot.overlay import figure_of
+    def plot(self, file: Optional[str | os.PathLike[str]] = None, axes: Any = None,
+             column: Optional[str] = None) -> tuple[Figure, Any]:
+        """Pressure and shear of all cases, one upon the other; or a column of history.csv against the
+        first parameter that has numbers, a curve for each value of the others: figure and axes, of
+        its own or those given; written into a file if one is named."""
+        from epafi.plot.overlay import curves_of, figure_of
+
+        if column is not None:
+            figure, drawn = curves_of(*self._curves(column), axes)
+            if file is not None:
+                figure.savefig(os.fspath(file), bbox_inches="tight")
+            return figure, drawn
 
         solved = [(case.run.contact, values) for case, values in zip(self.cases, self.names)
                   if case.run is not None and case.error is None]
@@ -108,6 +115,24 @@ class Sweep:
         if file is not None:
             figure.savefig(os.fspath(file), bbox_inches="tight")
         return figure, drawn
+
+
+    def _curves(self, column: str) -> tuple[str, str, list[tuple[str, np.ndarray, np.ndarray]]]:
+        """The labels of both axes; of each curve its label, its places in increasing order, and the
+        column there."""
+        numbers = [path for path, values in self.parameters.items()
+                   if all(isinstance(value, (int, float, np.number)) for value in values)]
+        if not numbers:
+            raise InputError("no parameter of the sweep has numbers, which a curve wants")
+        along = list(self.parameters).index(numbers[0])
+        x = np.array(self.parameters[numbers[0]], float)
+        rows = np.moveaxis(self[column], along, -1).reshape(-1, len(x))
+        others = {path: values for path, values in self.parameters.items() if path != numbers[0]}
+        labels = [", ".join("%s = %s" % (_short(path, self.parameters), value)
+                            for path, value in zip(others, values)) for values in _names(others)]
+        order = np.argsort(x)
+        return _short(numbers[0], self.parameters), column.replace("_", " "), [
+            (label, x[order], row[order]) for label, row in zip(labels, rows)]
 
 
 def _names(parameters: Mapping[str, Sequence[Any]]) -> list[tuple[Any, ...]]:

@@ -7,7 +7,8 @@ import html
 import math
 import os
 import xml.etree.ElementTree as xml
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Optional, Sequence
+from itertools import zip_longest
+from typing import TYPE_CHECKING, Any, Container, Iterable, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -21,11 +22,11 @@ TEXTS = {"boundary", "body", "contact_name", "folder", "operators", "reason", "s
          "variant"}
 
 
-# Of a path's largest strain energy: what stresses of rounding have.
-UNLOADED = 1e-12
+# Strain energies of steps that differ by less are those of one load, to and fro.
+EQUAL = 1e-6
 
 # What a reader of a level looks at first.
-HISTORY = ("level", "dof", "estimate", "force_normal", "force_tangential", "contact_length",
+HISTORY = ("level", "dof", "estimate", "estimate_relative", "force_normal", "force_tangential", "contact_length",
            "slip_length", "energy_strain", "status")
 
 
@@ -36,13 +37,15 @@ class Table:
     columns: dict[str, np.ndarray]
     size: int  # rows
 
-    def __init__(self, file: str) -> None:
+    def __init__(self, file: str, only: Optional[Container[str]] = None) -> None:
+        """`only`: of these columns."""
         with open(file, newline="") as stream:
-            rows = list(csv.DictReader(stream))
+            names, *rows = list(csv.reader(stream)) or [[]]
         self.size = len(rows)
         self.columns = {}
-        for name in rows[0] if rows else ():
-            cells = [row[name] or "" for row in rows]
+        for name, cells in zip(names, zip_longest(*rows, fillvalue="")):
+            if only is not None and name not in only:
+                continue
             try:
                 self.columns[name] = np.array(cells if name in TEXTS else [
                     float(cell) if cell else math.nan for cell in cells])
@@ -141,8 +144,8 @@ def own(folder: str, name: str) -> str:
     return file
 
 
-def read(folder: str, name: str) -> Optional[Table]:
-    """The table of a file, or None without the file or without rows in it.
+def read(folder: str, name: str, only: Optional[Container[str]] = None) -> Optional[Table]:
+    """The table of a file, of all columns or of some, or None without the file or without rows.
 
     ValueError for a file that is no table.
     """
@@ -150,7 +153,7 @@ def read(folder: str, name: str) -> Optional[Table]:
     if not os.path.isfile(file):
         return None
     try:
-        table = Table(file)
+        table = Table(file, only)
         with open(file) as stream:
             if "," not in stream.readline():
                 raise ValueError("it has no heading")
@@ -159,24 +162,32 @@ def read(folder: str, name: str) -> Optional[Table]:
     return table if table.size else None
 
 
-def loaded_step(folder: str) -> Optional[int]:
-    """The step that pictures show where the last one of a path bears no load, of which only rounding
-    is left: that of the largest strain energy.  None: the last one."""
+def shown_step(folder: str) -> Optional[int]:
+    """The step of a path that pictures show: that of the largest strain energy, of equal ones the
+    last.  None: the last step, or there is no path."""
     steps = read(folder, "steps.csv")
     if not steps:
         return None
     here = steps["level"] == steps["level"].max()
     energy = steps["energy_strain"][here]
-    step = int(steps["step"][here][np.argmax(energy)])
-    loaded = energy[-1] > UNLOADED * energy.max() or not energy.max() > 0
+    if not energy.max() > 0:
+        return None
+    most = np.flatnonzero(energy > (1 - EQUAL) * energy.max())[-1]
+    step = int(steps["step"][here][most])
     written = os.path.isfile(own(folder, os.path.join("steps", str(step), "boundary.vtu")))
-    return None if loaded or not written else step
+    return step if written and most + 1 < len(energy) else None
 
 
 def title_of(folder: str) -> str:
     """The scene's title from used.xml, else the folder's name."""
-    try:
-        name = xml.parse(own(folder, "used.xml")).getroot().get("name")
-    except (OSError, xml.ParseError):
-        name = None
+    root = used_of(folder)
+    name = None if root is None else root.get("name")
     return name or os.path.basename(os.path.abspath(folder))
+
+
+def used_of(folder: str) -> Optional[xml.Element]:
+    """used.xml of a run, if it can be read."""
+    try:
+        return xml.parse(own(folder, "used.xml")).getroot()
+    except (OSError, xml.ParseError):
+        return None

@@ -225,9 +225,6 @@ TEUCHOS_UNIT_TEST(BadInput, whatABodyNeedsIsMissed) {
   scene.geometry = entry("Edges", "Array(string)", "{base}");
   TEST_COMPLAINT(scene.xml(), body + "Geometry->Vertices", "missing");
   scene = SceneText();
-  scene.discretization = "";
-  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "missing", "4");
-  scene = SceneText();
   scene.base = parameter("Gap", "0");
   TEST_COMPLAINT(scene.xml(), base + "Type", "missing");
 }

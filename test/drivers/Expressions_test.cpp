@@ -51,9 +51,10 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   TEST_ASSERT(
       contains(complaint(parameter("sin", "1")), "Constants->sin: is a function"));
   TEST_ASSERT(contains(complaint(parameter("2a", "1")), "a letter first"));
-  TEST_ASSERT(contains(complaint(parameter("a b", "1")), "Constants->a b: is no name"));
+  TEST_ASSERT(
+      contains(complaint(parameter("a b", "1")), "Constants->a b: is not a name"));
   TEST_ASSERT(contains(complaint(parameter("a", "b") + parameter("b", "1")),
-                       "Constants->a = 'b' is no expression in constants before it"));
+                       "Constants->a = 'b' is not an expression in constants before it"));
   TEST_ASSERT(contains(complaint(parameter("a", "x")), "Constants->a = 'x'"));
   TEST_ASSERT(contains(complaint(parameter("a", "t")), "Constants->a = 't'"));
   TEST_ASSERT(contains(complaint(parameter("a", "1/0")), "one finite number is needed"));
@@ -225,9 +226,9 @@ TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
   TEST_EQUALITY(complaint(parameter("Force X", "1") + parameter("Traction Y", "x")), "");
   for (const char* key : {"Force X", "Force Y"})
     for (const char* ofPlace : {"x", "y", "3*nx + 10", "ny"})
-      TEST_ASSERT(contains(
-          complaint(parameter(key, ofPlace)),
-          std::string("load->") + key + " = '" + ofPlace + "' is no expression in t: "));
+      TEST_ASSERT(contains(complaint(parameter(key, ofPlace)),
+                           std::string("load->") + key + " = '" + ofPlace +
+                               "' is not an expression in t: "));
   TEST_ASSERT(contains(complaint(parameter("Force Y", "1/(2-t)")),
                        "at t = 2; one finite number is needed"));
 }
@@ -277,7 +278,7 @@ TEUCHOS_UNIT_TEST(Forces, aMomentTurnsTheBoundaryAboutItsCentroid) {
   TEST_FLOATING_EQUALITY(loadOn(scene, "bore").x({1, 0.75}), shear, 1e-13);
   text.conditions = neumann("load", parameter("Moment", "x"));
   TEST_ASSERT(
-      contains(complaintOf(text.xml()), "load->Moment = 'x' is no expression in t"));
+      contains(complaintOf(text.xml()), "load->Moment = 'x' is not an expression in t"));
 }
 
 TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
@@ -294,7 +295,7 @@ TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
                     std::string(text) == "t"
                         ? ""
                         : bem::message("Bodies->punch->Motion->", key, " = '", text,
-                                       "' is no expression in t: Unexpected token \"",
+                                       "' is not an expression in t: Unexpected token \"",
                                        text, "\" found at position 0."));
     }
 }

@@ -111,7 +111,7 @@ with raises(epafi.InputError, "nor in Python", "names no other file"):
 
 # links out of a folder: neither read nor written
 for link, there, command in (
-        ("history.csv", SECRET, ["plot"]), ("convergence.png", "../nowhere", ["plot"]),
+        ("history.csv", SECRET, ["plot"]), ("contact.png", "../nowhere", ["plot"]),
         ("report.html", SECRET, ["report"]), ("scene.png", SECRET, ["report"]),
         ("used.xml", SECRET, ["report"]), ("steps", "..", ["fields", "--vtk", "--step", "all"]),
         ("solution.hdf", SECRET, ["fields"]), ("fields.csv", "../nowhere", ["fields"]),

@@ -129,7 +129,7 @@ claim(code == 0 and sorted(entry.get("name") for entry in xml.fromstring(text).i
       == sorted(key["path"].rpartition("->")[2] for key in described), "and in a list")
 samples = os.path.join(WORK, "samples.xml")
 write(samples, text)
-fails("which can be read, if not solved", ["Tables-><table>: is no name"], "check", samples)
+fails("which can be read, if not solved", ["Tables-><table>: is not a name"], "check", samples)
 rng = os.path.join(WORK, "epafi.rng")
 write(rng, epafi("schema")[1])
 xmllint = shutil.which("xmllint")

@@ -185,8 +185,8 @@ for sentence, words, arguments in [
                                                        "block:bottm", "--depth", "1"]),
         ("a boundary without its body", "mean 'block:" + boundary, [
             "fields", folder, "--along", boundary, "--depth", "1"]),
-        ("a depth of 0", "> 0", ["fields", folder, "--along", "block:" + boundary,
-                                 "--depth", "0"]),
+        ("a depth below 0", ">= 0", ["fields", folder, "--along", "block:" + boundary,
+                                     "--depth=-1"]),
         ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),
         ("points of no file", "'nofile': there is", ["fields", folder, "--points", "nofile"]),
         ("csv in a .vtu", "needs --vtk", ["fields", folder, "--output", "x.vtu"]),
@@ -200,7 +200,8 @@ for sentence, words, arguments in [
         ("a step behind the last", "has 5 steps", ["fields", path, "--step", "6"]),
         ("a step of no path", "no History", ["fields", folder, "--step", "1"]),
         ("step 0", "--step", ["fields", path, "--step", "0"]),
-        ("a step of no field", "--field", ["plot", path, "--step", "1"]),
+        ("a picture of a step behind the last", "has 5 steps", ["plot", path, "--step", "6"]),
+        ("all steps of no field", "--field", ["plot", path, "--step", "all"]),
         ("an unknown field", "did you mean 'von_mises'", ["plot", folder, "--field", "mises"])]:
     fails(sentence, [words], *arguments)
 finish()

@@ -17,8 +17,10 @@ CONDITIONS = "Bodies->block->Boundary Conditions->"
 
 
 def told(file, name, settings=()):
+    """Exit code and warnings, without that of a mesh which is coarse on purpose."""
     code, text = epafi("run", file, "--output", fresh(name), settings=[*SETTINGS, *settings])
-    return code, [line for line in text.splitlines() if line.startswith("epafi: warning: ")]
+    return code, [line for line in text.splitlines() if line.startswith("epafi: warning: ")
+                  and "take a finer mesh, or Adaptivity->Tolerance = 0.01" not in line]
 
 
 for name in sorted(os.listdir(SCENES)):

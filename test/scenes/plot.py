@@ -10,8 +10,9 @@ import matplotlib
 import numpy as np
 
 from epafi.plot import __main__ as plot
+from epafi.plot.contact import cut
 from epafi.plot.figures import Pictures, plt
-from epafi.plot.folder import draw_field
+from epafi.plot.folder import contact_window, draw_field
 from epafi.plot.inside import NAMES as FIELDS
 from epafi.runs import Run
 from runs import (EPAFI, RANKS, WORK, claim, epafi, fails, finish, fresh, levels, read, rows, run,
@@ -39,7 +40,7 @@ def drawn(folder, names, sentence):
 
 def draw(name, pictures, *options):
     """Claims that a folder's pictures are drawn."""
-    code, text = epafi("plot", os.path.join(WORK, name), *options)
+    code, text = epafi("plot", os.path.join(WORK, name), "--picture", "all", *options)
     claim(code == 0, "%s is drawn: %s" % (name, text.strip()[-200:]))
     drawn(os.path.join(WORK, name), pictures, name)
 
@@ -56,14 +57,49 @@ def drawing(*arguments):
 run(scene("disc.xml"), "disc", levels(2))
 draw("disc", PICTURES)
 
+# pictures by name, and no others; those that are usual without a name
+folder = os.path.join(WORK, "disc")
+for name in PICTURES:
+    os.remove(os.path.join(folder, name + ".png"))
+
+
+def pictures_in(folder):
+    return sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".png"))
+
+
+claim(drawing(folder, "--picture", "mesh", "--picture", "syy") is None and
+      pictures_in(folder) == ["mesh", "syy"], "pictures by name: %s" % pictures_in(folder))
+claim(drawing(folder) is None and pictures_in(folder) == [
+    "contact", "convergence", "deformed", "mesh", "syy"], "the usual: %s" % pictures_in(folder))
+claim("'contact'" in (drawing(folder, "--picture", "contacts") or ""), "a name that is none")
+
 # a path, and a window of a field
 run(scene("fretting.xml"), "fretting", ["History->Steps={1, 2, 2, 2}"])
-draw("fretting", PICTURES + ["path", "steps", "von_mises"], "--field", "von_mises", "--window",
-     "-3,0,3,3")
+LEVELS = ["convergence", "time", "contributions"]
+draw("fretting", ["mesh", "contact", "deformed", "path", "steps", "slip", "von_mises"], "--field",
+     "von_mises", "--window", "-3,0,3,3")
+claim(not set(LEVELS) & set(pictures_in(os.path.join(WORK, "fretting"))),
+      "no picture of a single level beside others")
+fretting = Run(os.path.join(WORK, "fretting"))
+figure, axes = fretting.plot("slip")
+files = [fretting.step(k + 1) for k in range(fretting.steps.size)]
+claim(np.ma.allclose(axes.collections[0].get_array().reshape(len(files), -1), np.ma.array(
+    [file["slip"] for file in files], mask=[file["contact"] == 0 for file in files])),
+      "the map of slip has that of all steps, where closed")
+window = contact_window(fretting.folder, 1)
+claim(-2.1 < window[0] < -1.9 and 1.9 < window[2] < 2.1 and fretting.plot("von_mises", window="contact", step=1)[
+    1].images[0].get_extent()[0] == window[0], "a window finds the contact: %s" % (window,))
+stresses = np.append(np.full(99, 2.0), 1e3), np.append(-1e4, np.full(99, 0.5))
+axes = plt.subplots()[1]
+cut(axes, [(each, np.ones(100)) for each in stresses])
+claim(np.allclose(axes.get_ylim(), (-0.48, 8.48)) and [text.get_text().split()[-1] for text in axes.texts]
+      == ["-1e+04", "1e+03"], "what is singular is cut by the rest, on each side: %s" % (
+          axes.get_ylim(),))
+plt.close("all")
 
 # rigid bodies along a path: a movie, and a collection for ParaView whose files say what they hold
 run(scene("tilting-punch.xml"), "punch")
-draw("punch", PICTURES + ["path", "steps", "rigid", "szz"], "--field", "szz")
+draw("punch", ["mesh", "contact", "deformed", "path", "steps", "rigid", "szz"], "--field", "szz")
 with open(os.path.join(WORK, "punch", "movie.gif"), "rb") as stream:
     movie = stream.read()
 claim(movie[:4] == b"GIF8" and movie.count(b"\x21\xf9\x04") == 6, "a movie of a frame per step")
@@ -98,13 +134,14 @@ for name, bodies, wanted in (
     run(file, name + " solved")
     for other in ("history.csv", "boundary.csv"):  # no pictures of the mesh and of levels
         os.remove(os.path.join(WORK, name + " solved", other))
-    claim(drawing(os.path.join(WORK, name + " solved")) is None, name + " are drawn")
+    claim(drawing(os.path.join(WORK, name + " solved"), "--picture", "all") is None,
+          name + " are drawn")
     drawn(os.path.join(WORK, name + " solved"), wanted, name)
 
 # many contacts, of names that are long or that no font has: pictures stay small, and say the rest
 row = [resting("%s %d" % ("_$a_{$ \u63a5\u89e6 of a long name, " * 3, k), 2 * k) for k in range(8)]
 run(written("row", row, NONE, "Density", more=history([1, 2], [1, 2])), "row solved")
-code, text = epafi("plot", os.path.join(WORK, "row solved"))
+code, text = epafi("plot", os.path.join(WORK, "row solved"), "--picture", "all")
 claim(code == 0 and "Warning" not in text, "no warnings of matplotlib: " + text)
 for name in ("contact", "path", "steps"):
     with open(os.path.join(WORK, "row solved", name + ".png"), "rb") as stream:
@@ -121,11 +158,12 @@ claim("not drawn: 2 others" in words and sum("a_{" in word for word in words) ==
       "six contacts and a word about the others, below the curves")
 run(scene("two-blocks.xml"), "pair", levels(1))
 figure, axes = Run(os.path.join(WORK, "pair")).plot("contact")
-claim("contact on joint" in figure.texts[0].get_text(), "a contact has its name in the title")
+claim(figure.texts[0].get_text().endswith(": joint (pad:bottom on plate:top)"),
+      "a contact has its names in the title: " + figure.texts[0].get_text())
 # where sides that wear and yield touch, u_n is what they may: the gap and what both give way
 run(confined("worn", wear(2) + listed("Normal", Law="Linear", Compliance=0.5) + keys(
     Sliding="max(0, t - 1)"), "-0.01*min(t, 1)", more=history([1, 3], [1, 2])), "worn solved")
-figure, axes = Run(os.path.join(WORK, "worn solved")).plot("contact")
+figure, axes = Run(os.path.join(WORK, "worn solved")).plot("contact", step=3)
 curves = {line.get_label(): line.get_ydata() for line in np.ravel(axes)[1].get_lines()}
 claim(np.allclose(curves["gap + closing + wear"], curves["normal displacement $u_n$"], 1e-9) and
       not curves["gap as drawn"].any(), "worn sides touch where they may: %s" % list(curves))
@@ -157,12 +195,13 @@ claim({point["boundary"] for point in points} ==
       {"foundation", "right", "clamp", "top", "press", "left"}, "and its boundary")
 
 run(scene("patch.xml"), "one", ["Adaptivity->Strategy=None"])  # a single level
-drawing(os.path.join(WORK, "one"))
-drawn(os.path.join(WORK, "one"), PICTURES, "one")
+drawing(os.path.join(WORK, "one"), "--picture", "all")
+drawn(os.path.join(WORK, "one"), ["mesh", "contact", "deformed"], "one")
+claim(not set(LEVELS) & set(pictures_in(os.path.join(WORK, "one"))), "of a single level no others")
 
 # looks: exact sizes, formats, units, no titles
 folder = os.path.join(WORK, "tresca")
-code, text = epafi("plot", folder, "--size", "5,3", "--dpi", "100", "--font", "8", "--pdf",
+code, text = epafi("plot", folder, "--picture", "all", "--size", "5,3", "--dpi", "100", "--font", "8", "--pdf",
                    "--no-title", "--units", "mm,MPa")
 claim(code == 0 and ".pdf" in text, "with looks of one's own: " + text.strip())
 for name in PICTURES:
@@ -178,7 +217,8 @@ claim(all(word in words for word in ("contact stress", "[MPa]", "x [mm]")) and
 
 
 # a column of a paper: all words within it, and room for what is drawn
-for name, picture in [*(("fretting", name) for name in (*PICTURES, "path", "steps")),
+for name, picture in [*(("fretting", name) for name in (
+        "mesh", "contact", "deformed", "path", "steps", "slip")),
                       ("tresca", "mesh"), ("tresca", "von_mises")]:
     figure, axes = Run(os.path.join(WORK, name)).plot(picture, size=(3.4, 2.6), font=8, title=False,
                                                       units="mm,MPa")

@@ -166,7 +166,8 @@ claim(list(history[0])[:9] == ["level", "elements", "dof_displacement", "dof_mul
                                "size_min"], "history.csv begins as promised")
 claim(list(contact[0]) == ["boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n",
                            "u_t", "gap", "bound", "contact", "friction", "body",
-                              "contact_name", "s", "normal_closing", "pressure", "shear"],
+                              "contact_name", "s", "normal_closing", "pressure", "shear",
+                              "pressure_error", "shear_error", "d_x", "d_y"],
       "contact.csv has its columns")
 
 # failures of the numerics
@@ -237,7 +238,7 @@ code, text, _ = interrupted(lambda: os.path.exists(solution), os.path.abspath(EP
 told, _, command = text.partition("; to go on from it: epafi run ")
 words = subprocess.run(["sh", "-c", "printf '%s\\n' " + command], stdout=subprocess.PIPE,
                        universal_newlines=True).stdout.splitlines()
-claim(code == 130 and "in level 0, behind " in told and
+claim(code == 130 and "in level 0, after " in told and
       words == ["./" + file, "--set", setting, "--restart", folder],
       "Ctrl-C on the first level of a path: %s" % text)
 with h5py.File(solution) as file:

@@ -91,7 +91,7 @@ code, text = solve("tresca.xml", fresh("idle"), 3, HP, "--restart", done)
 claim(code == 0 and content(os.path.join(WORK, "idle")) == before and SOLUTION in text,
       "nothing to do elsewhere leaves the same files there: " + text.splitlines()[-1])
 drawn = copy(base, "drawn")
-epafi("plot", drawn)
+epafi("plot", drawn, "--picture", "all")
 epafi("fields", drawn, "--grid", "5,5")
 shutil.copy(os.path.join(drawn, "mesh.png"), os.path.join(drawn, "mine.png"))
 before_more = set(os.listdir(drawn))

@@ -17,6 +17,17 @@ def solve(file, name, tolerance, *settings, expect=0):
     return rows(folder, "history.csv"), text
 
 
+def misses(name, row):
+    """Does a level miss 0.02 in the whole or at a contact, or is its largest pressure in doubt?"""
+    peaks = [row] if not os.path.exists(os.path.join(WORK, name, "steps.csv")) else [
+        step for step in steps(name) if step["level"] == row["level"]]
+    contact = next(key[:-13] for key in peaks[0] if key.endswith(".pressure_max"))
+    peak = max(peaks, key=lambda each: each[contact + ".pressure_max"])
+    return (max(row["estimate_relative"], row["estimate_contact"]) > 0.02 or
+            not peak[contact + ".pressure_unbounded"] and
+            peak[contact + ".pressure_max_error"] > 0.05 * peak[contact + ".pressure_max"])
+
+
 def norm(row):
     return (2 * row["energy_strain"]) ** 0.5
 
@@ -25,8 +36,9 @@ for file in ("two-blocks.xml", "there-and-back.xml"):
     name = file[:-4]
     levels, text = solve(file, name, 0.02, *NONE)
     claim(levels[-1]["estimate_relative"] <= 0.02 and
-          all(row["estimate_relative"] > 0.02 for row in levels[:-1]),
-          "ends at the first level within it: %g" % levels[-1]["estimate_relative"])
+          not misses(name, levels[-1]) and all(misses(name, row) for row in levels[:-1]),
+          "ends at the first level within it, in the whole and at each contact: %g, %g" % (
+              levels[-1]["estimate_relative"], levels[-1]["estimate_contact"]))
     claim("within Adaptivity->Tolerance = 0.02" in text, "and says so")
     claim(levels[-1]["degree_max"] > levels[0]["degree_max"] and
           levels[-1]["size_min"] < levels[0]["size_min"], "alone it means Graded hp")
@@ -162,6 +174,54 @@ claim("epafi: all levels that the scene allows are computed; " + NO_RESULT in te
       "and with a Tolerance not converged")
 folder, text = solved("sharp done", sharp, "Adaptivity->Tolerance=0.1")
 claim("no result" not in text and Run(folder).no_result == "", "unless that is met")
+
+# nothing is said of meshes: to 0.01 in the whole and at each contact, whatever else is loaded
+STEEL = {"Young's Modulus": 210000, "Poisson's Ratio": 0.3}
+CLAMP = {"Type": "Dirichlet", "Displacement X": 0, "Displacement Y": 0}
+DISC = {"disc": {"Material": STEEL, "Geometry": {"Vertices": [[0, 0], [0, 20]], "Edges": ["rim", "rim"],
+                                                "Bulges": [1, 1]},
+                 "Body Loads": {"Force Y": -0.1}, "Rigid Motions": {"Fix": ["X", "Rotation"]}},
+        "block": {"Material": STEEL,
+                  "Geometry": {"Vertices": [[-10, -20], [10, -20], [10, 0], [-10, 0]],
+                               "Edges": ["base", "side", "top", "side"]},
+                  "Boundary Conditions": {"base": CLAMP}}}
+CONTACT = {"c": {"Between": ["disc:rim", "block:top"]}}
+
+
+def beam(load):
+    return {"beam": {"Material": STEEL,
+                     "Geometry": {"Vertices": [[100, 0], [200, 0], [200, 20], [100, 20]],
+                                  "Edges": ["below", "end", "above", "clamp"]},
+                     "Boundary Conditions": {"clamp": CLAMP, "end": {"Type": "Neumann", "Force Y": -load}}}}
+
+
+for load in (0, 1, 1000, 1e6):
+    file = saved("beam", {"Bodies": {**(beam(load) if load else {}), **DISC}, "Contacts": CONTACT})
+    folder, text = solved("beam %g" % load, file)
+    last = rows(folder, "history.csv")[-1]
+    peak = max(point["pressure"] for point in rows(folder))
+    claim(abs(peak / 339.2 - 1) < 0.05 and abs(last["contact_length"] / 0.118 - 1) < 0.15,
+          "beside a beam under %g a disc presses with %.4g on %.4g" % (
+              load, peak, last["contact_length"]))
+    claim(last["estimate_relative"] <= 0.01 and "within Adaptivity->Tolerance = 0.01" in text,
+          "to the tolerance of scenes that state no mesh")
+used = os.path.join(folder, "used.xml")
+again, _ = solved("used", used)
+claim([row["dof"] for row in rows(again, "history.csv")] ==
+      [row["dof"] for row in rows(folder, "history.csv")], "used.xml repeats it")
+part, _ = solved("part", file, "Adaptivity->Maximum Levels=14")
+code, text = epafi("run", file, "--restart", part)
+claim(code == 0 and [row["dof"] for row in rows(part, "history.csv")] ==
+      [row["dof"] for row in rows(folder, "history.csv")], "and so does a restart: " + text[-300:])
+coarse = {"Bodies": {**DISC, "disc": {**DISC["disc"], "Mesh": {"Mesh Size": 8}}}, "Contacts": CONTACT}
+folder, text = solved("stated", saved("stated", coarse))
+claim(len(rows(folder, "history.csv")) == 1, "a mesh that is stated stays")
+folder, text = solved("coarse", saved("coarse", {
+    "Bodies": {"block": {**DISC["block"], "Boundary Conditions": {
+        "base": CLAMP, "top": {"Type": "Neumann", "Traction Y": -1}}, "Mesh": {"Mesh Size": 20}}}}))
+error = rows(folder, "history.csv")[-1]["estimate_relative"]
+claim(error > 0.1 and "warning: the estimated error is %d %% of the energy norm" % round(100 * error) in text,
+      "a coarse mesh is warned of: " + text[-300:])
 
 refused("weights without the norm's unit", scene("two-blocks.xml"), "Adaptivity->Tolerance", "Energy",
         settings=["Adaptivity->Tolerance=0.02", "Adaptivity->Weights=Paper"])

@@ -91,14 +91,15 @@ double normOf(const CauchyData& data, const Lame& lame, const TileOf& tileOf) {
   const double work = 0.5 * ofPair * static_cast<double>(count * count);
   parallelFor({count, work}, tileOf, [&](auto& tile, Index k) {  // the longest rows first
     const int e = asInt(count - 1 - k);
-    if (data.mesh[e].densities == 0)  // on the axis
+    if (data.mesh.isAxis(e))  // a circle of radius zero: no moments
       return;
     for (int r = 0; r <= runs.runOf(e); ++r) {
       const int last = std::min(runs[r].last, e + 1);
       tile.evaluate(runs, e, r, {runs[r].first, last});
       for (int f = runs[r].first; f < last; ++f)
-        rows[at(e)] +=
-            (e == f ? 1 : 2) * formsOf(data, lame, e, f, f - runs[r].first, tile);
+        if (!data.mesh.isAxis(f))
+          rows[at(e)] +=
+              (e == f ? 1 : 2) * formsOf(data, lame, e, f, f - runs[r].first, tile);
     }
   });
   return std::sqrt(std::max(0.0, std::accumulate(rows.begin(), rows.end(), 0.0)));

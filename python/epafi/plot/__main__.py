@@ -17,10 +17,13 @@ except ImportError as error:
 matplotlib.use("Agg")
 warnings.simplefilter("ignore", UserWarning)  # matplotlib's, of glyphs and of room
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
+from epafi.plot.folder import (NAMES, STUDY, contact_window, has_steps,  # noqa: E402
+                               unknown_step)
+from epafi.plot.inside import NAMES as FIELDS  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
 from epafi.program import EpafiError, InputError, call  # noqa: E402
 from epafi.runs import field_file  # noqa: E402
-from epafi.tables import Table, loaded_step, own  # noqa: E402
+from epafi.tables import Table, nearest, own, shown_step  # noqa: E402
 
 
 def numbers_in(option, text, count, lowest=0.0, highest=float("inf")):
@@ -50,7 +53,9 @@ def looks_of(given):
         sys.exit("epafi: plot: --%s" % error)
 
 
-def window_of(text):
+def window_of(text, folder, step):
+    if text == "contact":
+        return contact_window(folder, step or shown_step(folder))
     try:
         window = tuple(float(end) for end in text.split(","))
         x0, y0, x1, y1 = window
@@ -58,19 +63,49 @@ def window_of(text):
     except ValueError:
         right = False
     if not right:
-        sys.exit("epafi: --window: '%s' is not X0,Y0,X1,Y1, two corners, the lower left one first" %
-                 text)
+        sys.exit("epafi: --window: '%s' is not X0,Y0,X1,Y1, two corners, the lower left one first, "
+                 "nor 'contact'" % text)
     return window
 
 
-def fields_of(given, window):
-    """Writes what the field is drawn of; the step, or None for the last one, which is loaded."""
-    every = given.step == "all"
-    if every:
+def chosen_of(given):
+    """The pictures that are asked for; None: those that are usual.  A field may be one of them."""
+    names = list(given.picture)
+    for name in names:
+        known = ["all", *NAMES, "movie", *FIELDS, *STUDY]
+        if name not in known:
+            sys.exit("epafi: --picture: there is no '%s'%s known: %s" % (
+                name, nearest(name, known), ", ".join(known)))
+    given.field = given.field or next((name for name in names if name in FIELDS), "")
+    if "all" in names:
+        return {*NAMES, "movie", *STUDY}
+    return set(names) if names else None
+
+
+def step_of(given):
+    """--step as a number; None: no step is named."""
+    if not given.step:
+        return None
+    if given.step == "all":
+        if not given.field:
+            sys.exit("epafi: --step all belongs to a --field, which colours the movie")
+        return None
+    try:
+        step = int(given.step)
+    except ValueError:
+        step = 0
+    if step < 1:
+        sys.exit("epafi: --step: '%s' is not a whole number >= 1, nor 'all'" % given.step)
+    if has_steps(given.folder) and unknown_step(given.folder, step):
+        sys.exit("epafi: --step %d: %s" % (step, unknown_step(given.folder, step)))
+    return step
+
+
+def fields_of(given, window, step):
+    """Writes what the field is drawn of, at a step of a path, or of all."""
+    if given.step == "all":
         call(["fields", given.folder, "--vtk", "--step", "all"])
-    step = loaded_step(given.folder) if every or not given.step else given.step
-    field_file(given.folder, given.folder, window, step)
-    return step and int(step)
+    field_file(given.folder, given.folder, window, step or shown_step(given.folder))
 
 
 def warnings_of(folder, report):
@@ -102,6 +137,8 @@ def main():
     for option in ("--field", "--window", "--step", "--size", "--dpi", "--font", "--units",
                    "--scene", "--title", "--output"):
         arguments.add_argument(option, default="")
+    for option in ("--picture", "--column"):
+        arguments.add_argument(option, action="append", default=[])
     for flag in ("--report", "--pdf", "--no-title"):
         arguments.add_argument(flag, action="store_true")
     given = arguments.parse_args()
@@ -111,22 +148,26 @@ def main():
         return
     if not os.path.isdir(given.folder):
         sys.exit("epafi: plot: there is no folder '%s'" % given.folder)
-    if given.step and not given.field:
-        sys.exit("epafi: --step belongs to a --field")
-    window = window_of(given.window) if given.window else None
-    told, step = [], None
+    given.picture += ["all"] if given.report else []
+    chosen = chosen_of(given)
+    told = []
     try:
+        step = step_of(given)
+        window = window_of(given.window, given.folder, step) if given.window else None
         report = given.output or own(given.folder, "report.html")
         if given.report:
             told = warnings_of(given.folder, report)
             given.field = given.field or "von_mises"
         if given.field:
-            step = fields_of(given, window)
+            fields_of(given, window, step)
     except EpafiError as error:
         sys.exit("epafi: " + error.words)
-    pictures = Pictures(given.folder, looks, window, given.field if given.step == "all" else None)
+    except (KeyError, ValueError, OSError) as error:
+        sys.exit("epafi: plot: %s" % error)
+    pictures = Pictures(given.folder, looks, window, given.field if given.step == "all" else None,
+                        chosen=chosen, step=step)
     try:
-        names = draw_folder(pictures, given.field, step)
+        names = draw_folder(pictures, given.field, given.column)
         if given.report:
             write_report(report, pictures, told)
     except (KeyError, ValueError, OSError) as error:
@@ -134,8 +175,9 @@ def main():
     if given.report:
         print("report " + report)
     else:
-        print("pictures %s: %s (%s)" % (given.folder, " ".join(names), " ".join(
-            "." + ending for ending in looks.endings)))
+        print("pictures %s: %s (%s)%s" % (given.folder, " ".join(names), " ".join(
+            "." + ending for ending in looks.endings),
+            "" if chosen else "; more by --picture NAME, as mesh or von_mises, or all"))
 
 
 if __name__ == "__main__":

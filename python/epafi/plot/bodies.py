@@ -6,15 +6,16 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from epafi.runs import opened
-from epafi.tables import own
+from epafi.tables import own, used_of
 
 
 def rigid_outlines(folder, elastic, moved=None):
     """(points, displacements) of each: arrays (2n, 2), the ends of n lines along its outline and
     its holes; `elastic`: how many bodies of the file deform, they stand before the others;
     `moved`: other displacements than the file's."""
-    file = own(folder, "solution.hdf")
-    if not os.path.isfile(file):
+    file, root = own(folder, "solution.hdf"), used_of(folder)
+    solid = ".//ParameterList[@name='Material']/Parameter[@name='Rigid'][@value='true']"
+    if not os.path.isfile(file) or root is not None and root.find(solid) is None:
         return []
     with opened(file) as content:
         grid = content["VTKHDF"]

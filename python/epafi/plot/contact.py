@@ -5,6 +5,7 @@ import numpy as np
 
 from epafi.plot.figures import COLOURS, plain, settle, short
 from epafi.plot.layout import lengths, middles, places
+from epafi.tables import Table, used_of
 
 
 def typical(values, weights, share):
@@ -20,28 +21,28 @@ def cap_of(stresses, weights):
     return 4 * typical(stresses[loaded], weights[loaded], 0.8) if loaded.any() else 0
 
 
-def say_cut(axes, largest):
-    axes.annotate("cut here: stresses reach %.3g" % largest, (0.5, 1), xytext=(0, -5), ha="center",
-                  va="top", fontsize="small", xycoords="axes fraction", textcoords="offset points",
-                  bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
-
-
-def readable(axes, contact, weights):
-    """Cuts stresses that are singular, so that the others can be read, and marks it."""
-    stresses = np.maximum(np.abs(contact["lambda_n"]), np.abs(contact["lambda_t"]))
-    cap = cap_of(stresses, weights)
-    if not stresses.any():
+def cut(axes, columns):
+    """Cuts curves that are singular so that they can be read elsewhere, above and below by what is on
+    that side, and says at each cut how far they go.  `columns`: values and weights of each."""
+    caps = [cap_of(np.abs(values), weights) if values.any() else 0 for values, weights in columns]
+    ends = []
+    for sign in (-1, 1):
+        reaches = [max(0, (sign * values).max()) for values, _ in columns]
+        # what has this sign on next to nothing of the length, beside a singular point, has no side
+        wide = [weights[sign * values > 0].sum() > 0.01 * weights.sum()
+                for values, weights in columns]
+        ends.append((sign, max(reaches), max(map(min, reaches, np.multiply(caps, wide)))))
+    low, high = (end for _, _, end in ends)
+    margin = 0.06 * (low + high)
+    if not margin > 0:
         return
-    shown = min(cap, stresses.max())
-    low = max(min(contact["lambda_n"].min(), contact["lambda_t"].min()), -shown)
-    high = min(max(contact["lambda_n"].max(), contact["lambda_t"].max()), shown)
-    if contact["bound"].any():  # as far as it does not flatten the rest
-        bound = min(np.abs(contact["bound"]).max(), 1.5 * shown)
-        low, high = min(low, -bound), max(high, bound)
-    margin = 0.08 * (high - low)
-    axes.set_ylim(low - margin, high + margin)
-    if stresses.max() > cap:
-        say_cut(axes, stresses.max())
+    axes.set_ylim(-low - margin, high + margin)
+    for sign, reach, end in ends:
+        if reach > end + margin:
+            axes.annotate("cut here: goes on to %.3g" % (sign * reach), (0.5, (1 + sign) / 2),
+                          xytext=(0, -5 * sign), ha="center", va="top" if sign > 0 else "bottom",
+                          fontsize="small", xycoords="axes fraction", textcoords="offset points",
+                          bbox={"facecolor": "white", "edgecolor": COLOURS[1], "alpha": 0.85})
 
 
 def joined(shown):
@@ -60,12 +61,31 @@ def line(axes, laid, values, text, **style):
 
 
 def draw_stresses(axes, laid):
-    contact, s, _, parts = laid
-    line(axes, laid, contact["lambda_n"], r"pressure $\lambda_n$", color=COLOURS[0])
-    line(axes, laid, contact["lambda_t"], r"shear $\lambda_t$", color=COLOURS[1])
-    if (contact["bound"] != 0).any() and np.isfinite(contact["bound"]).all():  # bonds have none
-        for sign, text in ((1, "friction bound, both signs"), (-1, "_")):
-            line(axes, laid, sign * contact["bound"], text, color="grey", ls="--", lw=1)
+    contact, *_ = laid
+    line(axes, laid, contact["pressure"], "pressure", color=COLOURS[0])
+    line(axes, laid, contact["shear"], "shear", color=COLOURS[1])
+    signs = signs_of(contact)
+    for sign in signs:
+        line(axes, laid, sign * contact["bound"], "friction bound" if sign == signs[0] else "_",
+             color="grey", ls="--", lw=1)
+
+
+def signs_of(contact):
+    """On which sides the bound of friction is drawn: those that the shear comes near."""
+    bound, shear = contact["bound"], contact["shear"]
+    if not bound.any() or not np.isfinite(bound).all():  # bonds have none
+        return []
+    return [sign for sign in (1, -1) if (sign * shear).max() > 0.1 * np.abs(shear).max()] or [1]
+
+
+def with_bound_of_pressure(contact, coulomb):
+    """Coulomb's bound is that of `lambda_n`; beside `pressure` and `shear` the bound is that of
+    `pressure`.  `coulomb`: the contacts with such a law."""
+    loaded = contact["lambda_n"] > 0
+    ratio = np.divide(contact["pressure"], contact["lambda_n"], where=loaded,
+                      out=np.ones(len(loaded)))
+    ratio[~np.isin(contact["contact_name"].astype(str), coulomb)] = 1
+    return {**contact, "bound": contact["bound"] * np.maximum(ratio, 0)}
 
 
 def draw_displacements(axes, laid):
@@ -99,7 +119,47 @@ def names_of(columns, parts):
             for name, (a, _) in zip(names, parts)]
 
 
+OBSTACLE = "an obstacle"
+
+
+def sides_of(folder):
+    """Of the contacts of a run's scene what lies upon what, "pad:bottom on plate:top", and the law of
+    friction, by name; of obstacles their boundary's."""
+    root, found = used_of(folder), {}
+    if root is None:
+        return found
+    for one in root.findall("ParameterList[@name='Contacts']/ParameterList"):
+        between = one.find("Parameter[@name='Between']").get("value").strip("{}").split(",")
+        found[one.get("name")] = " on ".join(map(str.strip, between)), law_of(one)
+    for one in root.findall(
+            "ParameterList[@name='Bodies']/*/ParameterList[@name='Boundary Conditions']/*"):
+        if one.find("Parameter[@name='Type'][@value='Contact']") is not None:
+            found.setdefault(one.get("name"), (OBSTACLE, law_of(one)))
+    return found
+
+
+def law_of(contact):
+    law = contact.find("ParameterList[@name='Friction']/Parameter[@name='Law']")
+    return "None" if law is None else law.get("value")
+
+
+def title_of(names, sides):
+    """What touches: "joint (pad:bottom on plate:top)"."""
+    if len(names) > NAMED:
+        return "contact on %d sides" % len(names)
+    words = []
+    for name in names:
+        text = sides.get(name, ("", ""))[0]
+        words.append("%s on %s" % (name, text) if text == OBSTACLE else
+                     "%s (%s)" % (name, text) if text else name)
+    return plain("; ".join(words))
+
+
 def draw(contact, title, pictures):
+    sides = sides_of(pictures.folder)
+    names = list(dict.fromkeys(contact["contact_name"].astype(str)))
+    contact = Table.of(with_bound_of_pressure(
+        contact.columns, [name for name, (_, law) in sides.items() if law == "Coulomb"]))
     shown = places(contact)
     figure, rows = pictures.subplots(2, len(shown), figsize=(5.9 + 3.5 * len(shown), 7.4),
                                      sharex="col", sharey="row")
@@ -117,7 +177,7 @@ def draw(contact, title, pictures):
         for axes in (stress, shift):
             shade(axes, s, columns, parts)
     everything, weights = joined(shown)
-    readable(rows[0, 0], everything, weights)
+    cut(rows[0, 0], [(everything["pressure"], weights), (everything["shear"], weights)])
     frame(rows[1, 0], everything)
     rows[0, 0].set_ylabel(pictures.looks.label("contact stress", "stress"))
     rows[1, 0].set_ylabel(pictures.looks.label("displacement along n and t", "length"))
@@ -125,9 +185,7 @@ def draw(contact, title, pictures):
         named = {text: drawn for axes in row
                  for drawn, text in zip(*axes.get_legend_handles_labels())}
         pictures.legend(row[-1], named, loc="center left", bbox_to_anchor=(1, 0.5))
-    names = dict.fromkeys(contact["contact_name"].astype(str))
-    pictures.title(figure, "%s: contact on %s" % (
-        title, ", ".join(map(plain, names)) if len(names) <= NAMED else "%d sides" % len(names)))
+    pictures.title(figure, "%s: %s" % (title, title_of(names, sides)))
     pictures.save(figure, "contact")
 
 

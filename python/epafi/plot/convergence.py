@@ -37,8 +37,8 @@ def error_curve(history):
     return distance, "|energy - energy of the last level|", "energy difference"
 
 
-def finish(axes, drawn, labels, title, pictures):
-    for axis in (axes.xaxis, axes.yaxis) if drawn else ():
+def finish(axes, labels, title, pictures):
+    for axis in (axes.xaxis, axes.yaxis):
         plain_ticks(axis)
     axes.set_xlabel(labels[0])
     axes.set_ylabel(labels[1])
@@ -46,17 +46,19 @@ def finish(axes, drawn, labels, title, pictures):
 
 
 def draw(history, title, pictures):
+    """Nothing of a single level, which has nothing to be compared with."""
+    if history.size < 2:
+        return
     for name, ((abscissa, what), text) in ERRORS.items():
         if pictures.wants(name):
             figure, axes = pictures.subplots(figsize=(6.4, 4.6))
             error, curve, label = error_curve(history)
             drawn = loglog(axes, history.numbers(abscissa), error, curve, marker="o")
-            finish(axes, drawn, (what, label), "%s: %s" % (title, text), pictures)
-            if drawn:
-                axes.legend()
-            else:
-                axes.text(0.5, 0.5, "a single level: nothing to compare", ha="center",
-                          transform=axes.transAxes)
+            if not drawn:  # all levels have the same energy, and no estimate
+                plt.close(figure)
+                continue
+            finish(axes, (what, label), "%s: %s" % (title, text), pictures)
+            axes.legend()
             pictures.save(figure, name)
     if pictures.wants("contributions"):
         draw_contributions(history, title, pictures)
@@ -73,7 +75,6 @@ def draw_contributions(history, title, pictures):
     if not drawn:
         plt.close(figure)
         return
-    finish(axes, drawn, (DOF[1], "contribution to the estimate"), title + ": contributions",
-           pictures)
+    finish(axes, (DOF[1], "contribution to the estimate"), title + ": contributions", pictures)
     pictures.legend(axes, loc="center left", bbox_to_anchor=(1, 0.5))
     pictures.save(figure, "contributions")

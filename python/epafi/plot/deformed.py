@@ -19,7 +19,7 @@ def scale_of(size, displacements, contact):
     gaps that close are not multiplied, so that sides overlap by scale - 1 times their size: that
     stays below half a hundredth of the picture."""
     largest = np.hypot(*displacements.T).max(initial=0)
-    if not largest > 0:
+    if not largest > 1e-12 * size:  # rounding, as where loads are gone
         return 1
     closed = np.abs(contact["gap"][contact["contact"] > 0]) if contact else np.zeros(0)
     overlap = closed[np.isfinite(closed)].max(initial=0)

@@ -4,8 +4,9 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
+import re
 import textwrap
-from typing import Any, Mapping, Optional
+from typing import Any, Collection, Mapping, Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -76,17 +77,20 @@ class Pictures:
     film      the field of steps/<k>/fields.vtu that colours the movie
     only      the one picture that is wanted: it is not written, but kept with its axes
     axes      what that one is drawn into, instead of a figure of its own
+    chosen    the names of the pictures that are drawn; all without it
+    step      of a path, that pictures of a solution show; else that of the largest strain energy
     """
 
     def __init__(self, folder: str, looks: Looks = Looks(),
                  window: Optional[tuple[float, ...]] = None, film: Optional[str] = None,
-                 only: Optional[str] = None, axes: Any = None) -> None:
+                 only: Optional[str] = None, axes: Any = None,
+                 chosen: Optional[Collection[str]] = None, step: Optional[int] = None) -> None:
         if window is not None and not (np.shape(window) == (4,) and window[0] < window[2]
                                        and window[1] < window[3]):
             raise InputError("window: %r is not (x0, y0, x1, y1), two corners, the lower left one "
                              "first" % (window,))
         self.folder, self.looks, self.window = folder, looks, window
-        self.film, self.only = film, only
+        self.film, self.only, self.chosen, self.step = film, only, chosen, step
         self.names: list[str] = []
         self.named: dict[str, Any] = {}  # of the legend of all axes
         self.small = False  # less than what the figure is made for
@@ -95,7 +99,7 @@ class Pictures:
         self.axes: Any = None
 
     def wants(self, name: str) -> bool:
-        return self.only is None or self.only == name
+        return name == self.only if self.only else self.chosen is None or name in self.chosen
 
     def subplots(self, rows: int = 1, columns: int = 1, **how: Any) -> tuple[Figure, Any]:
         """A figure and its axes: one, a row or column (n,), or (rows, columns)."""
@@ -158,7 +162,7 @@ class Pictures:
                 break
             legend.remove()
         for _ in range(6):
-            figure.canvas.draw()  # lays it out
+            figure.draw_without_rendering()  # lays it out
             changes = [wrap(text, figure.bbox.width) for text in figure.texts]
             for axes in figure.axes:
                 box = axes.get_window_extent()
@@ -168,13 +172,16 @@ class Pictures:
             if not any(changes):
                 break
         for axes in 2 * figure.axes if len(figure.axes) == 1 else ():
-            figure.canvas.draw()  # which does not lay out a bar of colours beside them
+            figure.draw_without_rendering()  # which does not lay out a bar of colours beside them
             words = figure.get_tightbbox()
             (width, height), place = figure.get_size_inches(), axes.get_position()
             left, right = max(0, -words.x0) / width, max(0, words.x1 / width - 1)
             axes.set_position([place.x0 + left, place.y0, place.width - left - right, place.height])
 
     def save(self, figure: Figure, name: str) -> None:
+        if not self.wants(re.sub(r"_\d+$", "", name)):
+            plt.close(figure)
+            return
         self.names.append(name)
         if self.given is None:
             self.fit(figure)  # lays it out, once for all endings
@@ -185,7 +192,9 @@ class Pictures:
         with plt.rc_context({"figure.constrained_layout.use": False}):
             figure.set_layout_engine(None)
             for ending in self.looks.endings:
-                figure.savefig(own(self.folder, "%s.%s" % (name, ending)),
+                # the most compression of PNG costs as much as drawing, for a tenth of the size
+                fast = {"pil_kwargs": {"compress_level": 3}} if ending == "png" else {}
+                figure.savefig(own(self.folder, "%s.%s" % (name, ending)), **fast,
                                dpi=figure.dpi, bbox_inches=box)
         plt.close(figure)
 

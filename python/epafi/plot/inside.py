@@ -87,7 +87,8 @@ def finish(figure, axes, drawn, cut, values, name, title, extent, pictures):
                   transform=axes.transAxes, bbox={"facecolor": "white"})
     # not beside the bar, which may be too low for words
     pictures.title(axes, "%s: %s" % (title, NAMES[name]) +
-                   (", up to %.3g" % values.max() if "max" in cut else ""))
+                   {"": "", "max": ", up to %.3g" % values.max(), "min": ", down to %.3g" % values.min(),
+                    "minmax": ", from %.3g to %.3g" % (values.min(), values.max())}[cut])
     pictures.save(figure, name)
 
 

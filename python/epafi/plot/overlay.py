@@ -1,25 +1,12 @@
 """Pressure, shear and worn depth of several solutions of one contact, one upon the other."""
 import numpy as np
 
-from epafi.plot.contact import cap_of, line, say_cut
+from epafi.plot.contact import cut, line
 from epafi.plot.figures import Pictures, plt
 from epafi.plot.layout import laid_out, lengths, turned, window, within
 
 
-def cut(axes, shown, column):
-    """Cuts stresses that are singular, so that the others can be read, and marks it."""
-    sizes = [np.abs(contact[column]) for contact, *_ in shown]
-    weights = [np.concatenate([lengths(s[a:b]) for a, b in parts]) for _, s, _, parts in shown]
-    cap = max(cap_of(*both) for both in zip(sizes, weights))
-    largest = max(size.max() for size in sizes)
-    if largest > cap > 0:
-        low = min(contact[column].min() for contact, *_ in shown)
-        axes.set_ylim(max(low, -cap) - 0.05 * cap, 1.05 * cap)
-        say_cut(axes, largest)
-
-
-PRESSURE, SHEAR, WORN = (("lambda_n", r"pressure $\lambda_n$", "stress"),
-                         ("lambda_t", r"shear $\lambda_t$", "stress"),
+PRESSURE, SHEAR, WORN = (("pressure", "pressure", "stress"), ("shear", "shear", "stress"),
                          ("worn_depth", "worn depth", "length"))
 
 
@@ -29,7 +16,7 @@ def quantities(contacts):
         return max(np.abs(contact[column]).max() if column in contact else 0
                    for contact in contacts)
 
-    return [PRESSURE, *[SHEAR] * bool(largest("lambda_t") > 1e-12 * largest("lambda_n")),
+    return [PRESSURE, *[SHEAR] * bool(largest("shear") > 1e-12 * largest("pressure")),
             *[WORN] * bool(largest("worn_depth") > 0)]
 
 
@@ -50,7 +37,8 @@ def draw(contacts, labels, title, name, pictures):
         panels[-1].set_xlabel(pictures.looks.label(label, "length"))
     for axes, (column, text, unit) in zip(panels, drawn):
         if unit == "stress":
-            cut(axes, shown, column)
+            cut(axes, [(contact[column], np.concatenate([lengths(s[a:b]) for a, b in parts]))
+                       for contact, s, _, parts in shown])
         axes.set_ylabel(pictures.looks.label(text, unit))
     pictures.legend(panels[0], loc="upper left", bbox_to_anchor=(1, 1))
     pictures.title(panels[0], title)
@@ -63,3 +51,18 @@ def figure_of(contacts, labels, axes=None):
     with plt.rc_context(pictures.looks.style()):
         draw(contacts, labels, "", "overlay", pictures)
     return np.ravel(pictures.axes)[0].figure, pictures.axes
+
+
+def curves_of(abscissa, ordinate, curves, axes=None):
+    """Curves (label, x, y), of which those without a label have no legend: a figure and its axes."""
+    pictures = Pictures("", only="overlay", axes=axes)
+    with plt.rc_context(pictures.looks.style()):
+        figure, panel = pictures.subplots(figsize=(6.4, 4.6))
+        for label, x, y in curves:
+            panel.plot(x, y, marker=".", label=label)
+        panel.set_xlabel(abscissa)
+        panel.set_ylabel(ordinate)
+        if any(label for label, *_ in curves):
+            pictures.legend(panel, loc="upper left", bbox_to_anchor=(1, 1))
+        pictures.save(figure, "overlay")
+    return figure, panel

@@ -1,10 +1,11 @@
 """path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
-forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid."""
+forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid; slip and
+movie, see there."""
 import os
 
 import numpy as np
 
-from epafi.plot import movie, overlay
+from epafi.plot import overlay, slip
 from epafi.plot.figures import COLOURS, settle, short
 from epafi.plot.layout import chains, lengths
 from epafi.tables import read
@@ -35,8 +36,13 @@ def last_level(steps):
     return {name: column[here] for name, column in steps.columns.items()}
 
 
-def step_file(folder, step):
-    return read(os.path.join(folder, "steps", "%d" % step), "contact.csv")
+# What pictures of a path take of contact.csv.
+COLUMNS = {"boundary", "element", "x", "y", "s", "body", "contact_name", "pressure", "shear", "u_n",
+           "u_t", "slip", "worn_depth", "contact", "friction"}
+
+
+def step_file(folder, step, columns=None):
+    return read(os.path.join(folder, "steps", "%d" % step), "contact.csv", columns)
 
 
 def samples_of(contact, name):
@@ -82,19 +88,24 @@ def torsion(folder, rows, contacts, contact):
 def draw(folder, steps, title, pictures):
     rows = last_level(steps)
     t = np.append(0, rows["t"])
-    files = [step_file(folder, step) for step in rows["step"]]
+    drawn = any(map(pictures.wants, ("path", "steps", "slip")))
+    files = [step_file(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]
     loops = all(file is not None for file in files)
     if pictures.wants("path"):
         draw_path(folder, rows, t, files if loops else [], title, pictures)
     if pictures.wants("rigid"):
         rigid(rows, t, title, pictures)
-    if pictures.only is None:
+    if pictures.only is None and pictures.wants("movie"):
+        from epafi.plot import movie  # whose imports cost as much as a picture
+
         movie.draw(folder, rows, title, pictures)
-    if loops and pictures.wants("steps"):
+    if loops and len(files) > 1 and pictures.wants("steps"):
         chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
         overlay.draw([files[k] for k in chosen],
                      ["step %d, t = %g" % (rows["step"][k], rows["t"][k]) for k in chosen],
                      title + ": contact along the path", "steps", pictures)
+    if loops and pictures.wants("slip"):
+        slip.draw(files, rows["t"], title, pictures)
 
 
 def draw_path(folder, rows, t, files, title, pictures):
@@ -124,17 +135,18 @@ def draw_path(folder, rows, t, files, title, pictures):
         panel.set_xlabel("t")
         pictures.legend(panel)
     if files:
-        slip = slip_column(files)
-        loops = {name: ([mean_slip(file, name, slip) for file in files],
+        moved = slip_column(files)
+        loops = {name: ([mean_slip(file, name, moved) for file in files],
                         rows[name + ".force_tangential"])
                  for name in shown} if turning is None else {contacts[0]: turning}
-        for k, (name, (moved, pushed)) in enumerate(loops.items()):
-            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=short(name), color=COLOURS[k])
-        reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", slip))
+        for k, (name, (places, pushed)) in enumerate(loops.items()):
+            axes[2].plot([0, *places], [0, *pushed], marker=".", label=short(name),
+                         color=COLOURS[k])
+        reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", moved))
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
         settle(axes[2], force * arm)
-        meant = "mean %s of the contact" % slip.replace("u_t", "slip $u_t$")
+        meant = "mean %s of the contact" % moved.replace("u_t", "slip $u_t$")
         axes[2].set_xlabel(label(meant, "length") if turning is None
                            else "twist of the bodies [rad]", labelpad=9)
         axes[2].set_ylabel(label("tangential force", "force") if turning is None

@@ -1,11 +1,12 @@
-"""sweep, sweep_forces, sweep_contact: dependence on one parameter of a study."""
+"""sweep, sweep_forces, sweep_contact: dependence on one parameter of a study; sweep_column: of any
+columns of study.csv."""
 import os
 
 import numpy as np
 
 from epafi.plot import overlay
 from epafi.plot.figures import settle, styles_of
-from epafi.tables import own, read
+from epafi.tables import nearest, own, read
 
 FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
           ("contact_length", "length in contact"), ("slip_length", "length that slips")]
@@ -41,9 +42,11 @@ def set_scale(axes, which, values):
         setter("symlog", linthresh=sizes.min())
 
 
-def draw(study, title, pictures):
+def draw(study, title, pictures, columns=()):
     value = study.numbers("sweep_value")
     if not np.isfinite(value).any():
+        if columns:
+            raise ValueError("--column: the study has no Sweep")
         return
     ends = last_levels(study, value)
     families = sweep_names(study)
@@ -88,30 +91,48 @@ def draw(study, title, pictures):
     axes[-1, 0].set_xlabel(key)
     pictures.title(estimate, "%s: dependence on %s" % (title, key))
     pictures.save(figure, "sweep")
-    draw_forces(study, value, ends, families, key, title, pictures)
+    figure = draw_columns(study, value, ends, families, key, FORCES, pictures)
+    pictures.title(figure, "%s: contact against %s" % (title, key))
+    pictures.save(figure, "sweep_forces")
+    if columns:
+        for column in columns:
+            if not np.isfinite(study.numbers(column)).any():
+                raise ValueError("--column: study.csv has no numbers in a column '%s'%s" % (
+                    column, nearest(column, [name for name in study
+                                             if np.isfinite(study.numbers(name)).any()])))
+        figure = draw_columns(study, value, ends, families, key,
+                              [(name, name.replace("_", " ")) for name in columns], pictures)
+        pictures.title(figure, "%s: dependence on %s" % (title, key))
+        pictures.save(figure, "sweep_column")
     draw_contact(study, value, ends, families, key, title, pictures)
 
 
-def draw_forces(study, value, ends, families, key, title, pictures):
-    figure, axes = pictures.subplots(2, 2, figsize=(10.5, 6.4), sharex=True)
-    span = max(np.nanmax(np.abs(study.numbers(name)[ends])) for name, _ in FORCES[:2])
-    for cell, (column, text) in zip(axes.flat, FORCES):
+def draw_columns(study, value, ends, families, key, columns, pictures):
+    """(column, label) against the parameter, a panel for each; the figure."""
+    rows = -(-len(columns) // 2)
+    figure, axes = pictures.subplots(rows, min(2, len(columns)), sharex=True,
+                                     figsize=(10.5 if len(columns) > 1 else 7, 0.4 + 3 * rows))
+    axes = np.ravel(axes)
+    sizes = [np.nanmax(np.abs(study.numbers(name)[ends])) for name, _ in columns
+             if name in FORCES[0] + FORCES[1]]
+    for cell, (column, text) in zip(axes, columns):
         numbers = study.numbers(column)
         for family, style in styles_of(dict.fromkeys(families[ends])).items():
             here = np.flatnonzero(ends & (families == family) & np.isfinite(numbers))
             here = here[np.argsort(value[here])]
             cell.plot(value[here], numbers[here], label=family, **style)
-        cell.set_ylabel(pictures.looks.label(text, column.split("_")[-1] if
-                                             column.endswith("length") else "force"))
+        quantity = next((word for word in ("force", "length", "energy") if word in column), "")
+        cell.set_ylabel(pictures.looks.label(text, quantity) if quantity else text)
         cell.margins(y=0.15)
-        if column.startswith("force"):
-            settle(cell, span)
-    set_scale(axes[0, 0], "x", value[ends])
-    for cell in axes[1]:
         cell.set_xlabel(key)
-    pictures.legend(axes[0, 1], loc="upper left", bbox_to_anchor=(1, 1))
-    pictures.title(figure, "%s: contact against %s" % (title, key))
-    pictures.save(figure, "sweep_forces")
+        cell.xaxis.set_tick_params(labelbottom=True)
+        if column.startswith("force"):
+            settle(cell, max(sizes))
+    for spare in axes[len(columns):]:
+        spare.remove()
+    set_scale(axes[0], "x", value[ends])
+    pictures.legend(axes[min(1, len(columns) - 1)], loc="upper left", bbox_to_anchor=(1, 1))
+    return figure
 
 
 def draw_contact(study, value, ends, families, key, title, pictures):

@@ -1,0 +1,79 @@
+"""What tables and fields tell of surfaces and of each contact: stress on the boundary itself, arc
+lengths, forces, moments and shear of a contact, of the whole and of a half; the pressure of loads."""
+import math
+import os
+
+from runs import WORK, claim, differ, epafi, finish, largest, rows, saved, scene, solved
+
+STEEL = {"Young's Modulus": 1000, "Poisson's Ratio": 0.3}
+CIRCLE = {"Bulges": [1, 1]}
+
+# Kirsch: a plate with a hole of radius 1, loaded at R by the stresses of the infinite one
+kirsch = {"Constants": {"R": 5, "A": "(1 - 1/R^2)/2", "B": "(1 - 4/R^2 + 3/R^4)/2",
+                        "C": "(1 + 2/R^2 - 3/R^4)/2"},
+          "Bodies": {"plate": {
+              "Material": STEEL,
+              "Geometry": {"Vertices": [[0, "-R"], [0, "R"]], "Edges": ["rim", "rim"], **CIRCLE,
+                           "Hole 1 Vertices": [[0, -1], [0, 1]], "Hole 1 Edges": ["hole", "hole"],
+                           "Hole 1 Bulges": [1, 1]},
+              "Boundary Conditions": {"rim": {
+                  "Type": "Neumann", "Pressure": "-(A + B*(nx^2 - ny^2))",
+                  "Traction X": "2*C*nx*ny*ny", "Traction Y": "-2*C*nx*ny*nx"}},
+              "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}}
+folder, _ = solved("kirsch", saved("kirsch", kirsch, "Kirsch"))
+hole = [point for point in rows(folder, "boundary.csv") if point["boundary"] == "hole"]
+
+
+def hoop(point):
+    return 1 - 2 * (point["x"]**2 - point["y"]**2)
+
+
+error = largest(point["stress_t"] - hoop(point) for point in hole) / 3
+claim(error < 2e-3, "Kirsch's hoop stress on a mesh of the program's: %.1e of 3" % error)
+error = largest(point["von_mises"] - math.sqrt(1 - 0.3 + 0.3**2) * abs(hoop(point))
+                for point in hole) / 3
+claim(error < 2e-3, "and von Mises' in plane strain: %.1e" % error)
+file = os.path.join(WORK, "hole.csv")
+code, text = epafi("fields", folder, "--along", "plate:hole", "--depth", "0", "--output", file)
+points = rows(WORK, "hole.csv")
+error = largest(p["sxx"] * p["y"]**2 + p["syy"] * p["x"]**2 - 2 * p["sxy"] * p["x"] * p["y"] - hoop(p)
+                for p in points) / 3
+claim(code == 0 and len(points) > 20 and error < 2e-3 and
+      largest(math.hypot(p["x"], p["y"]) - 1 for p in points) < 1e-12,
+      "--depth 0 is on the boundary itself: %.1e %s" % (error, text.strip()[-80:]))
+peak = max(point["stress_t"] for point in hole)
+claim(differ(peak, 3) < 1e-3, "3 at the hole: %.5f" % peak)
+
+# a traction is a pressure times the normal, less
+other = {**kirsch["Bodies"]["plate"], "Boundary Conditions": {"rim": {
+    "Type": "Neumann", "Traction X": "(A + B*(nx^2 - ny^2))*nx + 2*C*nx*ny*ny",
+    "Traction Y": "(A + B*(nx^2 - ny^2))*ny - 2*C*nx*ny*nx"}}}
+again, _ = solved("traction", saved("traction", {**kirsch, "Bodies": {"plate": other}}))
+a, b = (rows(each, "history.csv")[-1]["energy_strain"] for each in (folder, again))
+claim(differ(a, b) < 1e-12, "Pressure is a traction against the normal")
+
+# a side of two edges that the outline's first vertex parts: s runs from its start
+block = {"Material": STEEL, "Geometry": {
+    "Vertices": [[0, 0], [1, 0], [1, 1], [-1, 1], [-1, 0]],
+    "Edges": ["base", "side", "top", "side", "base"]},
+    "Boundary Conditions": {"base": {"Type": "Contact", "Friction": {"Law": "Coulomb",
+                                                                    "Coefficient": 0.4}},
+                            "top": {"Type": "Neumann", "Traction Y": -1, "Traction X": 0.1}},
+    "Rigid Motions": {"Fix": ["X"]}}
+folder, _ = solved("seam", saved("seam", {"Bodies": {"block": block},
+                                          "Discretization": {"Mesh Size": 0.25}}))
+claim(largest(point["s"] - (point["x"] + 1) for point in rows(folder)) < 1e-12,
+      "arc lengths begin where a side does")
+last = rows(folder, "history.csv")[-1]
+claim(differ(last["base.force_y"], 2) < 1e-9 and differ(last["base.force_normal"], 2) < 1e-9 and
+      abs(last["base.moment"] + last["load_moment"] + last["reaction_moment"]) < 1e-9 and
+      differ(last["base.contact_length"], 2) < 1e-9 and last["base.pressure_max"] > 0.9,
+      "history.csv has each contact's force, moment, length and pressure: %s" % {
+          name: value for name, value in last.items() if name.startswith("base.")})
+
+# the flank of a dovetail's half has the shear of the whole's flank, twice
+whole, _ = solved("dovetail", scene("dovetail.xml"))
+last = rows(whole, "history.csv")[-1]
+claim(differ(abs(last["left.force_tangential"]), 0.2 * last["left.force_normal"]) < 1e-6,
+      "a flank slips all along")
+finish()
