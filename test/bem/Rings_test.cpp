@@ -286,6 +286,13 @@ TEUCHOS_UNIT_TEST(Rings, haveTheEnergyNormAndFieldsOfExactData) {
   TEST_FLOATING_EQUALITY(
       std::pow(bem::energyNorm(bem::makeCauchyData(space, u, psi), exact.lame), 2),
       exact.work(), 1e-12);
+  const bem::Space fine(uniform(hollowSphere(), 4, 8));  // the same, to rounding
+  const Vector v = fine.interpolate([&](Vec2 x) { return exact.displacement(x); });
+  const bem::SteklovPoincare ofFine(bem::assembleOperators(fine, exact.lame));
+  const bem::CauchyData difference =
+      bem::difference(bem::makeCauchyData(space, u, psi),
+                      bem::makeCauchyData(fine, v, ofFine.density(v)));
+  TEST_COMPARE(bem::energyNorm(difference, exact.lame), <, 1e-6);
   const bem::BoundaryFields fields(space, exact.lame, {{u, psi}});
   for (int e = 0; e < space.mesh().size(); ++e) {
     const bem::BoundaryFields::Values values = fields.on(e);
