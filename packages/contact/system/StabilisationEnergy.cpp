@@ -23,21 +23,36 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
   for (std::size_t k = 0; k < elements().size(); ++k) {
     const auto& element = elements()[k];
     const int e = element.element;
-    for (const Stretch& stretch : stretches(opposite(), element))
+    const auto ownAt = [&](const SidePoint& point) {
+      const auto stress = multiplier().at(state.multiplier, element, point.t);
+      Vec2 own = stress.normal * point.normal.unit +
+                 stress.tangential * point.tangent.unit +
+                 space_->densityAt(psi, e, point.t);
+      for (const int mode : holding().fixedModes)
+        own =
+            own - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
+      return own;
+    };
+    const double gamma = coupling().gamma[k];
+    // each by the rule of the terms that it is tested against
+    for (const Stretch& stretch : stretches(opposite(), element)) {
       forEachPointOf(
-          element, multiplier().basis(), bem::gaussForGiven(element.degree),
+          element, multiplier().basis(),
+          ruleOfForces(element, opposite().at(element, stretch.middle)),
           [&](const SidePoint& point) {
-            const auto stress = multiplier().at(state.multiplier, element, point.t);
-            Vec2 own = stress.normal * point.normal.unit +
-                       stress.tangential * point.tangent.unit +
-                       space_->densityAt(psi, e, point.t);
-            for (const int mode : holding().fixedModes)
-              own = own - rho[at(mode)] *
-                              holding().modes.at(mode, mesh.scaledPoint(e, point.t));
-            const Vec2 whole = inside ? own + inside->traction(mesh, e, point.t) : own;
-            twice += coupling().gamma[k] * point.weight * dot(whole, own);
+            const Vec2 own = ownAt(point);
+            twice += gamma * point.weight * dot(own, own);
           },
           stretch);
+      if (inside)
+        forEachPointOf(
+            element, multiplier().basis(), bem::gaussForGiven(element.degree),
+            [&](const SidePoint& point) {
+              twice += gamma * point.weight *
+                       dot(inside->traction(mesh, e, point.t), ownAt(point));
+            },
+            stretch);
+    }
   }
   const Loads::InResidual all = inResidual(contactForce);
   const Loads::InResidual& ofInside = loads_.residual;
