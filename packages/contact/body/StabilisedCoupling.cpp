@@ -66,7 +66,7 @@ class ElementCoupling {
         },
         [&](const SidePoint& point) {
           const auto legendre = orthonormal(point.t);
-          const double weight = stabilising(point);
+          const double weight = point.stabilising();
           const Vec2 force = weight * traction(contact_.element, point.t);
           addForce(force, legendre.data(), parts.data(), rows());
           for (std::size_t k = 0; k < tested.size(); ++k) {
@@ -96,14 +96,6 @@ class ElementCoupling {
   /// The rows of the element's tractions, or its densities.
   Index rows() const {
     return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
-  }
-
-  /// The stabilisation weighs with the radius in the middle of the element: its residual is zero
-  /// where the solution is exact, and G stays diagonal.
-  double stabilising(const SidePoint& point) const {
-    const int e = contact_.element;
-    return point.weight *
-           (contact_.mesh->measure(e, 0) / contact_.mesh->measure(e, point.t));
   }
 
   /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
@@ -145,7 +137,7 @@ class ElementCoupling {
 
   void add(const SidePoint& point) {
     const auto legendre = orthonormal(point.t);
-    const double weight = stabilising(point);
+    const double weight = point.stabilising();
     for (int i = 0; i < size(); ++i) {
       const double value = weight * point.chiOf(i);
       addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),

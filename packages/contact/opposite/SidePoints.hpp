@@ -19,6 +19,13 @@ struct SidePoint {
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
 
+  /// Weight of the stabilisation, with the radius in the middle of the element: its residual is
+  /// zero where the solution is exact, and G stays diagonal.
+  double stabilising() const {
+    const bem::Mesh& mesh = *contact.mesh;
+    return weight * (mesh.measure(contact.element, 0) / mesh.measure(contact.element, t));
+  }
+
   /// χ_i(t) and d of its coefficient i in a row.
   double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
   const Direction& directionOf(int i) const {
