@@ -253,10 +253,10 @@ Scene build(const std::string& file, const RawScene& raw) {
   readHistory(used, scene);
   scene.drivesAt(scene.endOfPath());  // evaluate once, so that errors are reported now
   checkLinear(scene);
-  if (scene.isAxisymmetric)
-    checkRevolution(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);
+  if (scene.isAxisymmetric)
+    checkRevolution(scene);
   return scene;
 }
 
