@@ -66,11 +66,12 @@ class ElementCoupling {
         },
         [&](const SidePoint& point) {
           const auto legendre = orthonormal(point.t);
-          const Vec2 force = point.weight * traction(contact_.element, point.t);
+          const double weight = point.stabilising();
+          const Vec2 force = weight * traction(contact_.element, point.t);
           addForce(force, legendre.data(), parts.data(), rows());
           for (std::size_t k = 0; k < tested.size(); ++k) {
             const Vec2 r = tested[k](contact_.element, point.t);
-            addForce(point.weight * r, legendre.data(),
+            addForce(weight * r, legendre.data(),
                      testedParts.column(static_cast<Index>(k)), rows());
             if (isWhole())
               moments.means[k] += gamma * dot(force, r);
@@ -136,8 +137,9 @@ class ElementCoupling {
 
   void add(const SidePoint& point) {
     const auto legendre = orthonormal(point.t);
+    const double weight = point.stabilising();
     for (int i = 0; i < size(); ++i) {
-      const double value = point.weight * point.chiOf(i);
+      const double value = weight * point.chiOf(i);
       addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),
                rows());
       for (int k = 0; k < size(); ++k)

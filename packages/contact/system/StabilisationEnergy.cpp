@@ -41,14 +41,14 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
           ruleOfForces(element, opposite().at(element, stretch.middle)),
           [&](const SidePoint& point) {
             const Vec2 own = ownAt(point);
-            twice += gamma * point.weight * dot(own, own);
+            twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
       if (inside)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              twice += gamma * point.weight *
+              twice += gamma * point.stabilising() *
                        dot(inside->traction(mesh, e, point.t), ownAt(point));
             },
             stretch);
