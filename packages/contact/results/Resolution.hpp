@@ -2,6 +2,9 @@
 
 #include "contact/results/Solved.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::contact {
 
 /// By how much λ may be wrong on a contact element, in the user's units: the sum of the sizes of
@@ -39,8 +42,12 @@ class PeakPressure {
     double value = 0;
     double error = 0;
 
+    /// Elements that meet have one pressure there; the larger error counts.
     void add(const Largest& other) {
-      if (other.value > value)
+      constexpr double same = 1e-9;
+      if (std::abs(other.value - value) <= same * value)
+        error = std::max(error, other.error);
+      else if (other.value > value)
         *this = other;
     }
   };
