@@ -206,7 +206,10 @@ std::string checkScene(const Scene& scene) {
     const bem::Mesh mesh = firstMesh(body);
     text << "  body        " << body.name << ": E = " << body.material.youngsModulus
          << ", nu = " << body.material.poissonsRatio
-         << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
+         << (scene.isAxisymmetric        ? ", axisymmetric"
+             : body.material.planeStress ? ", plane stress"
+                                         : ", plane strain")
+         << "\n"
          << "  outline     " << counted(body.outline->edges().size(), "edge", "edges")
          << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
          << body.outline->diameter() << "\n"

@@ -24,8 +24,14 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
       solved.space, solved.displacement,
       bem::Vector(static_cast<std::size_t>(solved.space.densities())), element);
   const bem::Complex slope = bem::evaluate(field.slope, on.degree - 1, t);
-  const double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
   const double nu = material.poissonsRatio;
+  double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
+  if (solved.units.isAxisymmetric) {
+    const double radius = solved.space.mesh().scaledPoint(element, t).x;
+    const double around =
+        radius > 0 ? bem::evaluate(field.value, on.degree, t).real() / radius : strain;
+    strain += nu * around;
+  }
   const double e = material.youngsModulus;
   double ofInside = 0;
   if (const contact::BodyLoadSolution& inside = solved.conditions.inside) {

@@ -54,11 +54,11 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
     double square = 0;
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const double t = rule.points[q];
-      square +=
-          rule.weights[q] * std::norm(bem::evaluate(level.multiplier[a.element],
-                                                    own.degree, a.middle + a.scale * t) -
-                                      bem::evaluate(reference.multiplier[b.element], p,
-                                                    b.middle + b.scale * t));
+      square += rule.weights[q] * (both.mesh.measure(e, t) / both.mesh[e].half) *
+                std::norm(bem::evaluate(level.multiplier[a.element], own.degree,
+                                        a.middle + a.scale * t) -
+                          bem::evaluate(reference.multiplier[b.element], p,
+                                        b.middle + b.scale * t));
     }
     sum += 2 * own.half / own.degree * both.mesh[e].half * square;
   }

@@ -219,8 +219,8 @@ Force forceOf(const contact::Conditions::Neumann& traction, const bem::Mesh& mes
   for (const int e : elements)
     for (int q = 0; q < rule.size(); ++q) {
       const bem::SurfacePoint x = mesh.physicalPoint(e, rule.points[q]);
-      const bem::Vec2 part = rule.weights[q] * mesh[e].half *
-                             mesh.outline().scaling().length * traction.at(x);
+      const bem::Vec2 part = rule.weights[q] * mesh.measure(e, rule.points[q]) *
+                             mesh.outline().units(1).measure() * traction.at(x);
       force.sum = force.sum + part;
       force.size += norm(part);
     }

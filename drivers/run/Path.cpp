@@ -41,12 +41,17 @@ class Remainder {
   /// Of the last one: d/(r - 1), d the difference, r their ratio: 2 in first order, 4 in second.
   /// r is the smaller of the last two, for one may be large by chance; below 3 first order.
   /// Both solutions may miss what happens in between: d is at least the one before over r.
+  /// Differences of both signs show no order: the number is within what it went through.
   double behind(double difference) {
-    const double before = std::exchange(last_, difference);
-    const double falls = before > 0 ? before / std::max(difference, 0.25 * before) : 0;
+    const double last = std::exchange(last_, difference);
+    const double before = std::abs(last);
+    const double now = std::abs(difference);
+    const double falls = before > 0 ? before / std::max(now, 0.25 * before) : 0;
     const double least = std::min(falls, std::exchange(fell_, falls));
+    if (last * difference < 0)
+      return before + now;
     const double ratio = least < 3 ? 2 : least;
-    return std::max(difference, before / ratio) / (ratio - 1);
+    return std::max(now, before / ratio) / (ratio - 1);
   }
 
  private:
@@ -116,8 +121,8 @@ class Follower {
     const double shortest = history.shortest(whole);
     double step = inSteps(time, whole, shortest);
     Remainder ofSum, ofWork, ofSlip, ofVolume;
-    // kinks of single coefficients add up to less than they are, to nothing only by chance
-    constexpr double leastShare = 0.1;
+    // kinks of single coefficients add up to less than they are, to much less only by chance
+    constexpr double leastShare = 0.8;
     while (history.tolerance > 0 && here_.t == time &&
            0.5 * step >= (1 - 1e-9) * shortest) {
       const Standing there = std::exchange(here_, before);
@@ -127,7 +132,7 @@ class Follower {
       if (here_.t < time)
         break;
       const contact::PathMemory::Difference now = here_.memory.apart(there.memory);
-      const double sum = std::abs(here_.memory.friction() - there.memory.friction());
+      const double sum = here_.memory.friction() - there.memory.friction();
       const contact::PathMemory::Difference error{
           std::max(ofSum.behind(sum), leastShare * ofWork.behind(now.work)),
           ofSlip.behind(now.slip), ofVolume.behind(now.volume)};

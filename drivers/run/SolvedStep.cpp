@@ -135,7 +135,7 @@ double SolvedStep::interfaceEnergy() const {
 void SolvedStep::addRigid(StepRow& filled) const {
   const Scene& scene = spaces.scene();
   const bem::Units units = scene.units();
-  const double force = units.stress * units.length;
+  const double force = units.force();
   const auto forces = system->rigidForces(at.state);
   for (std::size_t k = 0; k < forces.size(); ++k) {
     contact::Summary& summary = filled.rigid[k].second;

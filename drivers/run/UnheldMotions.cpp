@@ -273,7 +273,7 @@ Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
               outwards += (*given)(x)*along;
             else if (std::abs(along) > 1e-12)
               room.isLimited = false;
-        const double share = rule.weights[q] * mesh[e].half;
+        const double share = rule.weights[q] * mesh.measure(e, rule.points[q]);
         room.area += share * outwards;
         room.size += share * std::abs(outwards);
         room.isContact = room.isContact || meets;

@@ -1,6 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/Readers.hpp"
+#include "drivers/scene/Revolution.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -37,7 +38,7 @@ Body readBody(const Part& part, const std::string& name, const Scene& scene,
       throw InputError(motion.path(item.first),
                        ": belongs to a body with Material->Rigid = true; others "
                        "have Boundary Conditions and Rigid Motions");
-  body.outline = makeOutline(loops, length, part.path("Geometry"));
+  body.outline = makeOutline(loops, length, scene.isAxisymmetric, part.path("Geometry"));
   body.conditions = readConditions(part, *body.outline, scene.symmetry);
   readMesh(part.sub("Mesh"), scene.root().sub("Discretization"), body);
   return body;
@@ -72,6 +73,8 @@ bem::Vec2 centroidOf(const bem::Outline& outline, const Symmetry& symmetry) {
   bem::Vec2 centroid = outline.physical((1 / length) * sum);
   if (symmetry.cuts(outline))
     symmetry.across(centroid) = 0;
+  if (outline.isAxisymmetric())
+    centroid.x = 0;
   return centroid;
 }
 
@@ -80,7 +83,7 @@ RigidBody readRigid(const Part& part, const std::string& name, const Scene& scen
   refuseElasticity(part);
   RigidBody body;
   body.name = name;
-  body.outline = makeOutline(loops, 0, part.path("Geometry"));
+  body.outline = makeOutline(loops, 0, scene.isAxisymmetric, part.path("Geometry"));
   const Part motion = part.sub("Motion");
   body.pole = motion.has("Reference Point") ? motion.point("Reference Point")
                                             : centroidOf(*body.outline, scene.symmetry);
@@ -148,6 +151,8 @@ void readBodies(Scene& scene) {
     if (!isRigid(list.sublist(item.first)))
       length = std::max(length, bem::scalingOf(loops.back().outer).length);
   }
+  if (scene.isAxisymmetric)
+    loops = alignedWithAxis(std::move(loops), *scene.used);
   loops = alignedWith(scene.symmetry, std::move(loops), *scene.used);
   std::size_t b = 0;
   for (const auto& item : list) {

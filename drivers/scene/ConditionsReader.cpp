@@ -75,12 +75,14 @@ void checkNamed(const std::string& boundary, const std::string& path,
 
 namespace {
 
-/// Length of a boundary [length].
+/// Length of a boundary [length], or its area around the axis [length^2].
 double lengthOf(const bem::Outline& outline, const std::string& boundary) {
+  constexpr double turn = 6.2831853071795865;
   double length = 0;
   for (const bem::Edge& edge : outline.edges())
     if (edge.boundary == boundary)
-      length += edge.curve.length() * outline.scaling().length;
+      length += edge.curve.length() * outline.units(1).measure() *
+                (outline.isAxisymmetric() ? turn * edge.curve.centroid().x : 1);
   return length;
 }
 
@@ -180,8 +182,14 @@ contact::Conditions readConditions(const Part& body, const bem::Outline& outline
       conditions.fix.y |= motion == "Y";
       conditions.fix.rotation |= motion == "Rotation";
     }
+  for (std::size_t k = 0; k < outline.edges().size(); ++k)
+    if (outline.isAxis(static_cast<int>(k))) {
+      const std::string& axis = outline.edges()[k].boundary;
+      conditions.symmetry.insert(axis);
+      conditions.dirichlet[axis].x = [](bem::Vec2) { return 0.0; };
+    }
   if (symmetry.cuts(outline)) {
-    conditions.symmetry = {Symmetry::boundary};
+    conditions.symmetry.insert(Symmetry::boundary);
     contact::Conditions::Dirichlet& roller = conditions.dirichlet[Symmetry::boundary];
     (symmetry.axis == 0 ? roller.x : roller.y) = [](bem::Vec2) { return 0.0; };
     (symmetry.axis == 0 ? conditions.fix.x : conditions.fix.y) = false;

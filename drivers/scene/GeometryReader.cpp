@@ -122,9 +122,10 @@ bem::Loops readLoops(ParameterList& geometry, const std::string& file,
 }
 
 std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
+                                                bool isAxisymmetric,
                                                 const std::string& path) {
   return within(path + ": ", [&] {
-    bem::Scaling scaling = bem::scalingOf(loops.outer);
+    bem::Scaling scaling = bem::scalingOf(loops.outer, isAxisymmetric);
     scaling.length = std::max(scaling.length, length);
     return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);
   });
@@ -243,6 +244,9 @@ bem::SchemaRows meshRows(const char* degree) {
 
 void readMesh(const Part& own, const Part& discretization, Body& body) {
   body.elementsPerEdge = readElements(isSized(own) ? own : discretization, *body.outline);
+  for (std::size_t k = 0; k < body.elementsPerEdge.size(); ++k)
+    if (body.outline->isAxis(static_cast<int>(k)))
+      body.elementsPerEdge[k] = 1;
   body.degree = (own.has("Degree") ? own : discretization).list->get<int>("Degree");
 }
 

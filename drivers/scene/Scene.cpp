@@ -46,7 +46,7 @@ bem::Visibility Scene::visibility(const ContactPair& pair) const {
 
 std::vector<contact::Drive> Scene::drivesAt(double t) const {
   const double length = units().length;
-  const double force = stress * length;
+  const double force = units().force();
   const double forces[] = {force, force, force * length};
   const double motions[] = {length, length, 1};
   std::vector<contact::Drive> drives;

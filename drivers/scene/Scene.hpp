@@ -87,6 +87,7 @@ struct Scene {
   Constants constants;  ///< names in expressions
   Tables tables;        ///< likewise
 
+  bool isAxisymmetric = false;  ///< bodies are solids of revolution about x = 0
   Symmetry symmetry;
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
@@ -111,9 +112,7 @@ struct Scene {
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
   /// The unit of energies of the whole scene, both halves of a symmetric one included.
-  double energy() const {
-    return symmetry.copies() * stress * units().length * units().length;
-  }
+  double energy() const { return symmetry.copies() * units().energy(); }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
   /// Are there results per body beside those of the scene (bodies.csv)?

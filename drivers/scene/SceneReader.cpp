@@ -6,6 +6,7 @@
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/Readers.hpp"
+#include "drivers/scene/Revolution.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -242,6 +243,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   ParameterList& used = *scene.used;
   const ParameterList& discretization = used.sublist("Discretization");
   scene.symmetry = parseSymmetry(used.sublist("Geometry"));
+  scene.isAxisymmetric = parseRevolution(used.sublist("Geometry"));
   readBodies(scene);
   readContacts(scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");
@@ -257,6 +259,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);
+  if (scene.isAxisymmetric)
+    checkRevolution(scene);
   return scene;
 }
 

@@ -78,6 +78,13 @@ void addBody(Table& table) {
   add(table,
       Row("Geometry", Kind::List, "what the outlines of all bodies have in common"),
       {
+          Row("Type", Kind::Text,
+              "Axisymmetric: bodies are solids of revolution without torsion, x is the "
+              "radius and y the axis; edges on x = 0 are the axis by themselves, named "
+              "'axis'; forces, energies and volumes are those of the whole revolution, "
+              "[force] for stress length^2, [energy] for stress length^3")
+              .defaultValue("Plane")
+              .allowed({"Plane", "Axisymmetric"}),
           Row("Symmetry", Kind::Text,
               "the scene is drawn as one half of what is symmetric about the line x = 0 "
               "(X: mirrored along x) or y = 0 (Y); edges on the line named 'symmetry' or "

@@ -21,7 +21,7 @@ constexpr double size = 2 * half / degree;  // h/p
 ContactProfiles resting() {
   const Polynomial zero([](double) { return 0.0; }, degree);
   const auto nothing = [](double) { return 0.0; };
-  return {zero, zero, zero, nothing, nothing, degree, half};
+  return {zero, zero, zero, nothing, nothing, degree, half, [](double) { return half; }};
 }
 
 Polynomial polynomial(const bem::Profile& f) { return {f, degree}; }

@@ -97,10 +97,10 @@ TEUCHOS_UNIT_TEST(Layer, weighsEachLegendreTermForItsLength) {
         layer.beyondHalfPlane(compressible, 2 * element.half / k);
     const double expected =
         (stiff.across + 4 * stiff.along) * 2 * element.half / (2 * k + 1);
-    TEST_FLOATING_EQUALITY(layer.square(compressible, element, slopes(element, k)),
+    TEST_FLOATING_EQUALITY(layer.square(compressible, mesh, 1, slopes(element, k)),
                            expected, 1e-2);
   }
-  TEST_EQUALITY(Layer{}.square(compressible, element, slopes(element, 1)), 0);
+  TEST_EQUALITY(Layer{}.square(compressible, mesh, 1, slopes(element, 1)), 0);
 }
 
 }  // namespace epafi

@@ -2,6 +2,7 @@
 // instruction set that this processor has.
 #include "Largest.hpp"
 #include "bem/fields/PointSources.hpp"
+#include "bem/operators/TileBlocks.hpp"
 #include "bem/operators/TileWriter.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/QuadOperators.hpp"
@@ -107,14 +108,16 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
     ++group;
     bem::Operators written = untouched(space);
     bem::GhostNodes ghosts(space, runs);
-    bem::TileWriter writer(space, lame, written, ghosts);
+    bem::TileWriter writer(space, written, ghosts);
+    bem::TileBlocks blocks(space, lame);
     bem::Tile tile;
     const int first = runs[group].first;
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = first; f < runs[group].last; ++f) {
         tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
-        writer.add(tile);
+        blocks.evaluate(tile);
+        writer.add(blocks);
       }
       writer.finish();
     }
@@ -136,11 +139,13 @@ bem::Vector entries(const bem::TileBlocks& blocks, int degree) {
   };
   for (int c = 0; c < 2; ++c)
     for (int k = 0; k <= degree; ++k) {
+      const auto [slopes, scale] = blocks.hypersingular(k, c);
       append(blocks.doubleLayer(k, c), blocks.densities());
+      append(slopes, blocks.displacements());
+      all.push_back(scale);
       if (k == degree)
         continue;
       append(blocks.singleLayer(k, c), blocks.densities());
-      append(blocks.slopeLayer(k, c), blocks.displacements());
       append(blocks.transposed(k, c), blocks.displacements());
     }
   return all;

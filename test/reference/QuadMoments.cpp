@@ -123,8 +123,8 @@ QuadRule quadGauss(int n) {
   return rule;
 }
 
-/// On [0, 1], for functions with a logarithm at 0: the trapezoidal rule in x, where the place is
-/// 1 / (1 + exp(-π sinh x)).
+}  // namespace
+
 QuadRule doubleExponential(double tolerance) {
   QuadRule rule;
   const double digits = -std::log(tolerance);
@@ -139,8 +139,6 @@ QuadRule doubleExponential(double tolerance) {
   }
   return rule;
 }
-
-}  // namespace
 
 PairIntegrator::PairIntegrator(int largestDegree, double tolerance)
     : degree_(largestDegree),

@@ -80,6 +80,10 @@ struct QuadRule {
   std::vector<Quad> weights;
 };
 
+/// On [0, 1], for functions with a logarithm at 0: the trapezoidal rule in x, where the place is
+/// 1 / (1 + exp(-π sinh x)).
+QuadRule doubleExponential(double tolerance);
+
 /// Computes PairMoments by plain quadrature in 33 digits: slow, simple, and nothing in
 /// common with the closed forms under test.
 ///

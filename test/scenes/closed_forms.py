@@ -75,13 +75,12 @@ claim(abs(level["pressure_max"] - p0) < 1e-3 * p0 and level["pressure_max_error"
 # cylinder on block: Hertz, and Cattaneo's shear
 a, p0, f = 0.002, 1000 / 0.91 / 2 * 0.002 / 2, 0.3
 c = a * math.sqrt(0.5)
-history, points, _ = solved("cylinder-on-block")
+# where stick ends the pressure needs elements as short as a thousandth of a
+history, points, _ = solved("cylinder-on-block", "Adaptivity->Maximum Degrees of Freedom=8000",
+                            "Adaptivity->Maximum Levels=31")
 inner = [p for p in points if abs(p["x"]) < 0.9 * a]
-# where stick ends it is as good as the elements there are short
-errors = [worst([p for p in inner if (abs(abs(p["x"]) / c - 1) < 0.005) == ends],
-                lambda p: p["lambda_n"] / p0 - hertz(p["x"] / a)) for ends in (False, True)]
-claim(errors[0] < 5e-4 and errors[1] < 1.5e-3,
-      "cylinder on block: pressure within %.1e of the largest, %.1e where stick ends" % tuple(errors))
+error = worst(inner, lambda p: p["lambda_n"] / p0 - hertz(p["x"] / a))
+claim(error < 5e-4, "cylinder on block: pressure within %.1e of the largest" % error)
 error = worst([p for p in inner if abs(abs(p["x"]) / c - 1) > 0.05],
               lambda p: abs(p["lambda_t"]) / (f * p0) - hertz(p["x"] / a) +
               c / a * hertz(p["x"] / c))

@@ -4,8 +4,8 @@ beside a corner the other side's normal counts."""
 import math
 
 from runs import claim, epafi, finish, rows, saved, solved
-from written import (CLAMPED, QUARTERS, block, body, circle, condition, contact, geometry, keys, listed,
-                     rigid, round_hole)
+from written import (CLAMPED, QUARTERS, block, body, circle, condition, contact, friction, geometry, keys,
+                     listed, rigid, round_hole)
 
 E = 210000
 ROUND = math.tan(math.pi / 8)
@@ -121,6 +121,15 @@ for between in (("disc:rim", "wedge:flank"), ("wedge:flank", "disc:rim")):
         keys(Strategy="Graded hp", Tolerance=0.05))[0]
     claim(abs(last[0]["contact_x"]) < 1e-10 * force(last),
           "on an apex contact_x is %.1e of %.4g" % (last[0]["contact_x"], force(last)))
+
+# The tip of a wedge in a hollow, where the direction turns fast: energies are by the same rule as forces.
+HOLLOW = geometry([(-2.5, -2.75), (2.5, -2.75), (2.5, 0.25), (-2.5, 0.25)], "base, side, way, side",
+                  [0, 0, -0.1, 0])
+TIP = geometry([(0.017, 1.14e-5), (1.243, 1.5), (-1.209, 1.5)], "flank, top, flank")
+for degree in (1, 3):
+    run("tip in a hollow, p = %d" % degree, [
+        body("tip", TIP, E, held("top", 0.004, -0.026)), body("hollow", HOLLOW, E, BASE)],
+        ("tip:flank", "hollow:way", friction(0.1)), keys(Strategy="None"), size=0.15, degree=degree)
 
 # Two equal domes, slid: what they part by is left out and told of.
 DOME = [0.2, 0, 0, 0]

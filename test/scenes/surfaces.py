@@ -3,8 +3,8 @@ compressed, between bodies, on paths and after a restart."""
 import math
 
 from runs import claim, differ, finish, refused, rows, run, solved
-from written import (NONE, TIED, WALLS, block, body, condition, confined, contact, friction,
-                     history, keys, listed, pad, written)
+from written import (NONE, TIED, WALLS, block, body, condition, confined, contact, disc, friction,
+                     geometry, history, keys, listed, pad, written)
 
 E, NU, DELTA = 1.0, 0.3, 0.01
 MODULUS = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
@@ -246,6 +246,17 @@ off = differ(got["upper"]["energy_dissipated"], got["lower"]["energy_dissipated"
 claim(off < 1e-3, "either side first: dissipated alike to %.1e" % off)
 refused("elastic shear without friction", sheared("none", rub("None", Compliance=C), U, 0),
         "Compliance", command="check")
+
+# a disc in a groove, held by friction alone: tangents where Newton's steps end go round with them
+bank = 3 - math.sqrt(2)  # a right angle about the disc
+GROOVE = geometry([(-2, -2), (2, -2), (2, bank), (0, bank - 2), (-2, bank)], "bottom, right, top, top, left")
+for aside in (0.07, 0.1, 0.12):
+    solved("a disc in a groove, pulled by %g" % aside, written("groove", [
+        body("disc", disc(1, "rim", 0, 1), 1000,
+             inside=listed("Body Loads", Force_X=aside, Force_Y=-1)),
+        body("block", GROOVE, 1000, condition("bottom", "Dirichlet", Displacement_X=0, Displacement_Y=0))],
+        contact("pair", "disc:rim", "block:top", friction(0.3), normal(
+            "Power", Length=0.01, Pressure=1, Exponent=3)), "Projected", 0.3))
 
 # pressures of smaller exponents underflow
 FLAT = normal("Power", Length=1, Pressure=0.01, Exponent=0.09)

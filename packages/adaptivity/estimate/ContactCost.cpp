@@ -111,8 +111,8 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
         mesh.physicalPoint(element.element, t), solved.units.stress);
     const Vec2 normal = directionAt(t);
     const bem::EndValues e = bem::endValues(p, t);
-    add(q, {normal.x, normal.y, rule.weights[q] * geometry.half, e.start / geometry.half,
-            e.end / geometry.half, pressure, profiles.shear(t),
+    add(q, {normal.x, normal.y, rule.weights[q] * mesh.measure(element.element, t),
+            e.start / geometry.half, e.end / geometry.half, pressure, profiles.shear(t),
             positive(profiles.opening(t)), profiles.tangential(t),
             friction.bound(pressure)});
     if (friction.followsPressure())

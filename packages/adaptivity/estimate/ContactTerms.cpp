@@ -167,6 +167,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           [=](double t) { return at(t).bound(pressure(t)); },
           p,
           geometry.half,
+          [&mesh, e = element.element](double t) { return mesh.measure(e, t); },
           opposite.breaks(element),
           std::max(p, opposite.degree(element)),
           element.ties(),
@@ -189,7 +190,9 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks, double softn
   Contributions squares{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const Values v = valuesAt(c, rule.points[q]);
-    const double weight = c.half * rule.weights[q];
+    const double weight = c.measure(rule.points[q]) * rule.weights[q];
+    if (weight == 0)  // on the axis
+      continue;
     const double tension = positive(-v.pressure);
     const double penetration = positive(-v.opening);
     const double excess = positive(std::abs(v.shear) - v.bound);
@@ -213,6 +216,7 @@ Contributions jump(const ContactProfiles& c) {
     const double across = c.opening(t);
     const double along = c.tangential(t);
     of(squares, Source::Penetration) += rule.weights[q] * c.fineness(t) * 0.5 * c.degree *
+                                        (c.measure(t) / c.half) *
                                         (across * across + along * along);
   }
   return squares;

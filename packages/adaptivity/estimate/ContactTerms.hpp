@@ -48,6 +48,7 @@ struct ContactProfiles {
   bem::Profile bound;    ///< s, for the pressure's positive part
   int degree;
   double half;           ///< of the element's length
+  bem::Profile measure;  ///< bem::Mesh::measure
   Vector nodes{};        ///< opposite nodes, in (-1, 1)
   int highest = degree;  ///< largest degree of the displacements of both sides
   bool tied = false;     ///< are the sides bonded?

@@ -10,20 +10,21 @@
 namespace epafi::adaptivity {
 
 using bem::Vec2;
+using bem::Vector;
 
 namespace {
 
 /// m with the mean zero at the points of m'.
 std::vector<Vec2> integrated(const std::vector<bem::BoundaryValue>& values,
-                             const bem::Element& element) {
+                             const Vector& weights, double length) {
   std::vector<Vec2> m;
   Vec2 sum{};
   Vec2 mean{};
-  for (const bem::BoundaryValue& value : values) {
-    const Vec2 half = 0.5 * value.weight * value.mismatch;
+  for (std::size_t q = 0; q < values.size(); ++q) {
+    const Vec2 half = 0.5 * weights[q] * values[q].mismatch;
     m.push_back(sum + half);
     sum = m.back() + half;
-    mean = mean + (value.weight / (2 * element.half)) * m.back();
+    mean = mean + (weights[q] / length) * m.back();
   }
   for (Vec2& here : m)
     here = here - mean;
@@ -72,11 +73,15 @@ Layer::Stiffness Layer::beyondHalfPlane(const bem::Lame& lame, double length) co
           std::max(0.0, 2 * (slender - 1)) / length};
 }
 
-double Layer::square(const bem::Lame& lame, const bem::Element& element,
+double Layer::square(const bem::Lame& lame, const bem::Mesh& mesh, int e,
                      const std::vector<bem::BoundaryValue>& values) const {
+  const bem::Element& element = mesh[e];
   if (!(2 * element.half > thickness))
     return 0;
-  const std::vector<Vec2> m = integrated(values, element);
+  Vector weights;  // by arc length
+  for (const bem::BoundaryValue& value : values)
+    weights.push_back(value.weight * (element.half / mesh.measure(e, value.place.t)));
+  const std::vector<Vec2> m = integrated(values, weights, 2 * element.half);
   constexpr int terms = 16;
   std::array<double, terms + 1> legendre{};
   std::array<Vec2, terms + 1> series{};
@@ -87,8 +92,8 @@ double Layer::square(const bem::Lame& lame, const bem::Element& element,
                     dot(m[q], element.curve.tangent(t))};
     bem::legendreValues(terms, t, legendre.data());
     for (std::size_t k = 0; k <= terms; ++k)
-      series[k] = series[k] + values[q].weight * legendre[k] * here;
-    rest = rest + values[q].weight * Vec2{here.x * here.x, here.y * here.y};
+      series[k] = series[k] + weights[q] * legendre[k] * here;
+    rest = rest + weights[q] * Vec2{here.x * here.x, here.y * here.y};
   }
   double square = 0;
   for (std::size_t k = 1; k <= terms; ++k) {
@@ -102,7 +107,7 @@ double Layer::square(const bem::Lame& lame, const bem::Element& element,
       square +=
           stiffer.across * std::max(rest.x, 0.0) + stiffer.along * std::max(rest.y, 0.0);
   }
-  return square;
+  return square * (mesh.measure(e, 0) / element.half);
 }
 
 }  // namespace epafi::adaptivity

@@ -25,7 +25,7 @@ struct Layer {
 
   /// Σ across |m_n|² + along |m_t|² of the Legendre terms of m on an element, the one of degree
   /// k with the stiffness for the length h/k; m has the mean zero, given are the values of m'.
-  double square(const bem::Lame& lame, const bem::Element& element,
+  double square(const bem::Lame& lame, const bem::Mesh& mesh, int element,
                 const std::vector<bem::BoundaryValue>& values) const;
 };
 

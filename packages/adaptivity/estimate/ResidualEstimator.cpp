@@ -67,7 +67,7 @@ class Residuals {
       of(squares, Source::Density) +=
           value.weight * h * dot(value.mismatch, value.mismatch);
     const Layer layer = behind(e);
-    of(squares, Source::Density) += layer.square(lame_, mesh_[e], values);
+    of(squares, Source::Density) += layer.square(lame_, mesh_, e, values);
     of(squares, Source::Density) +=
         clampSquares(solved_, e, values, layer.beyondHalfPlane(lame_, sizeOf(e)).across);
     of(squares, Source::Density) += heatSquares(solved_, e);
@@ -286,7 +286,11 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
   // λ̃ does the same work as λʰ on this body, but not on an opposite one
-  const bool alone = !solved.problem.opposite().meetsDeformable(solved.problem.number());
+  // and its functions are those of the plane
+  const bem::Mesh& mesh = solved.space.mesh();
+  const bool alone =
+      !solved.problem.opposite().meetsDeformable(solved.problem.number()) &&
+      !mesh.outline().isAxisymmetric();
   const std::vector<AtEnds> correction =
       sharp && alone ? corrections(solved, lame, factors, moments, processes)
                      : std::vector<AtEnds>(touching.size());
@@ -307,7 +311,9 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     both.mu = sharedShearModulus(solved, touching[k], lame.mu);
     Contributions contact = residuals.contactSquares(
         touching[k], values, contactResiduals[k], correction[k], both.mu);
-    of(contact, Source::Density) += dot(means[k], means[k]);
+    const int e = touching[k].element;
+    of(contact, Source::Density) +=
+        dot(means[k], means[k]) * (mesh.measure(e, 0) / mesh[e].half);
     if (sharp && !solved.problem.coupling().byDensity())
       of(contact, Source::Contact) +=
           residuals.stabilisation(k, values, contactResiduals[k]);
@@ -321,10 +327,13 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
       all[i] += contact[i];
   }
   const std::vector<int>& stabilised = solved.problem.coupling().elements;
-  for (std::size_t k = touching.size(); k < stabilised.size(); ++k)
-    if (const auto e = static_cast<std::size_t>(stabilised[k]); !fields[e].empty())
-      of(squares[e], Source::Density) +=
-          factors[static_cast<std::size_t>(Source::Density)] * dot(means[k], means[k]);
+  for (std::size_t k = touching.size(); k < stabilised.size(); ++k) {
+    const int e = stabilised[k];
+    if (!fields[static_cast<std::size_t>(e)].empty())
+      of(squares[static_cast<std::size_t>(e)], Source::Density) +=
+          factors[static_cast<std::size_t>(Source::Density)] * dot(means[k], means[k]) *
+          (mesh.measure(e, 0) / mesh[e].half);
+  }
   return gathered(squares, processes);
 }
 

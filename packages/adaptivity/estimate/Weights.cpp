@@ -14,13 +14,13 @@ Contributions factors(double stress, double length, double energy) {
 
 // All as energies: squares of stresses / μ, squares of lengths times μ.
 Contributions energy(const bem::Lame& lame, bem::Units units) {
-  const double scale = units.stress * units.length * units.length;
+  const double scale = units.energy();
   return factors(scale / lame.mu, scale * lame.mu, scale);
 }
 
 // The squares in the user's units.
 Contributions paper(const bem::Lame&, bem::Units units) {
-  const double area = units.length * units.length;
+  const double area = units.length * units.measure();
   return factors(units.stress * units.stress * area, area, units.stress * area);
 }
 

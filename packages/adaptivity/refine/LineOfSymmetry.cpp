@@ -12,7 +12,7 @@ bem::Mesh gradedLines(bem::Mesh mesh, const contact::Conditions& conditions) {
     Marks halved(mesh.size());
     for (int e = 0; e < mesh.size(); ++e) {
       const bem::Element& element = mesh[e];
-      if (!conditions.isBoundary(mesh.boundary(e)) &&
+      if (!conditions.isBoundary(mesh.boundary(e)) && !mesh.isAxis(e) &&
           element.half >
               longest * std::min(mesh[element.previous].half, mesh[element.next].half))
         halved[e] = Mark::Bisect;

@@ -28,6 +28,10 @@ Pieces cut(const bem::Mesh& mesh, const Marks& marks) {
   Pieces result;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Piece piece = mesh[e].piece;
+    if (mesh.isAxis(e)) {
+      result.push_back(piece);
+      continue;
+    }
     const Mark& mark = marks[e];
     const int p = piece.degree;
     switch (mark.kind()) {

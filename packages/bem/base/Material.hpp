@@ -32,8 +32,14 @@ struct Lame {
 /// single body, Young's modulus); all bodies of a scene share both.  A scene in Pa and m and
 /// the same scene in MPa and mm give the same numbers.         [doc/theory/operators.md]
 struct Units {
-  double length = 1;  ///< length of Outline::scaling()
-  double stress = 1;  ///< reference stress of Lame
+  double length = 1;            ///< length of Outline::scaling()
+  double stress = 1;            ///< reference stress of Lame
+  bool isAxisymmetric = false;  ///< of a whole revolution, else per unit of thickness
+
+  /// Of Mesh::measure.
+  double measure() const { return isAxisymmetric ? length * length : length; }
+  double force() const { return stress * measure(); }
+  double energy() const { return force() * length; }
 };
 
 }  // namespace epafi::bem

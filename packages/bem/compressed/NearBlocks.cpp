@@ -52,10 +52,9 @@ class PairByParts {
         for (int a = 0; a < rows.densities; ++a)
           out[(rows.displacements + a) * width + column] =
               blocks_.doubleLayer(j, c)[densities + a];
-        const double slope = DisplacementBasis::slope(j);
+        const auto [from, scale] = blocks_.hypersingular(j, c);
         for (int a = 0; a < rows.displacements; ++a)
-          out[a * width + column] =
-              slope * blocks_.slopeLayer(std::max(j - 1, 0), c)[displacement(a)];
+          out[a * width + column] = scale * from[displacement(a)];
       }
     }
     for (int a = 0; a < rows.displacements && e == f; ++a)

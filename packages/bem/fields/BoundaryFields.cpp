@@ -4,6 +4,7 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace epafi::bem {
@@ -123,6 +124,10 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
     const Vector inner = space.withoutRotation(states[k].displacement);
     for (int e = 0; e < mesh_.size(); ++e)
       fields_[e * states_ + k] = localField(space, inner, states[k].density, e);
+  }
+  if (mesh_.outline().isAxisymmetric()) {
+    rings_ = std::make_unique<const RingFields>(mesh_, lame_, fields_, states_);
+    return;
   }
   for (const Element& element : mesh_.elements())
     largest = std::max(largest, element.degree);
@@ -301,11 +306,39 @@ BoundaryFields::Values BoundaryFields::at(int element, const Sources& sources,
 
 BoundaryFields::Values BoundaryFields::at(int element,
                                           const std::vector<EndPoint>& points) const {
-  return at(element, split(element), points);
+  return rings_ != nullptr ? ofRings(element, points)
+                           : at(element, split(element), points);
+}
+
+BoundaryFields::Values BoundaryFields::ofRings(
+    int element, const std::vector<EndPoint>& points) const {
+  Values values(states_);
+  if (mesh_.isAxis(element))
+    return values;
+  const int terms = rings_->terms(element);
+  std::array<double, largestDegree + 2> slopes{};
+  std::array<double, largestDegree + 2> legendre{};
+  for (const EndPoint& point : points) {
+    legendreValues(terms, point.t, legendre.data());
+    slopes[1] = 1;
+    for (int k = 2; k < terms; ++k)
+      slopes[k] = slopes[k - 2] + (2 * k - 1) * legendre[k - 1];
+    for (std::size_t state = 0; state < states_; ++state) {
+      const RingFields::Series& series = rings_->of(element, state);
+      Complex force = 0;
+      Complex slope = 0;
+      for (int k = 0; k < terms; ++k) {
+        force += legendre[k] * series.traction[k];
+        slope += slopes[k] / mesh_[element].half * series.mismatch[k];
+      }
+      values[state].push_back({point, 0, asVector(force), asVector(slope)});
+    }
+  }
+  return values;
 }
 
 BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const {
-  const Sources sources = split(element);
+  const Sources sources = rings_ != nullptr ? Sources{states_} : split(element);
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
   for (const int f : sources.near) {
@@ -313,10 +346,11 @@ BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const
     appendEnds(mesh_, element, f, features);
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
-  Values values = at(element, sources, rule.points);
+  Values values = rings_ != nullptr ? ofRings(element, rule.points)
+                                    : at(element, sources, rule.points);
   for (std::vector<BoundaryValue>& of : values)
     for (std::size_t q = 0; q < of.size(); ++q)
-      of[q].weight = mesh_[element].half * rule.weights[q];
+      of[q].weight = mesh_.measure(element, rule.points[q].t) * rule.weights[q];
   return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/fields/PointSources.hpp"
+#include "bem/fields/RingFields.hpp"
 #include "bem/fields/SourceGroups.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/quadrature/Graded.hpp"
@@ -16,7 +17,7 @@ namespace epafi::bem {
 /// computed from them.
 struct BoundaryValue {
   EndPoint place;
-  double weight = 0;  ///< quadrature weight, by arc length
+  double weight = 0;  ///< quadrature weight, by Mesh::measure
   Vec2 traction;      ///< W u + (K' + 1/2) ψ
   Vec2 mismatch;      ///< d/ds (V ψ - (K + 1/2) u)
 };
@@ -34,6 +35,8 @@ struct BoundaryState {
 /// and its neighbours, where the values have logarithms.  Far elements are integrated with
 /// Gauss points (error 1e-12 of their field), on large meshes by SourceGroups; their sum is
 /// interpolated.  The weights integrate squares of the values to a relative error of 2e-6.
+///
+/// On solids of revolution they are polynomials, see RingFields; on the axis there are none.
 class BoundaryFields {
  public:
   BoundaryFields(const Space& space, const Lame& lame,
@@ -61,6 +64,7 @@ class BoundaryFields {
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
   std::vector<SmoothSeries> smoothSeries(int element, const Sources& sources) const;
+  Values ofRings(int element, const std::vector<EndPoint>& points) const;
   Values at(int element, const Sources& sources,
             const std::vector<EndPoint>& points) const;
 
@@ -72,6 +76,8 @@ class BoundaryFields {
   /// By order: Gauss points of all elements, of the order that far circles need.
   std::vector<PointSources> everything_;
   std::unique_ptr<const SourceGroups> groups_;
+  std::unique_ptr<const RingFields>
+      rings_;  ///< of solids of revolution, in place of the others
 };
 
 }  // namespace epafi::bem

@@ -242,12 +242,15 @@ double Loop::twiceArea() const {
   return area;
 }
 
-Scaling scalingOf(const Loop& outer) {
+Scaling scalingOf(const Loop& outer, bool isAxisymmetric) {
   Scaling scaling;
+  scaling.isAxisymmetric = isAxisymmetric;
   if (outer.vertices.empty() || !bulgesFit(outer))  // Outline says so
     return scaling;
   scaling.length = sizeOf(outer);
   scaling.origin = boxOf(extent(outer)).middle();
+  if (isAxisymmetric)
+    scaling.origin.x = 0;
   return scaling;
 }
 

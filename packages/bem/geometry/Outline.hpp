@@ -41,15 +41,18 @@ struct Edge {
 struct Scaling {
   Vec2 origin;        ///< in the user's coordinates
   double length = 1;  ///< in the user's unit
+  /// Are bodies solids of revolution about x = 0, drawn for x >= 0?  Then origin.x = 0.
+  bool isAxisymmetric = false;
 };
 
-/// Length: the diameter of the polygon (arcs by 32 points); origin: centre of its bounding box.
-Scaling scalingOf(const Loop& outer);
+/// Length: the diameter of the polygon (arcs by 32 points); origin: centre of its bounding box,
+/// of a solid of revolution on the axis.
+Scaling scalingOf(const Loop& outer, bool isAxisymmetric = false);
 
 /// The boundary of a body: one outer polygon and any number of holes.
 ///
 /// In scaled coordinates the outer polygon has diameter 1, or less if bodies share a scaling,
-/// and contains the origin: the single layer potential is positive definite only on small
+/// and contains the origin, unless it is a section of a solid of revolution: the single layer potential is positive definite only on small
 /// outlines (doc/theory/operators.md), and coordinates far from the origin would lose digits.
 /// physical() and scaled() convert.
 class Outline {
@@ -76,7 +79,14 @@ class Outline {
   double diameter() const { return diameter_; }
   const Scaling& scaling() const { return scaling_; }
   /// Units of results computed in this scaling with this reference stress.
-  Units units(double stress) const { return {scaling_.length, stress}; }
+  Units units(double stress) const {
+    return {scaling_.length, stress, scaling_.isAxisymmetric};
+  }
+  bool isAxisymmetric() const { return scaling_.isAxisymmetric; }
+  /// Is this edge a part of the axis of revolution?
+  bool isAxis(int e) const {
+    return isAxisymmetric() && edge(e).curve.from().x == 0 && edge(e).curve.to().x == 0;
+  }
 
   Vec2 physical(Vec2 scaled) const { return scaling_.origin + scaling_.length * scaled; }
   Vec2 scaled(Vec2 physical) const {

@@ -59,6 +59,10 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
                        "'; pieces come in the order of the edges");
     elements_.push_back(makeElement(outline_->edge(piece.edge), piece));
     check(*outline_, elements_.back());
+    if (outline_->isAxis(piece.edge)) {
+      elements_.back().piece.degree = elements_.back().degree = 1;
+      elements_.back().densities = 0;
+    }
     OnEdge& on = onEdges_[piece.edge];
     if (on.first < 0)
       on.first = e;
@@ -88,6 +92,8 @@ Mesh Mesh::withDensities(const std::vector<int>& densities) const {
   Mesh result = *this;
   for (int e = 0; e < size(); ++e) {
     const int count = densities[e];
+    if (isAxis(e))
+      continue;
     if (count < (*this)[e].degree || count > largestDegree)
       throw InputError(count, " functions of a density on an element of degree ",
                        (*this)[e].degree, "; up to ", largestDegree, " are possible");
@@ -99,7 +105,8 @@ Mesh Mesh::withDensities(const std::vector<int>& densities) const {
 Mesh Mesh::withDegreesOfDensities() const {
   Mesh result = *this;
   for (Element& element : result.elements_)
-    element.piece.degree = element.degree = element.densities;
+    if (element.densities > 0)
+      element.piece.degree = element.degree = element.densities;
   return result;
 }
 
@@ -128,6 +135,11 @@ BoundaryPoint Mesh::at(int e, double fromStart, double toEnd) const {
 
 Vec2 Mesh::scaledPoint(int e, double t) const {
   return place(outline_->edge((*this)[e].piece.edge), at(e, t));
+}
+
+double Mesh::ofRevolution(int e, double t) const {
+  constexpr double turn = 6.2831853071795865;
+  return turn * scaledPoint(e, t).x * (*this)[e].half;
 }
 
 SurfacePoint Mesh::physicalPoint(int e, double t) const {

@@ -27,9 +27,10 @@ struct Element {
   int previous = 0;  ///< element that ends at startNode
   int next = 0;
   Curve curve;
-  double half = 0;    ///< half its length, |dy/dt|
-  int degree = 1;     ///< p: displacements of degree p
-  int densities = 1;  ///< number of Legendre terms of a density: p, or more
+  double half = 0;  ///< half its length, |dy/dt|
+  int degree = 1;   ///< p: displacements of degree p
+  int densities =
+      1;  ///< number of Legendre terms of a density: p, or more; 0: on the axis
 
   /// The frame of a straight element, see Curve::segment.
   const Curve::Frame& segment() const { return curve.segment(); }
@@ -44,6 +45,9 @@ struct BoundaryPoint {
 };
 
 /// Division of the boundary into elements, each with its own degree.  Immutable.
+///
+/// Elements on an axis of revolution (Outline::isAxis) have degree 1 and no densities: they close
+/// the outline, and nothing is integrated over them.
 class Mesh {
  public:
   /// \param pieces in the order of the edges of the outline; they cover each edge
@@ -51,7 +55,7 @@ class Mesh {
   /// above 25
   Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces);
 
-  /// The same elements with Element::densities = densities[e].
+  /// The same elements with Element::densities = densities[e], but those on the axis.
   /// \throws InputError if densities[e] is less than the degree of e or more than 25
   Mesh withDensities(const std::vector<int>& densities) const;
 
@@ -89,6 +93,12 @@ class Mesh {
   /// The point with 1 + t = fromStart, 1 - t = toEnd, anchored at the nearer end of e.
   BoundaryPoint at(int e, double fromStart, double toEnd) const;
   Vec2 scaledPoint(int e, double t) const;
+  /// |dy/dt|, times 2π r where the body is a solid of revolution: integrals over the surface of the
+  /// body are those of measure(e, t) dt.
+  double measure(int e, double t) const {
+    return outline_->isAxisymmetric() ? ofRevolution(e, t) : (*this)[e].half;
+  }
+  bool isAxis(int e) const { return outline_->isAxis((*this)[e].piece.edge); }
   /// In the user's coordinates, with the normal of e.
   SurfacePoint physicalPoint(int e, double t) const;
 
@@ -101,6 +111,8 @@ class Mesh {
   Vec2 offset(int e, int f) const;
 
  private:
+  double ofRevolution(int e, double t) const;
+
   std::shared_ptr<const Outline> outline_;
   std::vector<Element> elements_;
   std::vector<OnEdge> onEdges_;

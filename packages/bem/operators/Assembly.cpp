@@ -2,18 +2,23 @@
 
 #include "bem/base/Parallel.hpp"
 #include "bem/operators/ExactRotation.hpp"
+#include "bem/operators/RingBlocks.hpp"
+#include "bem/operators/TileBlocks.hpp"
 #include "bem/operators/TileWriter.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace epafi::bem {
 
 namespace {
 
-/// One thread's.
+/// One thread's, for plane bodies (Tile, TileBlocks) or solids of revolution.
+template <class Tiles, class Blocks>
 struct Workspace {
-  Tile tile;
+  Tiles tile;
+  Blocks blocks;
   TileWriter writer;
 
   /// The pairs (e, f) with f <= e and f in a group, run by run for all f of the group: the rows
@@ -22,8 +27,11 @@ struct Workspace {
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = runs[group].first; f < runs[group].last; ++f) {
+        if (runs.mesh()[f].densities == 0)  // on the axis
+          continue;
         tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
-        writer.add(tile);
+        blocks.evaluate(tile);
+        writer.add(blocks);
       }
       writer.finish();
     }
@@ -43,9 +51,9 @@ double workOf(const Space& space) {
   return 0.5 * (ofPair * elements * elements + ofEntry * unknowns * unknowns);
 }
 
-}  // namespace
-
-Operators assemblePolynomialOperators(const Space& space, const Lame& lame) {
+/// \param make a Workspace that writes with a TileWriter
+template <class Make>
+Operators assembled(const Space& space, const Make& make) {
   Operators out{Matrix(space.densities(), space.densities()),
                 Matrix(space.densities(), space.displacements()),
                 Matrix(space.displacements(), space.displacements())};
@@ -58,13 +66,25 @@ Operators assemblePolynomialOperators(const Space& space, const Lame& lame) {
     const Index count = (runs.size() + 1 - colour) / 2;
     parallelFor(
         {count, workOf(space) / 2, groupsAtOnce(count)},
-        [&] {
-          return Workspace{Tile(), TileWriter(space, lame, out, ghosts)};
-        },
-        [&](Workspace& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
+        [&] { return make(TileWriter(space, out, ghosts)); },
+        [&](auto& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
   }
   ghosts.fold(out);
   return out;
+}
+
+}  // namespace
+
+Operators assemblePolynomialOperators(const Space& space, const Lame& lame) {
+  if (space.mesh().outline().isAxisymmetric())
+    return assembled(space, [&](TileWriter writer) {
+      return Workspace<RingTile, RingBlocks>{RingTile(lame), RingBlocks(space),
+                                             std::move(writer)};
+    });
+  return assembled(space, [&](TileWriter writer) {
+    return Workspace<Tile, TileBlocks>{Tile(), TileBlocks(space, lame),
+                                       std::move(writer)};
+  });
 }
 
 Operators assembleOperators(const Space& space, const Lame& lame) {

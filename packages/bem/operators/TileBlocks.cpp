@@ -8,41 +8,6 @@ namespace epafi::bem {
 
 namespace {
 
-/// Where the functions of the lanes stand in a column of the run; Degree 1: all lanes
-/// have one, and every start is 2 lane.
-template <int Degree>
-struct Numbering {
-  const int* starts;  ///< of the lanes, and behind the last
-  const int* counts;  ///< of the lanes, 0 beyond the last
-  int last;           ///< lane
-
-  /// Writes the function j of every lane that has it.
-  EPAFI_INLINE void put(const Pack& x, const Pack& y, int j, double* to) const {
-    if (Degree == 1) {
-      interleave(x, y, to);
-      return;
-    }
-    for (int lane = 0; lane < lanes; ++lane)
-      if (j < counts[lane]) {
-        to[starts[lane] + 2 * j] = x[lane];
-        to[starts[lane] + 2 * j + 1] = y[lane];
-      }
-  }
-
-  /// Writes the functions of the nodes, by what every lane gives to the node before it
-  /// and to the one behind it.
-  EPAFI_INLINE void putNodes(const Pack& beforeX, const Pack& beforeY,
-                             const Pack& behindX, const Pack& behindY, double* to) const {
-    Pack x;
-    Pack y;
-    shiftUp(behindX, x);
-    shiftUp(behindY, y);
-    put(beforeX + x, beforeY + y, 0, to);
-    to[starts[lanes]] = behindX[last];
-    to[starts[lanes] + 1] = behindY[last];
-  }
-};
-
 using PackBlock = KernelBlock<Pack>;
 
 /// Is node k of an element on a line an end of its edge?
@@ -118,7 +83,7 @@ class TileBlocks::Filling {
     const Pack xx = scale * slope.xx;
     const Pack xy = scale * slope.xy;
     const Pack yy = scale * slope.yy;
-    double* slopes = to_.slopes_.data() + 2 * i * to_.longest_;
+    double* slopes = to_.hypersingular_.data() + 2 * i * to_.longest_;
     if (i == 0 && j == 0) {
       store(to_.halfSlopes_[0].lane, xx);
       store(to_.halfSlopes_[1].lane, xy);
@@ -205,8 +170,8 @@ class TileBlocks::Filling {
 
   const Work& w_;
   TileBlocks& to_;
-  Numbering<Degree> densities_;
-  Numbering<Degree> displacements_;
+  ColumnNumbering<Degree> densities_;
+  ColumnNumbering<Degree> displacements_;
   Pack wanted_;
   Pack bent_;
 };
@@ -227,36 +192,23 @@ struct TileBlocks::Fill {
 };
 
 TileBlocks::TileBlocks(const Space& space, const Lame& lame)
-    : space_(space), lame_(lame) {
-  for (int k = 0; k <= largestDegree; ++k)
-    functionSlopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
-  int functions = 1;
-  for (const Element& element : space.mesh().elements())
-    functions = std::max(functions, element.densities);
-  longest_ = 2 * lanes * functions + 2;
-  for (Vector* columns : {&single_, &double_, &slopes_, &transposed_})
-    columns->resize(static_cast<std::size_t>(2 * (functions + 1) * longest_));
-}
+    : PairColumns(space), lame_(lame) {}
 
-void TileBlocks::setRun(const ElementLanes& run) {
+void TileBlocks::setRun(const ElementLanes& run, int trial) {
+  if (!PairColumns::setRun(run, trial))
+    return;
   const Mesh& mesh = space_.mesh();
-  run_ = &run;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const int e = run.first + static_cast<int>(lane);
     const bool isThere = e < run.last;
-    degrees_[lane] = isThere ? mesh[e].degree : 0;
-    densityCounts_[lane] = isThere ? mesh[e].densities : 0;
     lines_[lane] = isThere ? mesh.lineOf(e) : -1;
     for (int k = 0; k < 2; ++k)
       endsEdge_[k].lane[lane] = isThere && endsEdge(mesh, e, k) ? 1 : 0;
-    densityStarts_[lane + 1] = densityStarts_[lane] + 2 * densityCounts_[lane];
-    displacementStarts_[lane + 1] = displacementStarts_[lane] + 2 * degrees_[lane];
   }
 }
 
 void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
-  if (run_ != &tile.run())
-    setRun(tile.run());
+  setRun(tile.run(), tile.trial());
   const int f = tile.trial();
   const Mesh& mesh = space_.mesh();
   Work work = {*this, tile, mesh[f]};
@@ -271,18 +223,7 @@ void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
   }
   dispatch(set, Fill{work});
   if (tile.isWanted(f - run_->first))
-    addHalfMass(f);
-}
-
-void TileBlocks::addHalfMass(int f) {
-  const Matrix mass = massOf(space_.mesh()[f]);
-  for (Index k = 0; k < mass.columns(); ++k)
-    for (Index c = 0; c < 2; ++c) {
-      double* to = double_.data() + (2 * k + c) * longest_ +
-                   densityStarts_[at(f - run_->first)] + c;
-      for (Index i = 0; i < mass.rows(); ++i)
-        to[2 * i] += 0.5 * mass(i, k);
-    }
+    addHalf(massOf(mesh[f]));
 }
 
 }  // namespace epafi::bem

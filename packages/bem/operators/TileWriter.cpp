@@ -66,9 +66,8 @@ void GhostNodes::fold(Operators& out) const {
   }
 }
 
-TileWriter::TileWriter(const Space& space, const Lame& lame, Operators& out,
-                       GhostNodes& ghosts)
-    : space_(space), out_(out), ghosts_(ghosts), blocks_(space, lame) {}
+TileWriter::TileWriter(const Space& space, Operators& out, GhostNodes& ghosts)
+    : space_(space), out_(out), ghosts_(ghosts) {}
 
 void TileWriter::begin(const ElementLanes& group, const ElementLanes& run) {
   group_ = &group;
@@ -89,35 +88,33 @@ void TileWriter::append(Matrix& matrix, Index first, Index column, const double*
   stretch.scale = scale;
 }
 
-void TileWriter::add(const Tile& tile) {
-  blocks_.evaluate(tile);
-  const int f = tile.trial();
+void TileWriter::add(const PairColumns& columns) {
+  const int f = columns.trial();
   const Element& element = space_.mesh()[f];
   const Index densities = space_.density(run_->first, 0, 0);
   stretches_.clear();
   for (int c = 0; c < 2; ++c) {
     for (int i = 0; i < element.densities; ++i)
       append(out_.singleLayer, densities, space_.density(f, i, c),
-             blocks_.singleLayer(i, c), blocks_.densities(), 1);
+             columns.singleLayer(i, c), columns.densities(), 1);
     for (int k = 0; k <= element.degree; ++k) {
       const bool isGhost = k == 1 && element.next != f + 1;
       append(isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densities,
              isGhost ? 2 * group_->loop + c : space_.displacement(f, k, c),
-             blocks_.doubleLayer(k, c), blocks_.densities(), 1);
-      appendHypersingular(f, k, c);
+             columns.doubleLayer(k, c), columns.densities(), 1);
+      appendHypersingular(columns, f, k, c);
     }
   }
   dispatch(largestInstructionSet(), Addition{stretches_});
   if (element.next == f + 1 && f + 1 < run_->last && run_->first <= f + 1)
-    addCommonNode(f, blocks_.halfSlopes(f + 1 - run_->first));
-  collect(f);
+    addCommonNode(f, columns.commonNode(f + 1 - run_->first));
+  collect(columns, f);
 }
 
-void TileWriter::appendHypersingular(int f, int k, int c) {
-  const double* from = blocks_.slopeLayer(std::max(k - 1, 0), c);
-  const double scale = DisplacementBasis::slope(k);
+void TileWriter::appendHypersingular(const PairColumns& columns, int f, int k, int c) {
+  const auto [from, scale] = columns.hypersingular(k, c);
   const Index first = space_.displacement(run_->first, 0, 0);
-  const Index ends = blocks_.displacements() - 2;
+  const Index ends = columns.displacements() - 2;
   const Index inARow = run_->closesLoop ? ends : ends + 2;
   const bool closes = space_.mesh()[f].next != f + 1;
   const bool isGhost = k == 1 && closes;
@@ -135,22 +132,22 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
 }
 
 // The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
-void TileWriter::addCommonNode(int f, const Block& slopes) {
+void TileWriter::addCommonNode(int f, const Block& block) {
   const Index node = space_.displacement(f, 1, 0);
-  addBlock(out_.hypersingular, node, node, -DisplacementBasis::slope(1) * slopes);
+  addBlock(out_.hypersingular, node, node, block);
 }
 
-void TileWriter::collect(int f) {
-  const Index columns = blocks_.displacements();
+void TileWriter::collect(const PairColumns& columns, int f) {
+  const Index count = columns.displacements();
   if (isEmpty_)
-    collected_.assign(static_cast<std::size_t>(groupSize_ * columns), 0.0);
+    collected_.assign(static_cast<std::size_t>(groupSize_ * count), 0.0);
   isEmpty_ = false;
   const Index start = space_.density(f, 0, 0) - groupStart_;
   for (int i = 0; i < space_.mesh()[f].densities; ++i) {
-    const double* x = blocks_.transposed(i, 0);
-    const double* y = blocks_.transposed(i, 1);
+    const double* x = columns.transposed(i, 0);
+    const double* y = columns.transposed(i, 1);
     double* to = collected_.data() + start + 2 * i;
-    for (Index k = 0; k < columns; ++k, to += groupSize_) {
+    for (Index k = 0; k < count; ++k, to += groupSize_) {
       to[0] = x[k];
       to[1] = y[k];
     }
@@ -161,7 +158,7 @@ void TileWriter::finish() {
   if (isEmpty_)
     return;
   const Index first = space_.displacement(run_->first, 0, 0);
-  const Index ends = blocks_.displacements() - 2;
+  const Index ends = static_cast<Index>(collected_.size()) / groupSize_ - 2;
   stretches_.clear();
   for (Index k = 0; k < ends + 2; ++k) {
     const bool isGhost = run_->closesLoop && k >= ends;

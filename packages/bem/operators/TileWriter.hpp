@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/operators/Assembly.hpp"
-#include "bem/operators/TileBlocks.hpp"
+#include "bem/operators/PairColumns.hpp"
 
 namespace epafi::bem {
 
@@ -33,13 +33,13 @@ struct GhostNodes {
 /// is accessed.
 class TileWriter {
  public:
-  TileWriter(const Space& space, const Lame& lame, Operators& out, GhostNodes& ghosts);
+  TileWriter(const Space& space, Operators& out, GhostNodes& ghosts);
 
   /// Begins the tiles of a group and a run.
   void begin(const ElementLanes& group, const ElementLanes& run);
 
-  /// Adds the tile of an element f of the group and the elements e >= f of the run.
-  void add(const Tile& tile);
+  /// Adds entries of an element f of the group with the elements e >= f of the run.
+  void add(const PairColumns& columns);
 
   /// Adds the collected entries of K.
   void finish();
@@ -56,14 +56,13 @@ class TileWriter {
   /// Appends a Stretch for the rows first ... first + size - 1 of a column.
   void append(Matrix& matrix, Index first, Index column, const double* from, Index size,
               double scale);
-  void appendHypersingular(int f, int k, int c);
-  void addCommonNode(int f, const Block& slopes);
-  void collect(int f);
+  void appendHypersingular(const PairColumns& columns, int f, int k, int c);
+  void addCommonNode(int f, const Block& block);
+  void collect(const PairColumns& columns, int f);
 
   const Space& space_;
   Operators& out_;
   GhostNodes& ghosts_;
-  TileBlocks blocks_;
 
   const ElementLanes* group_ = nullptr;
   const ElementLanes* run_ = nullptr;

@@ -24,8 +24,10 @@ Origin originIn(const Mesh& mesh, int e, const Piece& part) {
 
 using Series = LegendreSeries<Complex>;
 
-/// A series of this degree as a function on a part of its element.
+/// A series of this degree as a function on a part of its element; -1: zero.
 Series restricted(const Series& series, int degree, const Origin& origin) {
+  if (degree < 0)
+    return {};
   return project(
       [&](double t) {
         return evaluate(series, degree, origin.middle + origin.scale * t);

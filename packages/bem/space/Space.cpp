@@ -15,12 +15,12 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
     displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
     densityStart_.push_back(densityStart_.back() + 2 * element.densities);
   }
-  if (mesh_.hasArcs())
+  if (mesh_.hasArcs() && !mesh_.outline().isAxisymmetric())
     rotation_ = std::make_shared<const Rotation>(*this);
 }
 
 Vec2 Space::rotationRest(int e, double t) const {
-  if (mesh_.lineOf(e) >= 0)
+  if (mesh_.lineOf(e) >= 0 || rotation_ == nullptr)
     return {};
   return rotation_->at(mesh_.scaledPoint(e, t)) - polynomialAt(rotation_->motion(), e, t);
 }
@@ -47,6 +47,11 @@ Vec2 Space::densityAt(const Vector& psi, int e, double t) const {
 
 Matrix Space::rigidMotions() const {
   Matrix motions(displacements(), 3);
+  if (mesh_.outline().isAxisymmetric()) {
+    for (int e = 0; e < mesh_.size(); ++e)
+      motions(displacement(e, 0, 1), 1) = 1;
+    return motions;
+  }
   for (int e = 0; e < mesh_.size(); ++e) {
     const Vec2 x = mesh_.scaledPoint(e, -1);
     motions(displacement(e, 0, 0), 0) = 1;

@@ -70,7 +70,8 @@ class Space {
     return interpolateSamples(elements, samples);
   }
 
-  /// Null if all elements are straight, since polynomials then represent rotations.
+  /// Null if all elements are straight, since polynomials then represent rotations, and for solids
+  /// of revolution, which have none.
   std::shared_ptr<const Rotation> rotation() const { return rotation_; }
   /// P u of Rotation.
   Vector withoutRotation(Vector u) const {
@@ -80,7 +81,7 @@ class Space {
   Vec2 rotationRest(int e, double t) const;
 
   /// Columns: the rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
-  /// outline.
+  /// outline; a solid of revolution has the second one alone, the others are zero.
   Matrix rigidMotions() const;
 
  private:

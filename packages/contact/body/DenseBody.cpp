@@ -104,6 +104,8 @@ double limitGamma0(const BodyInput& input, const std::shared_ptr<const Holding>&
 // x - along (tested · x) / square
 void takeOff(const double* tested, double square, const double* along,
              std::vector<long double>& x) {
+  if (square == 0)  // a motion that the body does not have
+    return;
   long double share = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
     share += tested[i] * x[i];

@@ -12,13 +12,25 @@ namespace epafi::contact {
 
 namespace {
 
-/// What the motions do at the clamped unknowns.
+Matrix withUnitRow(const Matrix& above, Index column) {
+  Matrix result(above.rows() + 1, above.columns());
+  for (Index j = 0; j < above.columns(); ++j)
+    std::copy_n(above.column(j), above.rows(), result.column(j));
+  result(above.rows(), column) = 1;
+  return result;
+}
+
+/// What the motions do at the clamped unknowns, and a row for each that the body does not have.
 Matrix clampedMotions(const RigidModes& modes, const std::vector<char>& clamped) {
   std::vector<Index> rows;
   for (Index j = 0; j < modes.motions.rows(); ++j)
     if (clamped[at(j)] != 0)
       rows.push_back(j);
-  return bem::rowsOf(modes.motions, rows);
+  Matrix result = bem::rowsOf(modes.motions, rows);
+  for (Index k = 0; k < modes.motions.columns(); ++k)
+    if (bem::largestEntry(columnOf(modes.motions, k)) == 0)
+      result = withUnitRow(result, k);
+  return result;
 }
 
 std::vector<int> namedModes(const Conditions::Fix& fix) {

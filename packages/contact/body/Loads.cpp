@@ -55,15 +55,15 @@ double addTraction(const bem::Space& space, int e, const bem::Rule& rule,
   std::array<double, bem::largestDegree + 1> phi{};
   double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {
-    const Vec2 traction = tractionAt(rule.points[q], rule.weights[q] * element.half);
+    const double share = rule.weights[q] * space.mesh().measure(e, rule.points[q]);
+    const Vec2 traction = tractionAt(rule.points[q], share);
     bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
     for (int k = 0; k <= element.degree; ++k) {
-      const double weight = rule.weights[q] * element.half * phi[k];
+      const double weight = share * phi[k];
       load[space.displacement(e, k, 0)] += weight * traction.x;
       load[space.displacement(e, k, 1)] += weight * traction.y;
     }
-    rest += rule.weights[q] * element.half *
-            dot(traction, space.rotationRest(e, rule.points[q]));
+    rest += share * dot(traction, space.rotationRest(e, rule.points[q]));
   }
   return rest;
 }
@@ -192,7 +192,7 @@ void keepVolume(const bem::Space& space, const std::vector<char>& held, Loads& l
         [&](double t, double) { return mesh[e].curve.normal(t); }, volume.data());
     for (const int k : {0, 1})
       for (const int c : {0, 1})
-        lengths[space.displacement(e, k, c)] += mesh[e].half;
+        lengths[space.displacement(e, k, c)] += mesh.measure(e, 0);
   }
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, volume);
@@ -267,6 +267,8 @@ RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions)
     length += 2 * element.half;
   }
   modes.centroid = (1 / length) * modes.centroid;
+  if (mesh.outline().isAxisymmetric())
+    modes.centroid.x = 0;
 
   modes.motions = space.rigidMotions();
   for (Index j = 0; j < space.displacements(); ++j)  // move the pole to the centroid
@@ -303,8 +305,8 @@ Vector meansOf(const Conditions& conditions, const bem::Mesh& mesh, Vec2 centroi
       continue;
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
-      const Vec2 u =
-          rule.weights[q] * mesh[e].half * inside->displacement(mesh, e, rule.points[q]);
+      const Vec2 u = rule.weights[q] * mesh.measure(e, rule.points[q]) *
+                     inside->displacement(mesh, e, rule.points[q]);
       means[0] += u.x;
       means[1] += u.y;
       means[2] += cross(mesh.scaledPoint(e, rule.points[q]) - centroid, u);

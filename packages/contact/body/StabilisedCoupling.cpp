@@ -68,11 +68,12 @@ class ElementCoupling {
         },
         [&](const SidePoint& point) {
           const auto legendre = orthonormal(point.t);
-          const Vec2 force = point.weight * traction(contact_.element, point.t);
+          const double weight = point.stabilising();
+          const Vec2 force = weight * traction(contact_.element, point.t);
           addForce(force, legendre.data(), parts.data(), rows());
           for (std::size_t k = 0; k < tested.size(); ++k) {
             const Vec2 r = tested[k](contact_.element, point.t);
-            addForce(point.weight * r, legendre.data(),
+            addForce(weight * r, legendre.data(),
                      testedParts.column(static_cast<Index>(k)), rows());
             if (isWhole())
               moments.means[k] += gamma * dot(force, r);
@@ -138,8 +139,9 @@ class ElementCoupling {
 
   void add(const SidePoint& point) {
     const auto legendre = orthonormal(point.t);
+    const double weight = point.stabilising();
     for (int i = 0; i < size(); ++i) {
-      const double value = point.weight * point.chiOf(i);
+      const double value = weight * point.chiOf(i);
       addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),
                rows());
       for (int k = 0; k < size(); ++k)
@@ -164,8 +166,9 @@ class FacingCoupling {
   FacingCoupling(const MultiplierSpace& multiplier, const Opposite& opposite,
                  std::size_t body, int number)
       : basis_(multiplier.basis()),
+        mesh_(multiplier.mesh(body)),
         number_(number),
-        element_(multiplier.mesh(body)[number]),
+        element_(mesh_[number]),
         seen_(opposite.seen(static_cast<int>(body), number)) {}
 
   void addTo(double gamma, Index firstRow, Coupling& coupling) const {
@@ -175,17 +178,19 @@ class FacingCoupling {
       Matrix parts(rows(), size);
       Matrix mass(size, size);
       const Opposite::Point middle = seen.stretch.opposite->at(side, seen.stretch.middle);
-      forEachPoint(seen, ruleOfForces(side, middle), [&](const SidePoint& point) {
-        const auto legendre = legendreAt(point.opposite.t);
-        for (int i = 0; i < size; ++i) {
-          const double value = point.weight * point.chiOf(i);
-          addForce(-value * point.directionOf(i).unit, legendre.data(), parts.column(i),
-                   rows());
-          for (int k = 0; k < size; ++k)
-            if (side.isTangential(k) == side.isTangential(i))
-              mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
-        }
-      });
+      forEachPointOf(
+          seen, basis_, ruleOfForces(side, middle), [&](const SidePoint& point) {
+            const auto legendre = legendreAt(point.opposite.t);
+            const double weight = point.stabilisingOpposite(mesh_);
+            for (int i = 0; i < size; ++i) {
+              const double value = weight * point.chiOf(i);
+              addForce(-value * point.directionOf(i).unit, legendre.data(),
+                       parts.column(i), rows());
+              for (int k = 0; k < size; ++k)
+                if (side.isTangential(k) == side.isTangential(i))
+                  mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
+            }
+          });
       for (int i = 0; i < size; ++i) {
         if (holdsNothing(side, i))
           continue;
@@ -208,20 +213,21 @@ class FacingCoupling {
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
       const Vec2 force =
-          gamma * element_.half * rule.weights[at(q)] * traction(number_, t);
+          gamma * mesh_.measure(number_, 0) * rule.weights[at(q)] * traction(number_, t);
       addForce(force, legendreAt(t).data(), moments.weights.data() + firstRow, rows());
       for (std::size_t k = 0; k < tested.size(); ++k)
         moments.means[k] += dot(force, tested[k](number_, t));
     }
     for (const Opposite::Seen& seen : seen_)
-      forEachPoint(
-          seen, bem::gaussForGiven(seen.by->degree), [&](const SidePoint& point) {
-            const Vec2 force = gamma * point.weight * traction(number_, point.opposite.t);
-            point.forEachCoefficient(
-                [&](Index i, double chi, const Direction& direction) {
-                  moments.terms[at(i)] += chi * dot(force, direction.unit);
-                });
-          });
+      forEachPointOf(seen, basis_, bem::gaussForGiven(seen.by->degree),
+                     [&](const SidePoint& point) {
+                       const Vec2 force = gamma * point.stabilisingOpposite(mesh_) *
+                                          traction(number_, point.opposite.t);
+                       point.forEachCoefficient(
+                           [&](Index i, double chi, const Direction& direction) {
+                             moments.terms[at(i)] += chi * dot(force, direction.unit);
+                           });
+                     });
   }
 
  private:
@@ -235,19 +241,8 @@ class FacingCoupling {
     return side.of(i).holdsNothing(side.functionOf(i));
   }
 
-  template <class Visit>
-  void forEachPoint(const Opposite::Seen& seen, const bem::Rule& rule,
-                    const Visit& visit) const {
-    forEachPointOf(
-        *seen.by, basis_, rule,
-        [&](const SidePoint& point) {
-          if (point.opposite.element == number_)  // a grazing normal may miss it
-            visit(point);
-        },
-        seen.stretch);
-  }
-
   const MultiplierBasis& basis_;
+  const bem::Mesh& mesh_;
   int number_;
   const bem::Element& element_;
   std::vector<Opposite::Seen> seen_;

@@ -24,12 +24,17 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
-/// ds of a side over ds of what it sees along its normal: the foot runs along the side with the part
-/// of the way that is along it, which an arc draws in or out by the distance from its centre.
-double stretching(const bem::Curve& side, double t, const bem::Curve& other, double there,
-                  double distance) {
-  return std::abs(dot(other.tangent(there), side.tangent(t))) /
-         std::abs(1 + side.curvature() * distance);
+/// Measure of a side over that of what it sees along its normal: the foot runs along the side with the
+/// part of the way that is along it, which an arc draws in or out by the distance from its centre.
+double stretching(const ContactElement& side, double t, const bem::Curve& other,
+                  double there, double distance) {
+  const bem::Curve& own = side.geometry().curve;
+  const double ofLines = std::abs(dot(other.tangent(there), own.tangent(t))) /
+                         std::abs(1 + own.curvature() * distance);
+  if (!side.mesh->outline().isAxisymmetric())
+    return ofLines;
+  const double radius = other.point(there).x;
+  return ofLines * (radius > 0 ? own.point(t).x / radius : ofLines);
 }
 
 /// An element has nodes where what lies opposite ends, but for slivers, which take part with what is
@@ -121,7 +126,7 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   }
   assert(found);
   point.t = std::clamp(found->t, -1.0, 1.0);
-  point.stretching = stretching(own, t, other, point.t, found->distance);
+  point.stretching = stretching(element, t, other, point.t, found->distance);
   point.turning = std::max(point.turning, other.pointsOfTurning());
   if (!element.ties()) {
     point.direction = directionBetween(
@@ -178,7 +183,7 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
       const double distance =
           dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
       result.push_back({here.element, std::clamp(foot, -1.0, 1.0),
-                        stretching(own, foot, other, t, distance)});
+                        stretching(*here.element, foot, other, t, distance)});
     }
   });
   return result;
@@ -199,8 +204,8 @@ Vector Opposite::sourceBreaks(int body, int element) const {
 std::vector<Opposite::Seen> Opposite::seen(int body, int element) const {
   std::vector<Seen> result;
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& part) {
-    result.push_back(
-        {here.element, {(part.begin + part.end) / 2, (part.end - part.begin) / 2, this}});
+    const Stretch all{(part.begin + part.end) / 2, (part.end - part.begin) / 2, this};
+    result.push_back({here.element, all, element});
   });
   return result;
 }

@@ -78,7 +78,7 @@ class Opposite {
     int body = 0;           ///< index of the deformable body
     int rigid = -1;         ///< index of the rigid body; -1: none, or fixed
     bem::Vec2 arm{};        ///< from its reference point, dimensionless
-    double stretching = 1;  ///< ds of the side over ds of the opposite one
+    double stretching = 1;  ///< measure of the side over that of the opposite one
   };
   /// \pre -1 <= t <= 1.
   Point at(const MultiplierSpace::ContactElement& element, double t) const;
@@ -89,8 +89,8 @@ class Opposite {
   /// The largest degree of the elements opposite to an element; 0 if none is deformable.
   int degree(const MultiplierSpace::ContactElement& element) const;
 
-  /// A point of the side opposite to a point of a deformable body; stretching: ds of the side over
-  /// ds of the body.
+  /// A point of the side opposite to a point of a deformable body; stretching: measure of the side
+  /// over that of the body.
   struct Source {
     const MultiplierSpace::ContactElement* element;
     double t;
@@ -104,6 +104,7 @@ class Opposite {
   struct Seen {
     const MultiplierSpace::ContactElement* by;
     Stretch stretch;
+    int element;  ///< that is seen
   };
   std::vector<Seen> seen(int body, int element) const;
 

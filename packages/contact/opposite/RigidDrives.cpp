@@ -21,14 +21,17 @@ RigidDrives::Traces RigidDrives::tracesOf(int rigid, const MultiplierSpace& mult
         return middle.rigid == rigid ? &ruleOfForces(contact, middle) : nullptr;
       },
       [&](const SidePoint& point) {
-        const Vec2 arm = point.opposite.arm;
+        const bool hasAll = !point.contact.mesh->outline().isAxisymmetric();
+        const Vec2 arm = hasAll ? point.opposite.arm : Vec2{};
         result.length += point.weight;
         result.lever = std::max(result.lever, norm(arm));
-        const std::array<Vec2, 3> motions = {Vec2{1, 0}, Vec2{0, 1}, turnLeft(arm)};
+        const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
+                                             turnLeft(arm)};
         point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
           for (Index k = 0; k < 3; ++k)
             result.values(i, k) += chi * dot(point.weight * motions[k], direction.unit);
-          result.values(i, 2) -= chi * point.weight * direction.oppositeTurn;
+          if (hasAll)
+            result.values(i, 2) -= chi * point.weight * direction.oppositeTurn;
         });
       });
   if (result.lever > 0) {

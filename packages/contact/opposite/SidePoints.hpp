@@ -10,7 +10,7 @@ struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
   int number;                ///< of the point in its rule
   double t;                  ///< parameter on the element
-  double weight;             ///< quadrature weight, by arc length
+  double weight;             ///< quadrature weight, by bem::Mesh::measure
   Vector chi;                ///< χ_i(t) of the element
   Opposite::Point opposite;  ///< of a loop that has been given what lies opposite
   Direction normal;          ///< d of contact
@@ -18,6 +18,18 @@ struct SidePoint {
 
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
+
+  /// Weight of the stabilisation, with the radius in the middle of the element: its residual is
+  /// zero where the solution is exact, and G stays diagonal.
+  double stabilising() const {
+    const bem::Mesh& mesh = *contact.mesh;
+    return weight * (mesh.measure(contact.element, 0) / mesh.measure(contact.element, t));
+  }
+  /// Likewise of the element that it sees, by the measure of the side.
+  double stabilisingOpposite(const bem::Mesh& seen) const {
+    return weight * (seen.measure(opposite.element, 0) /
+                     seen.measure(opposite.element, opposite.t));
+  }
 
   /// χ_i(t) and d of its coefficient i in a row.
   double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
@@ -51,10 +63,24 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
     const Direction normal = stretch.opposite != nullptr
                                  ? Direction(opposite.direction)
                                  : Direction{element.curve.normal(t)};
-    const double weight = stretch.half * rule.weights[at(q)] * element.half;
+    const double weight =
+        stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t);
     visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite,
                     normal, Direction{turnLeft(normal.unit)}});
   }
+}
+
+/// The same on a part that sees an element of a deformable body.
+template <class Visit>
+void forEachPointOf(const Opposite::Seen& seen, const MultiplierBasis& basis,
+                    const bem::Rule& rule, const Visit& visit) {
+  forEachPointOf(
+      *seen.by, basis, rule,
+      [&](const SidePoint& point) {
+        if (point.opposite.element == seen.element)  // a grazing normal may miss it
+          visit(point);
+      },
+      seen.stretch);
 }
 
 /// The same on all contact elements, by the p + 1 Gauss points of each, which integrate χ_i χ_j

@@ -58,12 +58,14 @@ ContactForces contactForces(const Solved& solved) {
         bem::gaussLegendre(element.degree + std::max(2, side.pointsOfTurning())),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
-          const double length = solved.units.length * point.weight;
-          forces.all += length * std::hypot(stress.normal, stress.tangential);
+          const double area = solved.units.measure() * point.weight;
+          forces.all += area * std::hypot(stress.normal, stress.tangential);
+          Vec2 force = area * (stress.normal * point.normal.unit +
+                               stress.tangential * point.tangent.unit);
+          if (solved.units.isAxisymmetric)  // around the axis they cancel
+            force.x = 0;
           if (element.condition->name.empty())
-            forces.ofObstacles =
-                forces.ofObstacles - length * (stress.normal * point.normal.unit +
-                                               stress.tangential * point.tangent.unit);
+            forces.ofObstacles = forces.ofObstacles - force;
         });
   }
   return forces;
@@ -109,7 +111,7 @@ Imbalance ofElastic(const Solved& solved, const Summary& summary, double around,
 /// \param reach  moments count over this, dimensionless
 Imbalance ofRigid(const Drive& drive, const RigidMotion& motion, double reach,
                   const std::array<double, 3>& contact, const bem::Units& units) {
-  const double force = units.stress * units.length;
+  const double force = units.force();
   const double motions[] = {motion.slide.x, motion.slide.y, motion.turn};
   Imbalance imbalance;
   double missing[3];
@@ -135,7 +137,7 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
                                    const std::vector<Summary>& summaries,
                                    double tolerance) {
   const bem::Units units = bodies.front().units;
-  const double force = units.stress * units.length;
+  const double force = units.force();
   const double unsolved = force * unsolvedForce(system, tolerance);
   const bool isFormed = system.body(0).elastic()->isFormed();
   double ofAll = 0;

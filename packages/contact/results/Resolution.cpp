@@ -37,14 +37,14 @@ Resolution resolutionOf(const ContactFields& fields,
   return result;
 }
 
-void PeakPressure::add(const ContactFields& fields, const ContactFields::Element& element,
-                       bool insideSide) {
+void PeakPressure::add(const ContactFields& fields, const Vector& pressures,
+                       const ContactFields::Element& element, bool insideSide) {
   const Resolution resolution = resolutionOf(fields, element);
   Vector places = bem::gaussLegendre(element.degree + 1).points;
   places.insert(places.end(), {-1.0, 1.0});
   Largest& largest = resolution.isResolved() ? resolved_ : unresolved_;
   for (const double t : places)
-    largest.add({fields.stress(element, t).normal, resolution.error.normal});
+    largest.add({fields.inUnits(pressures, element, t).normal, resolution.error.normal});
   if (resolution.isResolved())
     return;
   unresolvedMean_ = std::max(unresolvedMean_, resolution.mean);

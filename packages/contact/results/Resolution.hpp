@@ -2,6 +2,9 @@
 
 #include "contact/results/Solved.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::contact {
 
 /// By how much λ may be wrong on a contact element, in the user's units: the sum of the sizes of
@@ -18,12 +21,13 @@ struct Resolution {
 Resolution resolutionOf(const ContactFields& fields,
                         const ContactFields::Element& element);
 
-/// The largest pressure of contacts [stress], from elements that resolve it.
+/// The largest pressure of contacts [stress], from elements that resolve it, without arbitrary jumps.
 class PeakPressure {
  public:
-  /// `insideSide`: see insideSides
-  void add(const ContactFields& fields, const ContactFields::Element& element,
-           bool insideSide);
+  /// \param pressures  ContactFields::continuous
+  /// \param insideSide see insideSides
+  void add(const ContactFields& fields, const Vector& pressures,
+           const ContactFields::Element& element, bool insideSide);
   void add(const PeakPressure& other);
 
   double value() const { return told().value; }
@@ -38,8 +42,12 @@ class PeakPressure {
     double value = 0;
     double error = 0;
 
+    /// Elements that meet have one pressure there; the larger error counts.
     void add(const Largest& other) {
-      if (other.value > value)
+      constexpr double same = 1e-9;
+      if (std::abs(other.value - value) <= same * value)
+        error = std::max(error, other.error);
+      else if (other.value > value)
         *this = other;
     }
   };

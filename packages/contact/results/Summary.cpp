@@ -36,6 +36,11 @@ void add(const Resultant& more, Resultant& sum) {
   sum.moment += more.moment;
 }
 
+/// Around a solid of revolution radial forces cancel, and so do moments.
+Resultant around(const bem::Units& units, const Resultant& force) {
+  return units.isAxisymmetric ? Resultant{0, force.y, 0} : force;
+}
+
 double closedPart(const ContactFields& fields, const Element& element) {
   return positivePart([&](double t) { return fields.closing(element, t); },
                       element.degree);
@@ -45,12 +50,13 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
                 Summary& summary) {
   const int p = element.degree;
   const double length = solved.units.length;
+  const double area = solved.units.measure();
   const bem::Mesh& mesh = solved.space.mesh();
   const MultiplierBasis& basis = solved.problem.multiplier().basis();
   const bem::Element& side = mesh[element.element];
   forEachPointOf(element, basis, bem::gaussLegendre(p + 1), [&](const SidePoint& point) {
     const auto stress = fields.stress(element, point.t);
-    const double weight = length * point.weight;
+    const double weight = area * point.weight;
     summary.forceNormal += weight * stress.normal;
     summary.forceTangential += weight * stress.tangential;
     if (solved.wear != nullptr)
@@ -63,15 +69,15 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
         element, basis, ruleOfForces(element, opposite.at(element, stretch.middle)),
         [&](const SidePoint& point) {
           const auto stress = fields.stress(element, point.t);
-          const double weight = -length * point.weight;
+          const double weight = -area * point.weight;
           const Vec2 force = weight * (stress.normal * point.normal.unit +
                                        stress.tangential * point.tangent.unit);
           const Vec2 place = mesh.physicalPoint(element.element, point.t);
           Resultant sum{force.x, force.y, cross(place, force)};
           sum.moment -= weight * length * stress.normal * point.normal.ownTurn;
-          add(sum, summary.contact);
+          add(around(solved.units, sum), summary.contact);
           if (point.opposite.element < 0)
-            add(sum, summary.obstacle);
+            add(around(solved.units, sum), summary.obstacle);
         },
         stretch);
   summary.contactLength += length * side.half * closedPart(fields, element);
@@ -87,11 +93,12 @@ void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
   const std::vector<char> isInside =
       insideSides(solved.problem.multiplier(), solved.problem.number());
+  const Vector pressures = fields.continuous();
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
     Summary& summary = of(element);
     addElement(solved, fields, element, summary);
-    summary.peak.add(fields, element, isInside[k] != 0);
+    summary.peak.add(fields, pressures, element, isInside[k] != 0);
   }
 }
 
@@ -124,7 +131,7 @@ std::array<double, 3> reactionWork(const Solved& solved) {
 Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
   const Vec2 centroid =
       solved.space.mesh().outline().physical(solved.problem.holding().modes.centroid);
-  const double force = solved.units.stress * solved.units.length;
+  const double force = solved.units.force();
   return {force * work[0], force * work[1],
           force * (solved.units.length * work[2] + cross(centroid, {work[0], work[1]}))};
 }
@@ -138,7 +145,8 @@ RigidMotion meanMotion(const Solved& solved) {
     double whole = bem::dot(functional, solved.displacement);
     if (!ofInside.empty())
       whole += ofInside[at(k)];
-    return whole / bem::dot(functional, bem::columnOf(modes.motions, k));
+    const double unit = bem::dot(functional, bem::columnOf(modes.motions, k));
+    return unit > 0 ? whole / unit : 0;
   };
   return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
 }
@@ -166,7 +174,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[q];
-      const double weight = mesh[e].half * rule.weights[q];
+      const double weight = mesh.measure(e, t) * rule.weights[q];
       const Vec2 y = mesh.scaledPoint(e, t);
       ofForces += weight *
                   dot(solved.space.densityAt(psi, e, t), inside->displacementOfForces(y));
@@ -181,7 +189,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
 }
 
 Summary summarize(const Solved& solved) {
-  const double energy = solved.units.stress * solved.units.length * solved.units.length;
+  const double energy = solved.units.energy();
   const Vector& u = solved.displacement;
   Summary summary;
   const bool acts = solved.conditions.inside != nullptr;
@@ -246,14 +254,14 @@ void addReactions(const std::vector<Solved>& bodies, std::vector<Summary>& summa
           return;
         const auto value =
             any.multiplier().at(bodies.front().state.multiplier, point.contact, point.t);
-        const double weight = units.stress * units.length * point.weight;
+        const double weight = units.force() * point.weight;
         const Vec2 force = weight * (value.normal * point.normal.unit +
                                      value.tangential * point.tangent.unit);
         const Vec2 place =
             any.multiplier().mesh(at(there.body)).physicalPoint(there.element, there.t);
         const double turned =
             weight * units.length * value.normal * point.normal.oppositeTurn;
-        add({force.x, force.y, cross(place, force) - turned},
+        add(around(units, {force.x, force.y, cross(place, force) - turned}),
             summaries[at(there.body)].contact);
       });
 }

@@ -25,7 +25,8 @@ void ContactSolverOptions::keys(bem::Keys& keys) {
            "residual, relative to the load");
   keys.add(&maximumIterations, "Maximum Iterations", "1", bem::from(1),
            "Newton steps of one run; where one does not suffice, complementary pivoting "
-           "follows, for at most some four times as many");
+           "follows, for at most some four times as many, twelve where surfaces yield by "
+           "curves");
 }
 
 namespace {
@@ -56,24 +57,29 @@ class Stages {
   void followOffset() {
     if (!problem_.flexibility.isFormed())
       return followFormedOffset();
-    constexpr int directions = 4;
     constexpr int price = 3;  // of as many pivots as there are coefficients
     const int run = solver_.options().maximumIterations;
-    // the path is that of the tangents of laws that are not linear
-    const int polishing = problem_.surface.places.empty() ? 12 : run;
+    constexpr int directions = 4;
+    const bool linear = problem_.surface.places.empty();
+    const int paths = linear ? directions : 3 * directions;
+    const int polishing = linear ? 12 : run;
     const Index size = std::max<Index>(1, problem_.size());
     const double work = workOfPivot(size);
     double left = solver_.options().mostWork;
     // Where free motions are placed by springs, or a bound was a polygon's, a second path
-    // begins at the first one's end or from another direction.
+    // begins at the first one's end or from another direction.  Paths of laws that are not linear
+    // have the tangents of the best state, and at last, as that may not change, of the last end.
     Vector placement = state_.rigid;
-    for (int direction = 0; direction < directions && !converged(); ++direction) {
+    Vector reached;
+    for (int direction = 0; direction < paths && !converged(); ++direction) {
       const auto mostPivots = static_cast<int>(
           std::min({static_cast<double>(run) * static_cast<double>(size) / price,
                     left / work, 1.0 * std::numeric_limits<int>::max()}));
-      const OffsetPath path =
-          contact::followOffset(sharp_.withTangent(sharp_.at(pack(problem_, state_))),
-                                placement, direction, mostPivots, solver_.watch());
+      const OffsetPath path = contact::followOffset(
+          sharp_.withTangent(sharp_.at(direction < directions || reached.empty()
+                                           ? pack(problem_, state_)
+                                           : reached)),
+          placement, direction, mostPivots, solver_.watch());
       left -= path.pivots * work;
       if (!path.unknowns.empty()) {
         NewtonRun last =
@@ -81,6 +87,7 @@ class Stages {
         last.iterations += static_cast<int>(price * path.pivots / size);
         add(Stage::FollowOffset, last);
         placement = unpack(problem_, path.unknowns).rigid;
+        reached = path.unknowns;
       }
       if (!converged() && left < work)
         return end(End::TooLong);

@@ -21,9 +21,10 @@ std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
       longest = e;
   const Element& element = space.mesh()[longest];
   const bem::Vec2 normal = element.curve.normal(0);
+  const double measure = space.mesh().measure(longest, 0);
   const bool isHole = space.mesh().outline().edges()[bem::at(edge)].loop > 0;
   return {space.density(longest, 0, std::abs(normal.x) > std::abs(normal.y) ? 0 : 1),
-          (isHole ? 1 : 1e-4) * element.half * element.half};
+          (isHole ? 1 : 1e-4) * measure * measure};
 }
 
 double middleOf(const bem::Piece& piece) {
@@ -69,7 +70,8 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
     for (int i = 0; i < element.densities; ++i)
       for (int c = 0; c < 2; ++c) {
         compliance.densities.push_back(space.density(e, i, c));
-        compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
+        compliance.diagonal.push_back(gamma * 2 * space.mesh().measure(e, 0) /
+                                      (2 * i + 1));
       }
   }
   for (const int edge : conditions.pins)

@@ -175,7 +175,8 @@ Bed::Point settled(const Bed& bed, std::size_t motions) {
 Vector lengthsOf(const MultiplierSpace& multiplier) {
   Vector all(at(multiplier.size()));
   multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
-    const double share = 2 * element.geometry().half / (element.degree + 1);
+    const double share =
+        2 * element.mesh->measure(element.element, 0) / (element.degree + 1);
     for (int i = 0; i < element.coefficients(); ++i)
       all[at(element.numberOf(i))] += share;
   });

@@ -74,7 +74,9 @@ std::vector<ContactBody::Reaction> ContactBody::makeReactions() const {
     for (Index k = 0; k < 3; ++k) {
       const Vector r = columnOf(holding().modes.motions, k);
       const Vector functional = columnOf(holding().modes.functionals, k);
-      axpy(-dot(r, residual.force) / dot(r, functional), functional, residual.force);
+      if (const double unit = dot(r, functional);
+          unit != 0)  // else no motion of the body
+        axpy(-dot(r, residual.force) / unit, functional, residual.force);
     }
     Vector displacement = elastic_->solve(residual.force);
     reactions.push_back({std::move(residual), std::move(displacement)});

@@ -1,6 +1,5 @@
 // What the stabilisation stores in a state of a body.
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/quadrature/Piecewise.hpp"
 #include "contact/opposite/SidePoints.hpp"
 #include "contact/system/ContactBody.hpp"
 
@@ -8,6 +7,7 @@ namespace epafi::contact {
 
 using bem::dot;
 using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
 
 // With E = λ + ψ + t_p - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
 // their elements' means:
@@ -21,34 +21,71 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
   const BodyLoadSolution& inside = conditions().inside;
   const Vector psi = density(state, displacement, contactForce);
   const Vector rho = fixedReactions(contactForce);
-  double twice = 0;
-  const auto add = [&](int e, double t, double weight, Vec2 pressed) {
-    Vec2 own = pressed + space_->densityAt(psi, e, t);
+  const auto stressAt = [&](const SidePoint& point) {
+    const auto stress = multiplier().at(state.multiplier, point.contact, point.t);
+    return stress.normal * point.normal.unit + stress.tangential * point.tangent.unit;
+  };
+  const auto densityAt = [&](int e, double t) {
+    Vec2 own = space_->densityAt(psi, e, t);
     for (const int mode : holding().fixedModes)
       own = own - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, t));
-    const Vec2 whole = inside ? own + inside->traction(mesh, e, t) : own;
-    twice += weight * dot(whole, own);
+    return own;
   };
-  for (std::size_t k = 0; k < elements().size(); ++k)
-    for (const Stretch& stretch : stretches(opposite(), elements()[k]))
+  double twice = 0;
+  for (std::size_t k = 0; k < elements().size(); ++k) {
+    const ContactElement& element = elements()[k];
+    const int e = element.element;
+    const double gamma = coupling().gamma[k];
+    const auto ownAt = [&](const SidePoint& point) {
+      return stressAt(point) + densityAt(e, point.t);
+    };
+    // each by the rule of the terms that it is tested against
+    for (const Stretch& stretch : stretches(opposite(), element)) {
       forEachPointOf(
-          elements()[k], multiplier().basis(), bem::gaussForGiven(elements()[k].degree),
+          element, multiplier().basis(),
+          ruleOfForces(element, opposite().at(element, stretch.middle)),
           [&](const SidePoint& point) {
-            const auto stress = multiplier().at(state.multiplier, elements()[k], point.t);
-            add(elements()[k].element, point.t, coupling().gamma[k] * point.weight,
-                stress.normal * point.normal.unit +
-                    stress.tangential * point.tangent.unit);
+            const Vec2 own = ownAt(point);
+            twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
+      if (inside)
+        forEachPointOf(
+            element, multiplier().basis(), bem::gaussForGiven(element.degree),
+            [&](const SidePoint& point) {
+              twice += gamma * point.stabilising() *
+                       dot(inside->traction(mesh, e, point.t), ownAt(point));
+            },
+            stretch);
+    }
+  }
+  // |ψ - λ∘P⁻¹ J|² on what sides see: all that has λ is integrated over them
   for (std::size_t k = elements().size(); k < coupling().elements.size(); ++k) {
     const int e = coupling().elements[k];
-    const auto faced = static_cast<int>(number_);
-    const bem::Rule rule = bem::piecewiseRule(opposite().sourceBreaks(faced, e),
-                                              bem::gaussForGiven(mesh[e].degree).size());
+    const double gamma = coupling().gamma[k];
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
-      add(e, t, coupling().gamma[k] * mesh[e].half * rule.weights[at(q)],
-          -foreignTraction(state.multiplier, e, t));
+      const Vec2 own = densityAt(e, t);
+      const Vec2 whole = inside ? own + inside->traction(mesh, e, t) : own;
+      twice += gamma * mesh.measure(e, 0) * rule.weights[at(q)] * dot(whole, own);
+    }
+    for (const Opposite::Seen& seen : opposite().seen(static_cast<int>(number_), e)) {
+      const Opposite::Point middle = opposite().at(*seen.by, seen.stretch.middle);
+      forEachPointOf(seen, multiplier().basis(), ruleOfForces(*seen.by, middle),
+                     [&](const SidePoint& point) {
+                       const Vec2 stress = stressAt(point);
+                       const Vec2 own = densityAt(e, point.opposite.t);
+                       twice += gamma * point.stabilisingOpposite(mesh) *
+                                dot(point.opposite.stretching * stress - 2 * own, stress);
+                     });
+      if (inside)
+        forEachPointOf(seen, multiplier().basis(), bem::gaussForGiven(seen.by->degree),
+                       [&](const SidePoint& point) {
+                         const Vec2 force = inside->traction(mesh, e, point.opposite.t);
+                         twice -= gamma * point.stabilisingOpposite(mesh) *
+                                  dot(force, stressAt(point));
+                       });
     }
   }
   const Loads::InResidual all = inResidual(contactForce);

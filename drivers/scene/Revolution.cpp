@@ -1,0 +1,200 @@
+#include "drivers/scene/Revolution.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/geometry/Crossing.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::Vec2;
+using Teuchos::ParameterList;
+
+constexpr const char* type = "Geometry->Type = Axisymmetric";
+
+/// Points closer to the axis than this share of the diameter lie on it.
+constexpr double near = 1e-6;
+
+bool isOnAxis(const bem::Loop& loop, std::size_t edge) {
+  const std::size_t next = (edge + 1) % loop.vertices.size();
+  return loop.vertices[edge].x == 0 && loop.vertices[next].x == 0 &&
+         (loop.bulges.empty() || loop.bulges[edge] == 0);
+}
+
+void checkSide(const bem::Loop& loop, double tolerance, const std::string& path) {
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+    for (const Vec2 point : extent(loop.curve(i)))
+      if (point.x < -tolerance)
+        throw InputError(path, ": the point (", point.x, ", ", point.y,
+                         ") lies beyond the axis x = 0; with ", type,
+                         " x is the radius, and x >= 0");
+}
+
+/// Removes vertices between two edges on the axis.
+void joinEdges(bem::Loop& loop) {
+  for (std::size_t i = 0; i < loop.vertices.size();) {
+    const std::size_t before = (i + loop.vertices.size() - 1) % loop.vertices.size();
+    if (!isOnAxis(loop, before) || !isOnAxis(loop, i)) {
+      ++i;
+      continue;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    loop.vertices.erase(loop.vertices.begin() + at);
+    loop.edges.erase(loop.edges.begin() + at);
+    if (!loop.bulges.empty())
+      loop.bulges.erase(loop.bulges.begin() + at);
+  }
+}
+
+void alignLoop(bem::Loop& loop, double tolerance, const std::string& path,
+               std::vector<std::string>& onAxis) {
+  checkSide(loop, tolerance, path);
+  for (Vec2& v : loop.vertices)
+    if (std::abs(v.x) <= tolerance)
+      v.x = 0;
+  joinEdges(loop);
+  const std::size_t size = loop.vertices.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (loop.vertices[i].x == 0 && !isOnAxis(loop, i) &&
+        !isOnAxis(loop, (i + size - 1) % size))
+      throw InputError(path, ": the body meets the axis at the point (0, ",
+                       loop.vertices[i].y,
+                       ") alone; it has an edge on the axis, or keeps off it");
+    if (isOnAxis(loop, i)) {
+      onAxis.push_back(loop.edges[i]);
+      loop.edges[i] = axisBoundary;
+    } else if (loop.edges[i] == axisBoundary) {
+      throw InputError(path, ": edge ", i, " is named '", axisBoundary,
+                       "', as edges on the axis x = 0 are, and lies off it; take another "
+                       "name");
+    }
+  }
+}
+
+bool isIn(const bem::Loops& loops, const std::string& name) {
+  const auto has = [&](const bem::Loop& loop) {
+    return std::find(loop.edges.begin(), loop.edges.end(), name) != loop.edges.end();
+  };
+  return has(loops.outer) || std::any_of(loops.holes.begin(), loops.holes.end(), has);
+}
+
+/// No condition or contact may name edges of which all are on the axis.
+void checkUnnamed(const ParameterList& scene, const std::string& body,
+                  const std::string& name) {
+  const auto refuse = [](const std::string& path) {
+    throw InputError(path, ": these edges lie on the axis x = 0 (", type,
+                     "), where nothing can act; remove it");
+  };
+  for (const char* part : {"Boundary Conditions", "Thermal Conditions"})
+    if (scene.sublist("Bodies").sublist(body).sublist(part).isParameter(name))
+      refuse(bem::message("Bodies->", body, "->", part, "->", name));
+  for (const auto& contact : scene.sublist("Contacts"))
+    for (const std::string& side : scene.sublist("Contacts")
+                                       .sublist(contact.first)
+                                       .get<Teuchos::Array<std::string>>("Between"))
+      if (side == body + ":" + name)
+        refuse(bem::message("Contacts->", contact.first, "->Between: '", side, "'"));
+}
+
+}  // namespace
+
+std::vector<bem::Loops> alignedWithAxis(std::vector<bem::Loops> loops,
+                                        const ParameterList& scene) {
+  auto own = loops.begin();
+  for (const auto& item : scene.sublist("Bodies")) {
+    const std::string path = "Bodies->" + item.first + "->Geometry";
+    const double tolerance = near * bem::scalingOf(own->outer).length;
+    std::vector<std::string> onAxis = {axisBoundary};
+    alignLoop(own->outer, tolerance, path, onAxis);
+    for (bem::Loop& hole : own->holes)
+      alignLoop(hole, tolerance, path, onAxis);
+    for (const std::string& name : onAxis)
+      if (name == axisBoundary || !isIn(*own, name))
+        checkUnnamed(scene, item.first, name);
+    ++own;
+  }
+  return loops;
+}
+
+namespace {
+
+/// What a list of the scene must not have, and why.
+void refuse(const Part& part, std::initializer_list<const char*> keys,
+            const std::string& why) {
+  for (const char* key : keys)
+    if (part.list->isParameter(key) && !part.list->getEntry(key).isDefault())
+      throw InputError(part.path(key), ": ", type, ": ", why);
+}
+
+void refuseAny(const Part& part, const std::string& why) {
+  if (part.isGiven())
+    throw InputError(part.place.path, ": ", type, ": ", why);
+}
+
+void checkBody(const Part& body) {
+  constexpr const char* along =
+      "the only rigid motion is along the axis: Y; remove this key";
+  refuse(body.sub("Material"), {"Plane State"},
+         "a solid of revolution is in no plane state; remove this key");
+  const Part motion = body.sub("Motion");
+  refuse(motion,
+         {"Displacement X", "Rotation", "Force X", "Moment", "Stiffness X",
+          "Stiffness Rotation"},
+         along);
+  const Part rigid = body.sub("Rigid Motions");
+  if (rigid.has("Fix"))
+    for (const std::string& name : rigid.list->get<Teuchos::Array<std::string>>("Fix"))
+      if (name != "Y")
+        throw InputError(
+            rigid.path("Fix"), ": ", type, ": '", name,
+            "' is no rigid motion of a solid of revolution; Y is the only one");
+  refuseAny(body.sub("Body Loads"), "body loads are not possible yet; remove this list");
+  refuseAny(body.sub("Thermal Conditions"), "heat is not possible yet; remove this list");
+  const Part conditions = body.sub("Boundary Conditions");
+  for (const auto& item : *conditions.list)
+    refuse(
+        conditions.sub(item.first), {"Force X", "Moment"},
+        "forces across the axis and moments cancel around it; give Traction X, per area");
+}
+
+}  // namespace
+
+bool parseRevolution(const ParameterList& geometry) {
+  const bool isAxisymmetric = geometry.get<std::string>("Type") == "Axisymmetric";
+  if (isAxisymmetric && geometry.get<std::string>("Symmetry") == "X")
+    throw InputError("Geometry->Symmetry: ", type,
+                     ": a section is drawn for x >= 0 anyway; Y and None are possible");
+  return isAxisymmetric;
+}
+
+void checkRevolution(const Scene& scene) {
+  const Part root = scene.root();
+  for (const auto& item : *root.sub("Bodies").list)
+    checkBody(root.sub("Bodies").sub(item.first));
+  refuseAny(root.sub("Body Loads"), "body loads are not possible yet; remove this list");
+  if (scene.stabilization.tractions())
+    throw InputError("Discretization->Stabilization->Form: ", type,
+                     ": evaluates plane tractions; Density and None are possible");
+  if (scene.multiplier != "Gauss-Legendre-Lagrange")
+    throw InputError(
+        "Discretization->Multiplier: ", type, ": ", scene.multiplier,
+        " knows no weights by the radius; Gauss-Legendre-Lagrange is possible");
+  if (linearMethods().at(scene.solver.linear.method).operators ==
+      LinearMethod::Operators::Compressed)
+    throw InputError(
+        "Solver->Linear->Method: ", type,
+        ": operators of solids of revolution cannot be compressed yet; Dense, "
+        "Belos and Automatic are possible");
+  if (!scene.output.interiorPoints.empty())
+    throw InputError("Output->Interior Points: ", type,
+                     ": fields inside are not possible yet; remove this key");
+}
+
+}  // namespace epafi::drivers
