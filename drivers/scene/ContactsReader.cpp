@@ -135,7 +135,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       const double middle = 0.5 * (stretch.begin + stretch.end);
       for (const double end : {stretch.begin, stretch.end})
         // a normal that touches an arc meets it beside that place
-        for (const double inwards : {0.0, 1e-7}) {
+        for (const double inwards : {0.0, 1e-7, 1.0}) {
           const bem::Curve& curve = opposite.curves.curves()[k];
           const double t = end + inwards * (middle - end);
           const auto there =
@@ -147,10 +147,9 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
             addNode(other, opposite.edges[k], places.back(), body.nodes);
           break;
         }
-      if (places.size() == 2)
-        body.conditions.facing.push_back({opposite.edges[k],
-                                          std::min(places[0], places[1]),
-                                          std::max(places[0], places[1])});
+      body.conditions.facing.push_back({opposite.edges[k],
+                                        std::min(places[0], places[1]),
+                                        std::max(places[0], places[1])});
     }
   }
   for (const contact::Conditions::Part& part : parts)

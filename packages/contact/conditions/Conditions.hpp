@@ -80,9 +80,12 @@ struct Conditions {
   /// Parts of the boundary that sides in contact of other elastic bodies see; no load, support or
   /// contact of its own acts there.
   std::vector<Part> facing{};
-  bool faces(int edge, double place) const {
-    return std::any_of(facing.begin(), facing.end(),
-                       [&](const Part& part) { return part.holds(edge, place); });
+  /// Does half of the interval belong to a part, or the middle of a part to the interval?
+  bool faces(int edge, double from, double to) const {
+    return std::any_of(facing.begin(), facing.end(), [&](const Part& part) {
+      return part.holds(edge, 0.5 * (from + to)) ||
+             Part{edge, from, to}.holds(part.edge, 0.5 * (part.from + part.to));
+    });
   }
 
   /// Of `dirichlet` those on a line of symmetry, where a body goes on as its mirror image: they

@@ -27,10 +27,6 @@ std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
           (isHole ? 1 : 1e-4) * measure * measure};
 }
 
-double middleOf(const bem::Piece& piece) {
-  return 0.5 * (piece.start.fromStart + piece.end.fromStart);
-}
-
 }  // namespace
 
 std::vector<int> stabilisedElements(const bem::Mesh& mesh, const Conditions& conditions,
@@ -40,8 +36,9 @@ std::vector<int> stabilisedElements(const bem::Mesh& mesh, const Conditions& con
     if (contactOn(mesh, e, conditions) != nullptr)
       elements.push_back(e);
   for (int e = 0; e < mesh.size() && stabilization.byDensity(); ++e)
-    if (contactOn(mesh, e, conditions) == nullptr &&
-        conditions.faces(mesh[e].piece.edge, middleOf(mesh[e].piece)))
+    if (const bem::Piece& piece = mesh[e].piece;
+        contactOn(mesh, e, conditions) == nullptr &&
+        conditions.faces(piece.edge, piece.start.fromStart, piece.end.fromStart))
       elements.push_back(e);
   return elements;
 }
