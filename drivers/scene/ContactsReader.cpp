@@ -1,5 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "bem/geometry/Continuation.hpp"
 #include "bem/geometry/NormalRay.hpp"
 #include "drivers/scene/Readers.hpp"
 
@@ -109,6 +110,16 @@ void addPart(int edge, double from, double to,
     parts.push_back({edge, from, to});
 }
 
+/// Does the curvature jump where a side stops seeing an edge and begins to see another one?  The slope
+/// of the pressure is unbounded there.
+bool isUneven(const bem::Outline& outline, int edge, int next) {
+  const bem::Curve& arriving =
+      outline.edge(next).curve;  // outlines run against each other
+  const bem::Curve& leaving = outline.edge(edge).curve;
+  return outline.edge(next).next == edge && bem::joinSmoothly(arriving, leaving) &&
+         !bem::haveOneCurvature(arriving, leaving);
+}
+
 /// The parts of the first side that face the second; adds nodes at their ends on both.
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
@@ -122,8 +133,15 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
     if (edge.boundary != pair.side.boundary)
       continue;
     const double half = edge.curve.half();
-    for (const bem::Facing& stretch :
-         bem::facing(edge.curve.moved(shift), opposite.curves, visibility)) {
+    const std::vector<bem::Facing> stretches =
+        bem::facing(edge.curve.moved(shift), opposite.curves, visibility);
+    for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
+      if (stretches[s].end == stretches[s + 1].begin &&
+          isUneven(other, opposite.edges[stretches[s].curve],
+                   opposite.edges[stretches[s + 1].curve]))
+        addNode(own, static_cast<int>(e), half * (1 + stretches[s].end),
+                scene.bodies[pair.side.body].nodes);
+    for (const bem::Facing& stretch : stretches) {
       addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
               parts);
       if (pair.opposite.rigid)
@@ -147,8 +165,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
             addNode(other, opposite.edges[k], places.back(), body.nodes);
           break;
         }
-      body.conditions.facing.push_back({opposite.edges[k],
-                                        std::min(places[0], places[1]),
+      body.conditions.facing.push_back({opposite.edges[k], std::min(places[0], places[1]),
                                         std::max(places[0], places[1])});
     }
   }

@@ -1,5 +1,7 @@
 #include "adaptivity/singular/SingularPoints.hpp"
 
+#include "bem/geometry/Continuation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +12,12 @@ namespace {
 
 bool isClamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
   return conditions.dirichlet.count(mesh.boundary(e)) > 0;
+}
+
+bool touches(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  const bem::Piece& piece = mesh[e].piece;
+  return contactOn(mesh, e, conditions) != nullptr ||
+         conditions.faces(piece.edge, piece.start.fromStart, piece.end.fromStart);
 }
 
 Singularity fromConditions(const bem::Mesh& mesh, int e,
@@ -33,8 +41,13 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
   // where what is opposite ends, the pressure does
   if (contactOn(mesh, e, conditions) != contactOn(mesh, before, conditions))
     return Singularity::Strong;
-  return bem::joinSmoothly(mesh[before].curve, mesh[e].curve) ? Singularity::None
-                                                              : Singularity::Weak;
+  if (!bem::joinSmoothly(mesh[before].curve, mesh[e].curve))
+    return Singularity::Weak;
+  // the slope of the pressure is unbounded
+  return touches(mesh, e, conditions) &&
+                 !bem::haveOneCurvature(mesh[before].curve, mesh[e].curve)
+             ? Singularity::Strong
+             : Singularity::None;
 }
 
 /// State of coefficient i of an element.  If the slip bound depends on the pressure, an open

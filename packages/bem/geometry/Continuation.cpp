@@ -8,12 +8,6 @@ namespace epafi::bem {
 
 namespace {
 
-bool haveOneCurvature(const Curve& a, const Curve& b) {
-  constexpr double oneCircle = 1e-9;
-  return std::abs(a.curvature() - b.curvature()) <=
-         oneCircle * std::abs(a.curvature() + b.curvature());
-}
-
 /// Beyond the common end of two curves, of which `other` lies there and goes on as `further`.
 Continuation across(const Curve& arriving, const Curve& leaving, const Curve& other,
                     const Continuation& further) {
@@ -27,6 +21,12 @@ Continuation across(const Curve& arriving, const Curve& leaving, const Curve& ot
 }
 
 }  // namespace
+
+bool haveOneCurvature(const Curve& a, const Curve& b) {
+  constexpr double oneCircle = 1e-9;
+  return std::abs(a.curvature() - b.curvature()) <=
+         oneCircle * std::abs(a.curvature() + b.curvature());
+}
 
 std::vector<Continuations> continuations(const Outline& outline) {
   const std::vector<Edge>& edges = outline.edges();

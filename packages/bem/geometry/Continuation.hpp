@@ -27,6 +27,9 @@ struct Continuations {
   }
 };
 
+/// Are both parts of one line, or of circles of one size that bend to one side, up to rounding?
+bool haveOneCurvature(const Curve& a, const Curve& b);
+
 /// By edge of an outline.
 std::vector<Continuations> continuations(const Outline& outline);
 
