@@ -130,6 +130,28 @@ force = row["energy_strain"] / 1e-3
 claim(abs(force / 2.41165312e-3 - 1) < 1e-5,
       "hub on a shaft: force %.9g with %d unknowns" % (force, row["dof_displacement"]))
 
+# sides of radii 1.1 and 1: what presses on the shaft is 1.1 times what presses on the hub, and so it is in
+# the residuals of the stabilisation, whose strength does not matter
+for between in (["hub:bore", "shaft:seat"], ["shaft:seat", "hub:bore"]):
+    energies = []
+    for gamma in (0.5, 50):
+        held = {"low": clamp(Y=0), "high": clamp(Y=0)}
+        gap = scene({
+            "hub": body([[1.1, 0], [2, 0], [2, 1], [1.1, 1]], ["low", "out", "high", "bore"], held),
+            "shaft": body([[0, 0], [1, 0], [1, 1], [0, 1]], ["low", "seat", "high", "axis"], held)},
+            size=0.5, degree=8, Contacts={"fit": {"Between": between, "Interference": 0.101}})
+        gap["Discretization"]["Stabilization"] = {"Gamma0": gamma}
+        row, points = last("gap of rings", gap)
+        energies.append(row["energy_strain"])
+    # what Lame's rings yield by the pressure on the hub
+    yields = 1.3 * 1.1 * ((0.4 * 1.21 + 4) / (4 - 1.21) + 0.4)
+    ratio = yields / 1e-3 / (1 if between[0] == "hub:bore" else 1.1)
+    error = max(abs(p["lambda_n"] * ratio - 1) for p in points)
+    claim(error < 1e-7, "%s first: pressure within %.1e" % (between[0], error))
+    claim(abs(energies[1] / energies[0] - 1) < 1e-9, "energies with Gamma0 0.5 and 50 differ by %.1e" % (
+        energies[1] / energies[0] - 1))
+
+
 def refused(name, words, keys):
     code, text = epafi("check", saved(name, keys))
     claim(code == 1 and all(word in text for word in words),
