@@ -26,11 +26,15 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
 
 /// Measure of a side over that of what it sees along its normal: the foot runs along the side with the
 /// part of the way that is along it, which an arc draws in or out by the distance from its centre.
+/// Zero where its normals meet: so far away nothing comes into contact.
 double stretching(const ContactElement& side, double t, const bem::Curve& other,
                   double there, double distance) {
+  constexpr double narrowest = 0.1;
   const bem::Curve& own = side.geometry().curve;
-  const double ofLines = std::abs(dot(other.tangent(there), own.tangent(t))) /
-                         std::abs(1 + own.curvature() * distance);
+  const double width = 1 + own.curvature() * distance;
+  if (width < narrowest)
+    return 0;
+  const double ofLines = std::abs(dot(other.tangent(there), own.tangent(t))) / width;
   if (!side.mesh->outline().isAxisymmetric())
     return ofLines;
   const double radius = other.point(there).x;

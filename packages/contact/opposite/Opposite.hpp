@@ -78,7 +78,8 @@ class Opposite {
     int body = 0;           ///< index of the deformable body
     int rigid = -1;         ///< index of the rigid body; -1: none, or fixed
     bem::Vec2 arm{};        ///< from its reference point, dimensionless
-    double stretching = 1;  ///< measure of the side over that of the opposite one
+    double stretching = 1;  ///< measure of the side over that of the opposite one; 0: too
+                            ///< far away to be pressed on
   };
   /// \pre -1 <= t <= 1.
   Point at(const MultiplierSpace::ContactElement& element, double t) const;

@@ -70,14 +70,15 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
   }
 }
 
-/// The same on a part that sees an element of a deformable body.
+/// The same on a part that sees an element of a deformable body, where something presses on it.
 template <class Visit>
 void forEachPointOf(const Opposite::Seen& seen, const MultiplierBasis& basis,
                     const bem::Rule& rule, const Visit& visit) {
   forEachPointOf(
       *seen.by, basis, rule,
       [&](const SidePoint& point) {
-        if (point.opposite.element == seen.element)  // a grazing normal may miss it
+        // a grazing normal may miss it
+        if (point.opposite.element == seen.element && point.opposite.stretching > 0)
           visit(point);
       },
       seen.stretch);
