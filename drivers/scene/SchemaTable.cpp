@@ -140,6 +140,11 @@ void addConditions(Table& table) {
                "prescribed displacement; without it the component is free (a roller)"),
            Row("Displacement Y", Kind::Expression, "length",
                "prescribed displacement; without it the component is free (a roller)"),
+           Row("Displacement Normal", Kind::Expression, "length",
+               "in place of X and Y: prescribed displacement along the outward normal of "
+               "edges of any direction, straight or curved; the tangent is free, or "
+               "loaded "
+               "by Traction or Force, what of them is normal goes into the support"),
        });
   only("Neumann",
        {
