@@ -245,6 +245,11 @@ void addSeveralBodies(Table& table) {
               "overlap along the first side's outward normal, in addition to that of the "
               "outlines as drawn; alone where Law is Tied")
               .defaultValue("0"),
+          Row("Adjust", Kind::Real, "length", above(0),
+              "gaps and overlaps of the outlines as drawn up to this count as zero where "
+              "the sides are parallel or concentric along a whole pair of edges; "
+              "elsewhere "
+              "a warning tells of them"),
       });
   append(table, surfaceRows(), contact);
 }

@@ -45,6 +45,7 @@ struct Conditions {
     int edge = 0;
     double from = 0;
     double to = 0;
+    bool closed = false;  ///< the gap as drawn counts as zero
   };
   /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal, or
   /// with the outline of another body, where `gap` is added to the distance; or a support, which
