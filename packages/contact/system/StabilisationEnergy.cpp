@@ -9,16 +9,16 @@ using bem::dot;
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
-// With E = λ + ψ + t_p - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
+// With E = λ + ψ + t - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
 // their elements' means:
-//   Σ ∫ γ E · (E - t_p),   and what t_p does through f, r and the means of what Fix holds
+//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
                                         const Vector& contactForce) const {
   if (!coupling().hasCompliance())
     return storedEnergy(state, displacement, contactForce) -
            strainEnergy(state, displacement, contactForce);
   const bem::Mesh& mesh = space_->mesh();
-  const BodyLoadSolution& inside = conditions().inside;
+  const BoundaryTraction known = knownTraction();
   const Vector psi = density(state, displacement, contactForce);
   const Vector rho = fixedReactions(contactForce);
   const auto stressAt = [&](const SidePoint& point) {
@@ -49,12 +49,11 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
             twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
-      if (inside)
+      if (known)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              twice += gamma * point.stabilising() *
-                       dot(inside->traction(mesh, e, point.t), ownAt(point));
+              twice += gamma * point.stabilising() * dot(known(e, point.t), ownAt(point));
             },
             stretch);
     }
@@ -67,7 +66,7 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
       const Vec2 own = densityAt(e, t);
-      const Vec2 whole = inside ? own + inside->traction(mesh, e, t) : own;
+      const Vec2 whole = known ? own + known(e, t) : own;
       twice += gamma * mesh.measure(e, 0) * rule.weights[at(q)] * dot(whole, own);
     }
     for (const Opposite::Seen& seen : opposite().seen(static_cast<int>(number_), e)) {
@@ -79,27 +78,27 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
                        twice += gamma * point.stabilisingOpposite(mesh) *
                                 dot(point.opposite.stretching * stress - 2 * own, stress);
                      });
-      if (inside)
+      if (known)
         forEachPointOf(seen, multiplier().basis(), bem::gaussForGiven(seen.by->degree),
                        [&](const SidePoint& point) {
-                         const Vec2 force = inside->traction(mesh, e, point.opposite.t);
+                         const Vec2 force = known(e, point.opposite.t);
                          twice -= gamma * point.stabilisingOpposite(mesh) *
                                   dot(force, stressAt(point));
                        });
     }
   }
   const Loads::InResidual all = inResidual(contactForce);
-  const Loads::InResidual& ofInside = loads_.residual;
+  const Loads::InResidual& ofKnown = loads_.residual;
   for (const auto& [i, value] : coupling().compliance.pinned) {
     const double given = all.compliance.empty() ? 0 : all.compliance[at(i)];
     const double own =
-        ofInside.compliance.empty() ? given : given - ofInside.compliance[at(i)];
+        ofKnown.compliance.empty() ? given : given - ofKnown.compliance[at(i)];
     twice += (value * psi[at(i)] + given) * (psi[at(i)] + own / value);
   }
-  if (inside) {
-    twice += dot(ofInside.force, displacement) + dot(ofInside.terms, state.multiplier);
-    for (std::size_t k = 0; k < ofInside.means.size(); ++k)
-      twice += rho[at(holding().fixedModes[k])] / holding().scales[k] * ofInside.means[k];
+  if (known) {
+    twice += dot(ofKnown.force, displacement) + dot(ofKnown.terms, state.multiplier);
+    for (std::size_t k = 0; k < ofKnown.means.size(); ++k)
+      twice += rho[at(holding().fixedModes[k])] / holding().scales[k] * ofKnown.means[k];
   }
   return twice / 2;
 }
