@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(SingularPoints, areWhereTheCurvatureOfASideInContactJumps) {
     for (int edge = 0; edge < 4; ++edge)
       isSeen.facing.push_back({edge, 0, mesh.outline().edge(edge).curve.length()});
     const auto strongWith = [&](const contact::Conditions& conditions) {
-      const auto nodes = findSingularPoints(mesh, conditions).nodes;
+      const auto nodes = adaptivity::findSingularPoints(mesh, conditions).nodes;
       return std::count(nodes.begin(), nodes.end(), Singularity::Strong);
     };
     TEST_EQUALITY(strongWith({}), 0);
