@@ -47,7 +47,8 @@ test::SolvedScene solvedBlock(double load, bool clamped, double coefficient = 0.
   return test::SolvedScene(
       {bem::makeMesh(test::outlineOf(test::rectangle({-1, 0}, 2, 1)), {4, 2, 3, 2}, 2),
        bem::Material{5, 0.3, false}, conditionsFor(load, clamped, coefficient),
-       "Gauss-Legendre-Lagrange"});
+       "Gauss-Legendre-Lagrange",
+       {}});
 }
 
 /// A load factor is one of all tractions and prescribed displacements over the same gap.
