@@ -73,7 +73,7 @@ def slotted(name, whole, gap=0.01, push=-0.002, degree=10, size=0.1, law=frictio
                    more)
 
 
-def pressed(name, gap, law=NONE, form="Density", order=1, degree=2, ratio=0.3, linear="Dense"):
+def pressed(name, gap, law=NONE, form="Density", order=1, degree=2, ratio=0.3, size=0.25, linear="Dense"):
     """A block with a slot from its left side that a uniform pressure closes, as if it were whole."""
     p = 0.01
     held = (1 - ratio ** 2) * p * gap  # by this the block that the slot leaves out would be shorter
@@ -82,7 +82,7 @@ def pressed(name, gap, law=NONE, form="Density", order=1, degree=2, ratio=0.3, l
         "a", geometry(outline, "bottom, right, top, left, up, end, low, left"), 1.0,
         condition("bottom", "Dirichlet", Displacement_Y=0) + condition("top", "Neumann", Traction_Y=-p), "X",
         ratio=ratio)], contact("c", *("a:up", "a:low")[::order], law, keys(
-            Adjust=2 * gap, Interference=-held)), form, 0.25, degree,
+            Adjust=2 * gap, Interference=-held)), form, size, degree,
         listed("Solver", Linear={"Method": linear}))
 
 
@@ -114,6 +114,9 @@ for gap in (0.25, 2.5e-3, 2.5e-5, 2.5e-7):
     _, points = run(pressed("squeezed", gap, linear="Compressed"), "squeezed")
     error = largest(q["lambda_n"] / 0.01 - 1 for q in points)
     claim(error < 1e-8, "compressed: to %.1e" % error)
+_, points = run(pressed("wide", 0.25, size=0.02, linear="Compressed"), "wide")
+error = largest(q["lambda_n"] / 0.01 - 1 for q in points)
+claim(error < 1e-8, "compressed, faces that are far apart for their elements: to %.1e" % error)
 for gap, within in ((2.5e-3, 1e-8), (2.5e-5, 1e-5)):
     folder, text = solved("soft", pressed("soft", gap, ratio=0.5))
     error = largest(q["lambda_n"] / 0.01 - 1 for q in rows("soft"))
