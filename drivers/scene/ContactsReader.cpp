@@ -191,8 +191,10 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
             addNode(other, opposite.edges[k], places.back(), body.nodes);
           break;
         }
-      body.conditions.facing.push_back({opposite.edges[k], std::min(places[0], places[1]),
-                                        std::max(places[0], places[1])});
+      if (!pair.side.isOnBodyOf(pair.opposite))
+        body.conditions.facing.push_back({opposite.edges[k],
+                                          std::min(places[0], places[1]),
+                                          std::max(places[0], places[1])});
     }
   }
   for (const contact::Conditions::Part& part : parts)

@@ -253,10 +253,14 @@ void checkFacing(const bem::Mesh& mesh, std::size_t body, const Coupling& coupli
   std::set<int> edges;
   for (const int e : coupling.elements)
     edges.insert(mesh[e].piece.edge);
+  const auto isSeen = [&](int e) {
+    const auto sources = coupling.opposite->sources(static_cast<int>(body), e, 0);
+    return std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
+      return source.element->body != static_cast<int>(body);
+    });
+  };
   for (int e = 0; e < mesh.size(); ++e)
-    if (const int edge = mesh[e].piece.edge;
-        edges.count(edge) == 0 &&
-        !coupling.opposite->sources(static_cast<int>(body), e, 0).empty())
+    if (const int edge = mesh[e].piece.edge; edges.count(edge) == 0 && isSeen(e))
       throw bem::InputError("a side in contact sees edge ", edge, " ('", mesh.boundary(e),
                             "') of body ", body,
                             ", which Conditions::facing of that body lacks; the "
