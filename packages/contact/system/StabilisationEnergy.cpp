@@ -11,7 +11,9 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 // With E = λ + ψ + t - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
 // their elements' means:
-//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds
+//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds,
+// λ + ψ by the rule of forces, all else, h = -Σ ρ r, by that of what is given, as in the equations:
+//   γ |λ + ψ|²,   γ (h · (2 (λ + ψ) + h) + t · (λ + ψ + h))
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
                                         const Vector& contactForce) const {
   if (!coupling().hasCompliance())
@@ -25,21 +27,26 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
     const auto stress = multiplier().at(state.multiplier, point.contact, point.t);
     return stress.normal * point.normal.unit + stress.tangential * point.tangent.unit;
   };
-  const auto densityAt = [&](int e, double t) {
-    Vec2 own = space_->densityAt(psi, e, t);
+  const auto heldAt = [&](int e, double t) {
+    Vec2 held;
     for (const int mode : holding().fixedModes)
-      own = own - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, t));
-    return own;
+      held = held - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, t));
+    return held;
   };
+  const auto ofGiven = [&](int e, double t, Vec2 own) {
+    const Vec2 held = heldAt(e, t);
+    const double ofHeld = dot(held, 2 * own + held);
+    return known ? ofHeld + dot(known(e, t), own + held) : ofHeld;
+  };
+  const bool isGiven = known || !holding().fixedModes.empty();
   double twice = 0;
   for (std::size_t k = 0; k < elements().size(); ++k) {
     const ContactElement& element = elements()[k];
     const int e = element.element;
     const double gamma = coupling().gamma[k];
     const auto ownAt = [&](const SidePoint& point) {
-      return stressAt(point) + densityAt(e, point.t);
+      return stressAt(point) + space_->densityAt(psi, e, point.t);
     };
-    // each by the rule of the terms that it is tested against
     for (const Stretch& stretch : stretches(opposite(), element)) {
       forEachPointOf(
           element, multiplier().basis(),
@@ -49,11 +56,11 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
             twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
-      if (known)
+      if (isGiven)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              twice += gamma * point.stabilising() * dot(known(e, point.t), ownAt(point));
+              twice += gamma * point.stabilising() * ofGiven(e, point.t, ownAt(point));
             },
             stretch);
     }
@@ -65,25 +72,26 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
-      const Vec2 own = densityAt(e, t);
-      const Vec2 whole = known ? own + known(e, t) : own;
-      twice += gamma * mesh.measure(e, 0) * rule.weights[at(q)] * dot(whole, own);
+      const Vec2 own = space_->densityAt(psi, e, t);
+      twice += gamma * mesh.measure(e, 0) * rule.weights[at(q)] *
+               (dot(own, own) + ofGiven(e, t, own));
     }
     for (const Opposite::Seen& seen : opposite().seen(static_cast<int>(number_), e)) {
       const Opposite::Point middle = opposite().at(*seen.by, seen.stretch.middle);
       forEachPointOf(seen, multiplier().basis(), ruleOfForces(*seen.by, middle),
                      [&](const SidePoint& point) {
                        const Vec2 stress = stressAt(point);
-                       const Vec2 own = densityAt(e, point.opposite.t);
+                       const Vec2 own = space_->densityAt(psi, e, point.opposite.t);
                        twice += gamma * point.stabilisingOpposite(mesh) *
                                 dot(point.opposite.stretching * stress - 2 * own, stress);
                      });
-      if (known)
+      if (isGiven)
         forEachPointOf(seen, multiplier().basis(), bem::gaussForGiven(seen.by->degree),
                        [&](const SidePoint& point) {
-                         const Vec2 force = known(e, point.opposite.t);
+                         const double t = point.opposite.t;
+                         const Vec2 held = 2 * heldAt(e, t);
                          twice -= gamma * point.stabilisingOpposite(mesh) *
-                                  dot(force, stressAt(point));
+                                  dot(known ? held + known(e, t) : held, stressAt(point));
                        });
     }
   }
