@@ -104,7 +104,7 @@ class Sides {
 template <class Visit>
 void forEachContact(const Scene& scene, const Meshes& meshes, const Visit& visit) {
   for (const ContactPair& pair : scene.contacts)
-    if (!pair.opposite.rigid && pair.side.body != pair.opposite.body)
+    if (!pair.opposite.rigid)
       visit(Sides(scene, pair, meshes), pair.side.body, pair.opposite.body);
 }
 

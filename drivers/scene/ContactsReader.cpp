@@ -142,6 +142,14 @@ bool isUneven(const bem::Outline& outline, int edge, int next) {
          !bem::haveOneCurvature(arriving, leaving);
 }
 
+/// Is a slot of one body wide for its length?  Nothing but the term of one side in the stabilisation
+/// tells apart what acts on faces that are nearer.
+bool isWide(const bem::Curve& own, double t, const bem::Curve& other) {
+  constexpr double ofLength = 1e-3;
+  const auto across = bem::crossing(own.point(t), own.normal(t), other);
+  return across && std::abs(across->distance) > ofLength * own.length();
+}
+
 /// The parts of the first side that face the second; adds nodes at their ends on both.
 /// \param adjust  gaps as drawn up to this count as zero, scaled
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adjust,
@@ -180,18 +188,18 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
       for (const double end : {stretch.begin, stretch.end})
         // a normal that touches an arc meets it beside that place
         for (const double inwards : {0.0, 1e-7, 1.0}) {
-          const bem::Curve& curve = opposite.curves.curves()[k];
           const double t = end + inwards * (middle - end);
           const auto there =
-              bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
+              bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), faced);
           if (!there)
             continue;
-          places.push_back(curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
+          places.push_back(faced.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
           if (inwards == 0)
             addNode(other, opposite.edges[k], places.back(), body.nodes);
           break;
         }
-      if (!pair.side.isOnBodyOf(pair.opposite))
+      if (!pair.side.isOnBodyOf(pair.opposite) ||
+          isWide(edge.curve.moved(shift), middle, faced))
         body.conditions.facing.push_back({opposite.edges[k],
                                           std::min(places[0], places[1]),
                                           std::max(places[0], places[1])});

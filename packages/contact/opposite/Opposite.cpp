@@ -221,8 +221,6 @@ Vector Opposite::sourceBreaks(int body, int element) const {
 std::vector<Opposite::Seen> Opposite::seen(int body, int element) const {
   std::vector<Seen> result;
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& part) {
-    if (here.element->body == body)
-      return;
     const Stretch all{(part.begin + part.end) / 2, (part.end - part.begin) / 2, this};
     result.push_back({here.element, all, element});
   });

@@ -101,7 +101,7 @@ class Opposite {
   /// Where these bend or jump inside that element, within [-1, 1], in any order.
   Vector sourceBreaks(int body, int element) const;
 
-  /// The parts of contact elements of other bodies that see an element of a deformable one.
+  /// The parts of contact elements that see an element of a deformable body.
   struct Seen {
     const MultiplierSpace::ContactElement* by;
     Stretch stretch;
