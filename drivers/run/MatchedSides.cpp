@@ -67,6 +67,15 @@ class Sides {
     return Place{numbers_[there->curve], there->crossing.t};
   }
 
+  /// visit(element, the one opposite to its middle)
+  template <class Visit>
+  void forEachFaced(const Visit& visit) const {
+    for (const int e : elements_)
+      if (isIn(e))
+        if (const auto there = across(e, 0))
+          visit(e, there->element);
+  }
+
   /// visit(element, opposite one) of those with the same ends.
   template <class Visit>
   void forEachMatch(const Visit& visit) const {
@@ -230,6 +239,16 @@ void shareMarks(const Scene& scene, const Meshes& meshes,
         own = p < q ? Mark::RaiseDegree : Mark::None;
         other = p < q ? Mark::None : Mark::RaiseDegree;
       }
+    });
+  });
+  // a long element yields as a soft layer to what short ones press on it with
+  constexpr double longest = 4;
+  forEachContact(scene, meshes, [&](const Sides& sides, std::size_t a, std::size_t b) {
+    sides.forEachFaced([&](int e, int f) {
+      Mark& other = marks[b][at(f)];
+      if (strength(marks[a][at(e)]) > 0 && strength(other) < strength(Mark::Bisect) &&
+          sides.other(f).half > longest * sides.own(e).half)
+        other = Mark::Bisect;
     });
   });
   for (std::size_t b = 0; b < marks.size(); ++b)
