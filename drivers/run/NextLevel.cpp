@@ -12,6 +12,7 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/ContactEstimate.hpp"
 #include "drivers/run/MatchedSides.hpp"
+#include "drivers/run/Room.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/scene/Text.hpp"
 
