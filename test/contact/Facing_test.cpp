@@ -32,7 +32,7 @@ bem::Loop circle(double radius, double turn) {
   return loop;
 }
 
-constexpr bem::Scaling tenth{{0, 0}, 10};
+const bem::Scaling tenth{{0, 0}, 10};
 
 /// A square with a round hole of radius 1.25, a disc of radius 1 in it whose nodes are
 /// elsewhere, and a condition that takes 0.01 off the gap.

@@ -61,11 +61,12 @@ claim(abs(force / 1.656095199650e-2 - 1) < 2e-7,
 
 
 # one half of a ball, pressed by its equator: on an obstacle, whose gap is along the ball's normal,
-# and on a rigid plane, which is met along d: sliding makes a difference of a part of a/R
-def ball(depth, round=None):
+# and on a rigid plane, which is met along its own: as the surface moves inward by some (1-2 nu), that
+# makes a difference of (1-2 nu)/(pi (1-nu)) a/R in the force
+def ball(depth, round=None, ratio=0.3):
     return body([[0, -1], [1, 0], [0, 0]], ["round", "equator", "axis"],
                 {"equator": clamp(Y=-depth), **({"round": round} if round else {})},
-                bulges=[QUARTER, 0, 0])
+                bulges=[QUARTER, 0, 0], material={**ELASTIC, "Poisson's Ratio": ratio})
 
 
 def pressed(name, bodies, **more):
@@ -81,12 +82,15 @@ row = pressed("ball", {"ball": ball(0.1, OBSTACLE)})
 force = -row["reaction_y"]
 claim(abs(force / 5.05271079e-2 - 1) < 1e-6,
       "ball: force %.9g, %d unknowns" % (force, row["dof_displacement"]))
-force = -pressed("light ball", {"ball": ball(1e-3, OBSTACLE)})["reaction_y"]
-pressed("ball on a plane", {"ball": ball(1e-3), "plane": PLANE},
-        Contacts={"c": {"Between": ["ball:round", "plane:up"]}})
-onPlane = rows("ball on a plane", "bodies.csv")[-1]["reaction_y"]
-claim(abs(onPlane / force - 1) < 0.2 * math.sqrt(1e-3), "ball on a plane: force %.9g, on an obstacle %.9g" % (
-    onPlane, force))
+for ratio in (0.3, 0.5):
+    force = -pressed("light ball %g" % ratio, {"ball": ball(1e-3, OBSTACLE, ratio)})["reaction_y"]
+    name = "ball on a plane %g" % ratio
+    pressed(name, {"ball": ball(1e-3, None, ratio), "plane": PLANE},
+            Contacts={"c": {"Between": ["ball:round", "plane:up"]}})
+    part = (rows(name, "bodies.csv")[-1]["reaction_y"] / force - 1) / math.sqrt(1e-3)
+    claim(abs(part - (1 - 2 * ratio) / (math.pi * (1 - ratio))) < 0.01,
+          "ball on a plane, nu = %g: the force differs by %.4f a/R from that on an obstacle" % (
+              ratio, part))
 
 # shrunk hollow spheres: uniform pressure
 STEEL = {"Young's Modulus": 210e3, "Poisson's Ratio": 0.3}
