@@ -88,14 +88,24 @@ std::string namesOf(const Conditions& conditions) {
   return names.empty() ? " none" : names;
 }
 
+/// "left bottom ramp (normal)"
+std::string heldOf(const contact::Conditions& conditions) {
+  std::string names = conditions.dirichlet.empty() ? "" : namesOf(conditions.dirichlet);
+  for (const auto& [boundary, condition] : conditions.contact)
+    if (condition.isSupport)
+      names += " " + boundary + " (normal)";
+  return names.empty() ? " none" : names;
+}
+
 /// "base (friction), top (bonded)"
 std::string contactsOf(const contact::Conditions& conditions) {
   std::string names;
   for (const auto& [boundary, condition] : conditions.contact)
-    names += (names.empty() ? " " : ", ") + boundary +
-             (condition.friction.ties() ? " (bonded)"
-              : condition.friction      ? " (friction)"
-                                        : " (no friction)");
+    if (!condition.isSupport)
+      names += (names.empty() ? " " : ", ") + boundary +
+               (condition.ties()     ? " (bonded)"
+                : condition.friction ? " (friction)"
+                                     : " (no friction)");
   return names.empty() ? " none" : names;
 }
 
@@ -126,13 +136,14 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
     return inside ? f ? exactly(f(x)) : "0" : "";
   };
   const auto contact = conditions.contact.find(boundary);
-  if (contact != conditions.contact.end())
+  const bool isSupport = contact != conditions.contact.end() && contact->second.isSupport;
+  if (contact != conditions.contact.end() && !isSupport)
     return {"Contact", "", "",
             contact->second.name.empty() ? value(contact->second.gap) : ""};
   if (!conditions.isBoundary(boundary))
     return {"symmetry", "", "", ""};
   const auto load = conditions.neumann.find(boundary);
-  const bool held = conditions.dirichlet.count(boundary) != 0;
+  const bool held = isSupport || conditions.dirichlet.count(boundary) != 0;
   if (load != conditions.neumann.end())
     return {held ? "Dirichlet" : "Neumann", value(load->second.x), value(load->second.y),
             ""};
@@ -215,7 +226,7 @@ std::string checkScene(const Scene& scene) {
          << body.outline->diameter() << "\n"
          << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
          << "\n"
-         << "  Dirichlet  " << namesOf(body.conditions.dirichlet) << "\n"
+         << "  Dirichlet  " << heldOf(body.conditions) << "\n"
          << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
          << "  contact    " << contactsOf(body.conditions) << "\n"
          << "  held       " << fixedMotions(body.conditions.fix) << "\n";

@@ -32,24 +32,46 @@ void forEachCorner(const Body& body, const At& at) {
     at(edge, outline.edge(edge.next), outline.physical(edge.curve.to()));
 }
 
+/// What a side prescribes at a point: components along orthonormal directions.
+std::vector<std::pair<bem::Vec2, double>> heldAt(const contact::Conditions& conditions,
+                                                 const std::string& boundary,
+                                                 const bem::SurfacePoint& x) {
+  std::vector<std::pair<bem::Vec2, double>> held;
+  const auto contact = conditions.contact.find(boundary);
+  if (contact != conditions.contact.end() && contact->second.isSupport)
+    held.emplace_back(x.normal, contact->second.gap(x));
+  const auto given = conditions.dirichlet.find(boundary);
+  if (given != conditions.dirichlet.end() && given->second.x)
+    held.emplace_back(bem::Vec2{1, 0}, given->second.x(x));
+  if (given != conditions.dirichlet.end() && given->second.y)
+    held.emplace_back(bem::Vec2{0, 1}, given->second.y(x));
+  return held;
+}
+
 /// Corners where two sides prescribe displacements that differ.
 void findJumps(const Body& body, const contact::Conditions& conditions, Warnings& warn) {
-  const auto& held = conditions.dirichlet;
+  constexpr double same = 1e-12;
   forEachCorner(body, [&](const bem::Edge& edge, const bem::Edge& next,
                           bem::Vec2 corner) {
-    const auto before = held.find(edge.boundary);
-    const auto behind = held.find(next.boundary);
-    if (before == held.end() || behind == held.end() || before == behind)
+    if (edge.boundary == next.boundary)
       return;
-    const auto differ = [&](const bem::Function& one, const bem::Function& other) {
-      if (!one || !other)
-        return false;
-      const double a = one(pointOf(body, edge, 1));
-      const double b = other(pointOf(body, next, -1));
-      return !areAlike(a, b, std::max(std::abs(a), std::abs(b)), body);
+    auto one = heldAt(conditions, edge.boundary, pointOf(body, edge, 1));
+    auto other = heldAt(conditions, next.boundary, pointOf(body, next, -1));
+    if (one.size() < other.size())
+      std::swap(one, other);
+    const auto differs = [&](const auto& held) {
+      double value = 0;
+      double square = 0;  // 1: the other side knows this component
+      for (const auto& [along, given] : one) {
+        const double share = dot(along, held.first);
+        value += share * given;
+        square += share * share;
+      }
+      return square > 1 - same &&
+             !areAlike(value, held.second,
+                       std::max(std::abs(value), std::abs(held.second)), body);
     };
-    if (differ(before->second.x, behind->second.x) ||
-        differ(before->second.y, behind->second.y))
+    if (std::any_of(other.begin(), other.end(), differs))
       warn.once(message("jump ", body.name, corner.x, corner.y), "Bodies->", body.name,
                 "->Boundary Conditions: '", edge.boundary, "' and '", next.boundary,
                 "' prescribe different displacements of their corner (", corner.x, ", ",
@@ -105,9 +127,10 @@ std::pair<double, double> steepest(double low, double high, const F& at) {
 
 /// A jump of what is prescribed on a boundary: on an edge, between samples whose difference departs
 /// most from those beside it, or beside these, where it is steepest; a continuous function leaves
-/// nothing of it.  Or where two edges meet, whose normals differ.
+/// nothing of it.  Or where two edges meet, whose normals differ, unless it is `alongNormals`.
 void findJump(const Body& body, const std::string& path, const std::string& boundary,
-              const bem::Function& given, const char* consequence, Warnings& warn) {
+              const bem::Function& given, const char* consequence, Warnings& warn,
+              bool alongNormals = false) {
   constexpr int samples = 400;
   constexpr double share = 0.2;
   constexpr double rounding = 1e-6;  // of what areAlike compares with
@@ -150,7 +173,8 @@ void findJump(const Body& body, const std::string& path, const std::string& boun
   }
   forEachCorner(body,
                 [&](const bem::Edge& edge, const bem::Edge& next, bem::Vec2 corner) {
-                  if (edge.boundary == boundary && next.boundary == boundary)
+                  if (edge.boundary == boundary && next.boundary == boundary &&
+                      (!alongNormals || bem::joinSmoothly(edge.curve, next.curve)))
                     tell(on(next, -1) - on(edge, 1), largest, corner);
                 });
 }
@@ -179,7 +203,7 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
     const auto held = conditions.dirichlet.find(given.boundary);
     const auto contact = conditions.contact.find(side.boundary);
     if (held == conditions.dirichlet.end() || contact == conditions.contact.end() ||
-        !contact->second.name.empty() || contact->second.friction.ties())
+        !contact->second.name.empty() || contact->second.ties())
       return;
     // a component that is free can give way
     const auto& [x, y] = held->second;
@@ -274,15 +298,19 @@ void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& 
 /// What a body's conditions at some time say that is probably not meant.
 void findInConditions(const Body& body, const contact::Conditions& conditions,
                       Warnings& warn) {
+  const char* const consequence =
+      "a jump has no finite energy, between edges neither: stresses there grow with "
+      "every "
+      "level";
   for (const auto& [boundary, given] : conditions.dirichlet)
     for (const auto& [axis, along] : {std::pair("->Displacement X", &given.x),
                                       std::pair("->Displacement Y", &given.y)})
       findJump(body,
                message("Bodies->", body.name, "->Boundary Conditions->", boundary, axis),
-               boundary, *along,
-               "a jump has no finite energy, between edges neither: stresses there grow "
-               "with every level",
-               warn);
+               boundary, *along, consequence, warn);
+  for (const auto& [boundary, contact] : conditions.contact)
+    if (contact.isSupport)
+      findJump(body, contact.path, boundary, contact.gap, consequence, warn, true);
   if (conditions.heat)
     for (const auto& [boundary, given] : conditions.heat->temperatures)
       findJump(

@@ -33,6 +33,8 @@ std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
       for (const auto& element : fields.elements()) {
         const contact::ContactPoint point = fields.at(element, 0);
         const auto& condition = *element.condition;
+        if (condition.isSupport)
+          continue;
         Contact& contact = contacts[nameOf(element)];
         const double slip = std::abs(point.tangential);
         if (const double length = lengths.at(nameOf(element));

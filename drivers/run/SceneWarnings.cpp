@@ -185,6 +185,38 @@ void findDeepOverlaps(const Scene& scene, Warnings& warn) {
   }
 }
 
+/// Sides that come as near as Adjust says where they are not adjusted.
+void findUnadjusted(const Scene& scene, Warnings& warn) {
+  const Part contacts = scene.root().sub("Contacts");
+  std::map<std::string, std::pair<double, bem::Vec2>> nearest;  // by contact
+  for (const ContactPair& pair : scene.contacts)
+    if (const Part part = contacts.sub(pair.name); part.has("Adjust"))
+      nearest[pair.name].first = part.list->get<double>("Adjust");
+  if (nearest.empty())
+    return;
+  const std::map<std::string, std::pair<double, bem::Vec2>> given = nearest;
+  const BodySpaces spaces(scene, firstMeshes(scene));
+  spaces.multiplier().forEachElement([&](const auto& element) {
+    const auto found = nearest.find(element.condition->name);
+    constexpr int samples = 8;
+    for (int k = 0; k <= samples && found != nearest.end(); ++k) {
+      const double t = -1 + 2.0 * k / samples;
+      const bem::SurfacePoint x = element.mesh->physicalPoint(element.element, t);
+      const double gap =
+          std::abs(spaces.opposite()->at(element, t).gap * scene.units().length -
+                   element.condition->gap(x));
+      if (gap > 1e-12 * scene.units().length && gap < found->second.first)
+        found->second = {gap, {x.x, x.y}};
+    }
+  });
+  for (const auto& [name, at] : nearest)
+    if (at.first < given.at(name).first)
+      warn("Contacts->", name, "->Adjust: at (", at.second.x, ", ", at.second.y,
+           ") the sides are drawn ", at.first,
+           " apart, and are neither parallel nor concentric within ",
+           given.at(name).first, " along their edges there: they stay as drawn");
+}
+
 }  // namespace
 
 std::vector<std::string> warningsOf(const Scene& scene) {
@@ -202,6 +234,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
   findStiffSides(scene, warn);
   findUnstable(scene, warn);
   findDeepOverlaps(scene, warn);
+  findUnadjusted(scene, warn);
   return warn.all();
 }
 

@@ -276,7 +276,7 @@ Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
         const double share = rule.weights[q] * mesh.measure(e, rule.points[q]);
         room.area += share * outwards;
         room.size += share * std::abs(outwards);
-        room.isContact = room.isContact || meets;
+        room.isContact = room.isContact || (meets && !contact->second.isSupport);
       }
   }
   return room;

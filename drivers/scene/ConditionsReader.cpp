@@ -132,11 +132,23 @@ void readBoundary(const Part& part, const std::string& boundary,
   if (type == "Dirichlet") {
     const bem::Function x = part.function("Displacement X");
     const bem::Function y = part.function("Displacement Y");
-    if (!x && !y)
-      throw InputError(
-          part.place.path,
-          ": a Dirichlet condition needs Displacement X, Displacement Y or both");
-    conditions.dirichlet[boundary] = {x, y};
+    const bem::Function normal = part.function("Displacement Normal");
+    if (!x && !y && !normal)
+      throw InputError(part.place.path,
+                       ": a Dirichlet condition needs Displacement X, Displacement Y or "
+                       "both, or Displacement Normal");
+    if (normal && (x || y))
+      throw InputError(part.path("Displacement Normal"),
+                       ": stands in place of Displacement X and Displacement Y; give "
+                       "this or these");
+    if (normal) {
+      contact::Conditions::Contact& support = conditions.contact[boundary];
+      support.isSupport = true;
+      support.gap = normal;
+      support.path = part.path("Displacement Normal");
+    } else {
+      conditions.dirichlet[boundary] = {x, y};
+    }
   }
   const double length = lengthOf(outline, boundary);
   contact::Conditions::Neumann load{readTraction(part, "X", length),

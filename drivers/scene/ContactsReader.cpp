@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace epafi::drivers {
@@ -101,16 +102,39 @@ void addNode(const bem::Outline& outline, int edge, double place,
 }
 
 /// Adds a part of an edge, or extends the last part.
-void addPart(int edge, double from, double to,
+void addPart(const contact::Conditions::Part& part,
              std::vector<contact::Conditions::Part>& parts) {
-  if (!parts.empty() && parts.back().edge == edge && parts.back().to == from)
-    parts.back().to = to;
+  if (!parts.empty() && parts.back().edge == part.edge && parts.back().to == part.from &&
+      parts.back().closed == part.closed)
+    parts.back().to = part.to;
   else
-    parts.push_back({edge, from, to});
+    parts.push_back(part);
+}
+
+/// Are a stretch of an edge and the edge that it faces, as drawn, nowhere farther apart than
+/// `adjust`, and parallel or concentric up to a tenth of that?
+bool isClosed(const bem::Curve& own, const bem::Facing& stretch, const bem::Curve& other,
+              double adjust) {
+  constexpr int samples = 16;
+  constexpr double inside = 1 - 1e-7;  // a normal that touches an arc meets it beside
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (int k = 0; k <= samples; ++k) {
+    const double s = inside * (2.0 * k / samples - 1);
+    const double t =
+        0.5 * (stretch.begin + stretch.end + s * (stretch.end - stretch.begin));
+    if (const auto found = bem::crossing(own.point(t), own.normal(t), other)) {
+      least = std::min(least, found->distance);
+      most = std::max(most, found->distance);
+    }
+  }
+  return std::max(-least, most) <= adjust && most - least <= 0.1 * adjust;
 }
 
 /// The parts of the first side that face the second; adds nodes at their ends on both.
-std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
+/// \param adjust  gaps as drawn up to this count as zero, scaled
+std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adjust,
+                                            Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
   const bem::Outline& other = scene.outlineOf(pair.opposite);
   const Scene::OppositeEdges opposite = scene.oppositeEdges(pair);
@@ -124,7 +148,9 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
     const double half = edge.curve.half();
     for (const bem::Facing& stretch :
          bem::facing(edge.curve.moved(shift), opposite.curves, visibility)) {
-      addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
+      const bem::Curve& faced = opposite.curves.curves()[bem::at(stretch.curve)];
+      addPart({static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
+               adjust > 0 && isClosed(edge.curve.moved(shift), stretch, faced, adjust)},
               parts);
       if (pair.opposite.rigid)
         continue;
@@ -179,7 +205,15 @@ void readContacts(Scene& scene) {
     part.names.onBoundary = true;
     contact::Conditions::Contact condition = readContactOfBodies(part);
     condition.name = pair.name;
-    condition.parts = meet(pair, scene);
+    double adjust = 0;
+    if (part.has("Adjust")) {
+      adjust = part.list->get<double>("Adjust") / scene.units().length;
+      if (condition.ties())
+        throw InputError(part.path("Adjust"),
+                         ": sides under the law Tied are bonded across what is drawn "
+                         "between them, free of strain; remove this key");
+    }
+    condition.parts = meet(pair, adjust, scene);
     if (condition.parts.empty() && apart.empty())
       apart = path;
     scene.bodies[pair.side.body].conditions.contact[pair.side.boundary] =

@@ -67,7 +67,8 @@ void readMesh(const Part& own, const Part& discretization, Body& body);
 /// Reads Boundary Conditions and Rigid Motions of a body.  Edges on the line of symmetry
 /// become rollers; motions that are zero by symmetry are removed from Fix.
 /// \throws bem::InputError for an unknown boundary (with the nearest name), a Dirichlet
-///   condition without a component, an invalid expression, and a force beside a traction.
+///   condition without a component or along the normal and an axis, an invalid expression, and a
+///   force beside a traction.
 contact::Conditions readConditions(const Part& body, const bem::Outline& outline,
                                    const Symmetry& symmetry);
 

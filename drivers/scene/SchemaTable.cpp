@@ -140,6 +140,11 @@ void addConditions(Table& table) {
                "prescribed displacement; without it the component is free (a roller)"),
            Row("Displacement Y", Kind::Expression, "length",
                "prescribed displacement; without it the component is free (a roller)"),
+           Row("Displacement Normal", Kind::Expression, "length",
+               "in place of X and Y: prescribed displacement along the outward normal of "
+               "edges of any direction, straight or curved; the tangent is free, or "
+               "loaded "
+               "by Traction or Force, what of them is normal goes into the support"),
        });
   only("Neumann",
        {
@@ -240,6 +245,11 @@ void addSeveralBodies(Table& table) {
               "overlap along the first side's outward normal, in addition to that of the "
               "outlines as drawn; alone where Law is Tied")
               .defaultValue("0"),
+          Row("Adjust", Kind::Real, "length", above(0),
+              "gaps and overlaps of the outlines as drawn up to this count as zero where "
+              "the sides are parallel or concentric along a whole pair of edges; "
+              "elsewhere "
+              "a warning tells of them"),
       });
   append(table, surfaceRows(), contact);
 }

@@ -1,7 +1,7 @@
 """Law "Tied": bonded bodies carry tension and shear, and are as one."""
 from runs import claim, differ, finish, largest, rows, run
-from written import (CLAMPED, TIED, block, body, condition, contact, friction, keys, listed, mesh,
-                     rigid, written)
+from written import (CLAMPED, TIED, block, body, condition, contact, disc, friction, keys, listed,
+                     mesh, rigid, round_hole, written)
 
 PULL = condition("top", "Neumann", Traction_Y="1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
@@ -51,6 +51,35 @@ for form in ("Projected", "Density"):
             halves = boundary("halves", "b:right") + boundary("halves", "a:right")
             claim(largest(p["uy"] - q["uy"] for p, q in zip(halves, end)) < 1e-6,
                   "and its displacements")
+
+# jumps: a uniform dislocation across a whole cut moves one part, a misfit is Lame's
+for form in ("None", "Projected", "Exact", "Density"):
+    for first in ("inner", "outer"):
+        sign = 1 if first == "inner" else -1  # of n and of u - u_B
+        sides = ("inner:rim", "outer:bore") if sign > 0 else ("outer:bore", "inner:rim")
+        jump = keys(Interference="-(0.003 * nx - 0.002 * ny) * %d" % sign,
+                    Sliding="(-0.003 * ny - 0.002 * nx) * t * %d" % sign)
+        inner = body("inner", disc(1, "rim"), 1.0)
+        held = body("outer", disc(2, "edge", holes=round_hole(1, "bore")), 3.0,
+                    condition("edge", "Dirichlet", CLAMPED))
+        row, points = run(written("moved", [inner, held], contact("cut", *sides, TIED + jump), form,
+                                  degree=4), "moved")
+        claim(row[0]["energy_strain"] < 1e-24 and largest(p["lambda_n"] for p in points) < 1e-11,
+              "a dislocation across a whole round cut has no stress, Form %s, first %s" % (form, first))
+        claim(largest(p["ux"] - 0.003 for p in boundary("moved", "inner:rim")) < 1e-12 and
+              largest(p["uy"] + 0.002 for p in boundary("moved", "inner:rim")) < 1e-12,
+              "what it surrounds moves by it")
+        if form in ("None", "Exact"):
+            continue
+        for misfit in (0.002, -0.002):
+            row, points = run(written("misfit", [
+                body("inner", disc(1, "rim"), 1.0, fix="X, Y, Rotation"),
+                body("outer", disc(2, "edge", holes=round_hole(1, "bore")), 1.0)],
+                contact("cut", *sides, TIED + keys(Interference=misfit)), form, degree=8), "misfit")
+            pressure = misfit / (1.3 * ((0.4 + 4) / 3 + 0.4))
+            error = largest(p["lambda_n"] / pressure - 1 for p in points)
+            claim(error < (1e-8 if form == "Density" else 1e-6),
+                  "a misfit of %g, Form %s, first %s: %.1e" % (misfit, form, first, error))
 
 # a coat on a block that slides on an obstacle
 FLOOR = condition("bottom", "Contact", friction("0.3"), Gap="0.01*x^2")

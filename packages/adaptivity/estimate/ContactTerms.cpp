@@ -162,7 +162,9 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const contact::Opposite& opposite = solved.problem.opposite();
   return {pressure,
           shear,
-          [=](double t) { return at(t).slip(slid(t), shear(t)); },
+          [=, slides = element.shears() || !element.ties()](double t) {
+            return slides ? at(t).slip(slid(t), shear(t)) : 0;
+          },
           [=](double t) { return at(t).opening(pressure(t), whole(t)); },
           [=](double t) { return at(t).bound(pressure(t)); },
           p,

@@ -56,7 +56,8 @@ class Residuals {
         weights_(weights),
         lame_(lame),
         mesh_(solved.space.mesh()),
-        amplitudes_(solved.problem.fixedReactions(solved.contactForce)) {}
+        amplitudes_(solved.problem.fixedReactions(solved.contactForce)),
+        known_(solved.problem.knownTraction()) {}
 
   /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
   Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
@@ -102,8 +103,8 @@ class Residuals {
       const Vec2 across = solved_.problem.opposite().at(contact, t).direction.unit;
       result.push_back(stress.normal * across + stress.tangential * turnLeft(across) +
                        value.traction - fixedTraction(e, t));
-      if (solved_.conditions.inside)
-        result.back() = result.back() + solved_.conditions.inside->traction(mesh_, e, t);
+      if (known_)
+        result.back() = result.back() + known_(e, t);
     }
     return result;
   }
@@ -183,6 +184,7 @@ class Residuals {
   const bem::Lame& lame_;
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
+  contact::BoundaryTraction known_;
 };
 
 Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,

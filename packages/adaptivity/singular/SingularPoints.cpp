@@ -8,8 +8,14 @@ namespace epafi::adaptivity {
 
 namespace {
 
-bool isClamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
-  return conditions.dirichlet.count(mesh.boundary(e)) > 0;
+bool isSupport(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  const auto contact = conditions.contact.find(mesh.boundary(e));
+  return contact != conditions.contact.end() && contact->second.isSupport;
+}
+
+bool isHeld(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  return conditions.dirichlet.count(mesh.boundary(e)) > 0 ||
+         isSupport(mesh, e, conditions);
 }
 
 Singularity fromConditions(const bem::Mesh& mesh, int e,
@@ -26,15 +32,17 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
                ? Singularity::None
                : Singularity::Weak;
   }
+  const bool isSmooth = bem::joinSmoothly(mesh[before].curve, mesh[e].curve);
+  const auto differs = [&](const auto& of) {
+    return of(mesh, e, conditions) != of(mesh, before, conditions);
+  };
   if (mesh.boundary(e) != mesh.boundary(before))
-    return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
-               ? Singularity::Strong
-               : Singularity::Weak;
+    return differs(isHeld) || (isSmooth && differs(isSupport)) ? Singularity::Strong
+                                                               : Singularity::Weak;
   // where what is opposite ends, the pressure does
-  if (contactOn(mesh, e, conditions) != contactOn(mesh, before, conditions))
+  if (differs(contact::contactOn))
     return Singularity::Strong;
-  return bem::joinSmoothly(mesh[before].curve, mesh[e].curve) ? Singularity::None
-                                                              : Singularity::Weak;
+  return isSmooth ? Singularity::None : Singularity::Weak;
 }
 
 /// State of coefficient i of an element.  If the slip bound depends on the pressure, an open

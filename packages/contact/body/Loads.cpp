@@ -34,6 +34,9 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
     }
   };
   check(conditions.neumann);
+  for (const auto& [name, contact] : conditions.contact)
+    if (contact.isSupport)
+      seen.erase(name);  // which takes the normal and leaves the tangent
   check(conditions.contact);
   for (const auto& [name, dirichlet] : conditions.dirichlet) {
     const auto load = conditions.neumann.find(name);

@@ -32,8 +32,8 @@ struct Loads {
   } inside{};
   Vector given{};  ///< ∫ traction · φ_j ds of the given traction; empty: `load`
 
-  /// What a traction t, that of body loads, does in the residual λ + t + S u of the stabilisation,
-  /// independent of u and λ; empty: zero.   [doc/theory/body-loads.md]
+  /// What a known traction t, that of body loads less that on supports, does in the residual
+  /// λ + t + S u of the stabilisation, independent of u and λ; empty: zero.   [doc/theory/body-loads.md]
   struct InResidual {
     Vector weights;     ///< by G's rows: <γ t, P> as G λ has <γ λ, P>
     Vector force;       ///< to f

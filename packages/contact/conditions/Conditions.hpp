@@ -45,9 +45,11 @@ struct Conditions {
     int edge = 0;
     double from = 0;
     double to = 0;
+    bool closed = false;  ///< the gap as drawn counts as zero
   };
   /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal, or
-  /// with the outline of another body, where `gap` is added to the distance.
+  /// with the outline of another body, where `gap` is added to the distance; or a support, which
+  /// holds the normal displacement at `gap` and leaves the tangent to loads of `neumann`.
   struct Contact {
     bem::Function gap;
     Friction friction;
@@ -61,6 +63,11 @@ struct Conditions {
     bem::Function wear{};
     double cycles = 1;   ///< number of repetitions of a step of a path, for wear
     std::string path{};  ///< of the list that says so, for messages
+    bool isSupport = false;
+
+    /// Is the pressure of any sign, and the gap of the condition the normal displacement against what
+    /// is opposite?
+    bool ties() const { return isSupport || friction.ties(); }
 
     bool holds(int edge, double place) const {
       return name.empty() ||

@@ -86,8 +86,8 @@ class MultiplierSpace {
     const Coefficients& of(int i) const { return isTangential(i) ? tangential : normal; }
     int functionOf(int i) const { return i % (degree + 1); }
     Index numberOf(int i) const { return of(i).number(functionOf(i)); }
-    /// Are the sides bonded?
-    bool ties() const { return condition->friction.ties(); }
+    /// Are the sides bonded, at least along the normal?
+    bool ties() const { return condition->ties(); }
     /// Has it tangential coefficients?
     bool shears() const { return tangential.first >= 0; }
 

@@ -93,10 +93,8 @@ void setFriction(const ContactElement& contact, bem::Units units, Obstacle& obst
     return obstacle.tangentials[k - multiplier.normals()];
   };
   if (contact.ties()) {
-    for (int i = 0; i <= contact.degree; ++i) {
-      tangential(contact.normalOf(i)) = Tangential::tied();
-      tangential(contact.tangentialOf(i)) = Tangential::tied();
-    }
+    for (int i = 0; i < contact.coefficients(); ++i)
+      tangential(contact.numberOf(i)) = Tangential::tied();
     return;
   }
   std::vector<Index> normals;
@@ -147,7 +145,7 @@ Obstacle makeObstacle(const MultiplierSpace& multiplier,
                 point.weight * m * point.chi[at(i)];
       });
   multiplier.forEachElement([&](const ContactElement& contact) {
-    if (contact.shears())
+    if (contact.shears() || contact.ties())
       setFriction(contact, units, obstacle);
     checkSurface(contact, multiplier.basis());
   });

@@ -24,6 +24,18 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
+/// Does the gap as drawn count as zero on a stretch of an element?
+bool isClosed(const ContactElement& element, const bem::Facing& stretch) {
+  const bem::Element& side = element.geometry();
+  const double place =
+      side.piece.start.fromStart + (1 + 0.5 * (stretch.begin + stretch.end)) * side.half;
+  const auto& parts = element.condition->parts;
+  return std::any_of(parts.begin(), parts.end(), [&](const Conditions::Part& part) {
+    return part.closed && part.edge == side.piece.edge && part.from <= place &&
+           place <= part.to;
+  });
+}
+
 /// An element has nodes where what lies opposite ends, but for slivers, which take part with what is
 /// next to them.  A multiplier that acts beyond would press on nothing.
 void checkCovered(const ContactElement& element,
@@ -119,7 +131,8 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
         shapeAt(own, here.beyond, t),
         shapeAt(other, side.beyond.empty() ? bem::Continuations{} : side.beyond[k],
                 point.t));
-    point.gap += found->distance * dot(own.normal(t), point.direction.unit);
+    if (!isClosed(element, stretch))
+      point.gap += found->distance * dot(own.normal(t), point.direction.unit);
     if (point.direction.unit != own.normal(t))
       point.turning = std::max(point.turning, forDirections);
   }

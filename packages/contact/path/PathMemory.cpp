@@ -40,12 +40,13 @@ Vector inARow(const Parts& parts) {
   return all;
 }
 
-/// Where something acts inside, what Fix holds moves, u_h against the particular solution; where
-/// clamps move, too, the rest against them: Fix pulls at the rest alone.
+/// Where something acts inside, what Fix holds moves, u_h against the particular solution, and where
+/// supports are loaded by what the residual of the stabilisation leaves; where clamps move, too, the
+/// rest against them: Fix pulls at the rest alone.
 bool fixWorks(const ContactSystem& step, std::size_t b) {
   const Conditions& conditions = step.body(b).conditions();
   const Conditions::Fix& fix = conditions.fix;
-  return conditions.inside != nullptr ||
+  return conditions.inside != nullptr || !step.body(b).loads().residual.means.empty() ||
          (!conditions.dirichlet.empty() && (fix.x || fix.y || fix.rotation));
 }
 

@@ -64,7 +64,7 @@ ContactForces contactForces(const Solved& solved) {
                                stress.tangential * point.tangent.unit);
           if (solved.units.isAxisymmetric)  // around the axis they cancel
             force.x = 0;
-          if (element.condition->name.empty())
+          if (element.condition->name.empty() && !element.condition->isSupport)
             forces.ofObstacles = forces.ofObstacles - force;
         });
   }

@@ -208,7 +208,10 @@ Summary summarize(const Solved& solved) {
       x = -x;
     summary.inside = resultantOf(work, solved);
   }
-  addContact(solved, [&](const Element&) -> Summary& { return summary; });
+  Summary supports;
+  addContact(solved, [&](const Element& element) -> Summary& {
+    return element.condition->isSupport ? supports : summary;
+  });
   if (!std::isfinite(summary.energyStrain + summary.energyLoad))
     throw bem::NumericalError(
         "energies are beyond numbers: displacements are too large for all; look at the "
@@ -216,6 +219,7 @@ Summary summarize(const Solved& solved) {
   summary.motion = meanMotion(solved);
   summary.load = resultantOf(workOf(load, solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);
+  add(supports.contact, summary.reaction);
   return summary;
 }
 

@@ -26,7 +26,7 @@ struct Summary {
   Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
   /// Part of `contact` by obstacles and rigid bodies.
   Resultant obstacle;
-  Resultant reaction;        ///< of clamps and fixed rigid motions
+  Resultant reaction;        ///< of clamps, supports and fixed rigid motions
   RigidMotion motion;        ///< mean of u over the boundary, see RigidModes
   double contactLength = 0;  ///< where λₙ > 0
   double slipLength = 0;     ///< where |λₜ| reaches its bound

@@ -78,9 +78,10 @@ ContactBody ContactBody::under(std::shared_ptr<const Obstacle> obstacle) const {
 }
 
 void ContactBody::setLoads() {
-  if (const BodyLoadSolution& inside = conditions().inside) {
-    loads_.residual = residualOf(
-        [&](int e, double t) { return inside->traction(space_->mesh(), e, t); });
+  if (const BoundaryTraction known = knownTraction()) {
+    loads_.residual = residualOf(known);
+    if (loads_.given.empty())
+      loads_.given = loads_.load;
     if (!loads_.residual.force.empty())
       axpy(1, loads_.residual.force, loads_.load);
   }

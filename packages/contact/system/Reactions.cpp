@@ -2,6 +2,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/system/ContactBody.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace epafi::contact {
@@ -50,6 +51,26 @@ Loads::InResidual ContactBody::residualOf(const BoundaryTraction& traction) cons
     result.force = elastic_->forcesOf(result.weights);
   }
   return result;
+}
+
+BoundaryTraction ContactBody::knownTraction() const {
+  const Conditions& all = conditions();
+  const auto pulls = [&all](const std::string& boundary) {
+    const auto contact = all.contact.find(boundary);
+    return contact != all.contact.end() && contact->second.isSupport;
+  };
+  if (all.inside == nullptr &&
+      std::none_of(all.neumann.begin(), all.neumann.end(),
+                   [&](const auto& given) { return pulls(given.first); }))
+    return {};
+  return [this, &all, pulls](int e, double t) {
+    const bem::Mesh& mesh = space_->mesh();
+    bem::Vec2 known = all.inside ? all.inside->traction(mesh, e, t) : bem::Vec2{};
+    const auto given = all.neumann.find(mesh.boundary(e));
+    if (given != all.neumann.end() && pulls(given->first))
+      known = known - (1 / units_.stress) * given->second.at(mesh.physicalPoint(e, t));
+    return known;
+  };
 }
 
 std::vector<BoundaryTraction> ContactBody::fixedTractions() const {

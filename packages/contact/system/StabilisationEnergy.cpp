@@ -8,15 +8,15 @@ namespace epafi::contact {
 using bem::dot;
 using bem::Vec2;
 
-// With E = λ + ψ + t_p - Σ ρ r, on pins of their elements' means:
-//   Σ ∫ γ E · (E - t_p),   and what t_p does through f, r and the means of what Fix holds
+// With E = λ + ψ + t - Σ ρ r, on pins of their elements' means:
+//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
                                         const Vector& contactForce) const {
   if (!coupling().hasCompliance())
     return storedEnergy(state, displacement, contactForce) -
            strainEnergy(state, displacement, contactForce);
   const bem::Mesh& mesh = space_->mesh();
-  const BodyLoadSolution& inside = conditions().inside;
+  const BoundaryTraction known = knownTraction();
   const Vector psi = density(state, displacement, contactForce);
   const Vector rho = fixedReactions(contactForce);
   double twice = 0;
@@ -44,28 +44,27 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
             twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
-      if (inside)
+      if (known)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              twice += gamma * point.stabilising() *
-                       dot(inside->traction(mesh, e, point.t), ownAt(point));
+              twice += gamma * point.stabilising() * dot(known(e, point.t), ownAt(point));
             },
             stretch);
     }
   }
   const Loads::InResidual all = inResidual(contactForce);
-  const Loads::InResidual& ofInside = loads_.residual;
+  const Loads::InResidual& ofKnown = loads_.residual;
   for (const auto& [i, value] : coupling().compliance.pinned) {
     const double given = all.compliance.empty() ? 0 : all.compliance[at(i)];
     const double own =
-        ofInside.compliance.empty() ? given : given - ofInside.compliance[at(i)];
+        ofKnown.compliance.empty() ? given : given - ofKnown.compliance[at(i)];
     twice += (value * psi[at(i)] + given) * (psi[at(i)] + own / value);
   }
-  if (inside) {
-    twice += dot(ofInside.force, displacement) + dot(ofInside.terms, state.multiplier);
-    for (std::size_t k = 0; k < ofInside.means.size(); ++k)
-      twice += rho[at(holding().fixedModes[k])] / holding().scales[k] * ofInside.means[k];
+  if (known) {
+    twice += dot(ofKnown.force, displacement) + dot(ofKnown.terms, state.multiplier);
+    for (std::size_t k = 0; k < ofKnown.means.size(); ++k)
+      twice += rho[at(holding().fixedModes[k])] / holding().scales[k] * ofKnown.means[k];
   }
   return twice / 2;
 }
