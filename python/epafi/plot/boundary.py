@@ -26,6 +26,7 @@ class Boundary:
 
     def __init__(self, table):
         self.elements = []
+        self.revolves = "hoop" in table
         number = table.numbers("element")
         names = table["boundary"].astype(str)
         starts = np.flatnonzero(np.diff(number, prepend=number[0] - 1))
