@@ -26,7 +26,9 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
                  std::vector<std::string>& warnings);
 
 /// The number of a friction state in the files: 0 none, 1 stick, 2 slip.
-inline int numberOf(contact::FrictionKind friction) { return static_cast<int>(friction); }
+inline int numberOf(contact::ContactState friction) {
+  return friction == contact::ContactState::Frictionless ? 0 : slips(friction) ? 2 : 1;
+}
 
 /// boundary.csv: displacement and traction at the points of all elastic bodies, element
 /// by element, with boundary, number and degree of the element, and the edge of the outline

@@ -135,8 +135,9 @@ void checkLevel(const Level& level, const Scene& scene) {
         size(point.state.rigid) != motions)
       throw InputError("has a path that does not fit its own mesh");
   if (size(last.state.multiplier) != multiplier.size() ||
-      size(last.states.normal) != multiplier.normals() ||
-      size(last.states.tangential) != multiplier.size() - multiplier.normals() ||
+      size(last.states) != multiplier.size() ||
+      std::count_if(last.states.begin(), last.states.end(), contact::isOfPressure) !=
+          multiplier.normals() ||
       motions < freeMotions(scene.rigid))
     throw InputError("does not fit its own mesh");
   for (std::size_t b = 0; b < spaces.size(); ++b) {

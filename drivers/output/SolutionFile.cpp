@@ -50,14 +50,19 @@ class Archive {
     for (auto& [slide, turn] : motions)
       (*this)(name, slide.x, slide.y, turn);
   }
-  template <class State>
-  void operator()(const char* name, std::vector<State>& states, State last) {
-    for (State& state : states) {
-      auto number = static_cast<int>(state);
-      (*this)(name, number);
-      if (number < 0 || number > static_cast<int>(last))
+  /// States of pressures and of shears, in arrays of their own.
+  void operator()(const char* pressures, const char* shears,
+                  contact::ContactStates& states) {
+    using contact::ContactState;
+    for (ContactState& state : states) {
+      const bool presses = isOfPressure(state);
+      const auto first = presses ? ContactState::Open : ContactState::Frictionless;
+      const auto last = presses ? ContactState::Closed : ContactState::SlipBackward;
+      int number = static_cast<int>(state) - static_cast<int>(first);
+      (*this)(presses ? pressures : shears, number);
+      if (number < 0 || number > static_cast<int>(last) - static_cast<int>(first))
         throw bem::InputError("/Epafi: ", number, " is no state");
-      state = static_cast<State>(number);
+      state = static_cast<ContactState>(static_cast<int>(first) + number);
     }
   }
 
@@ -79,6 +84,12 @@ class Archive {
     if (size > most_)
       throw bem::InputError(apart);
     (vectors.resize(size), ...);
+  }
+  /// Gives the states of a level that is read as many pressures and shears as others have.
+  void resizeLike(const contact::ContactStates& others,
+                  contact::ContactStates& states) const {
+    if (to_ == To::Level)
+      states = others;
   }
   /// Rows of an array, divided by `parts`.
   std::size_t rows(const char* name, std::size_t parts = 1) {
@@ -156,11 +167,8 @@ void visit(Archive& archive, SolvedState& step, const SolvedState& like) {
     archive("step_displacement", step.displacement[b]);
     archive("step_density", step.density[b]);
   }
-  auto& [normal, tangential] = step.states;
-  archive.resize(like.states.normal.size(), normal);
-  archive.resize(like.states.tangential.size(), tangential);
-  archive("step_contact_state", normal, contact::NormalState::Closed);
-  archive("step_friction_state", tangential, contact::FrictionState::SlipBackward);
+  archive.resizeLike(like.states, step.states);
+  archive("step_contact_state", "step_friction_state", step.states);
   archive("step_rigid_bodies", step.rigid);
 }
 
@@ -173,15 +181,16 @@ void visit(Archive& archive, Level& level) {
   for (std::size_t b = 0; b < level.meshes.size(); ++b)
     visit(archive, level, b);
   auto& [multiplier, rigid] = last.state;
-  auto& [normal, tangential] = last.states;
+  contact::ContactStates states(archive.rows("contact_state"),
+                                contact::ContactState::Open);
+  states.resize(states.size() + archive.rows("friction_state"),
+                contact::ContactState::Frictionless);
   archive.resize(archive.rows("multiplier"), multiplier);
   archive.resize(archive.rows("rigid"), rigid);
-  archive.resize(archive.rows("contact_state"), normal);
-  archive.resize(archive.rows("friction_state"), tangential);
+  archive.resizeLike(states, last.states);
   archive("multiplier", multiplier);
   archive("rigid", rigid);
-  archive("contact_state", normal, contact::NormalState::Closed);
-  archive("friction_state", tangential, contact::FrictionState::SlipBackward);
+  archive("contact_state", "friction_state", last.states);
   archive.resize(archive.rows("rigid_bodies"), last.rigid);
   archive("rigid_bodies", last.rigid);
   archive.resize(archive.rows("path_t"), level.path);

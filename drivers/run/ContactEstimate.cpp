@@ -25,7 +25,7 @@ bool isClosed(const Element& element, bem::Index normals,
   return std::any_of(steps.begin(), steps.end(), [&](const SolvedState& step) {
     for (int i = 0; i <= element.degree; ++i)
       if (const bem::Index k = element.normalOf(i);
-          k >= 0 && k < normals && step.states.normal[k] == contact::NormalState::Closed)
+          k >= 0 && k < normals && step.states[k] == contact::ContactState::Closed)
         return true;
     return false;
   });

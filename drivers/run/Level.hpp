@@ -1,7 +1,6 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
-#include "contact/equation/ContactState.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/solve/Report.hpp"
 #include "drivers/process/PhaseTimer.hpp"
@@ -28,7 +27,7 @@ struct SolvedState {
   double volumeError = 0;
 
   // of a load and of a step that the History defines
-  contact::ContactState states{};           ///< of each coefficient of λ
+  contact::ContactStates states{};          ///< of each coefficient of λ
   std::vector<bem::Vector> displacement{};  ///< by body, all unknowns
   std::vector<bem::Vector> density{};       ///< likewise, traction on the whole boundary
   std::vector<contact::RigidMotion> rigid{};  ///< by rigid body

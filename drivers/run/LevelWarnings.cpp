@@ -16,7 +16,7 @@ namespace {
 /// What is told of a contact, the largest over the level or over the steps of its path.
 struct Contact {
   double sliding = 0;  ///< where it is closed, over its length in contact
-  double parting = 0;  ///< of ContactDirection, times the slip where it is closed
+  double parting = 0;  ///< of Direction, times the slip where it is closed
   double slope = 0;    ///< largest angle between the sides where it is closed
   double apart = 0;    ///< by how much sliding convex sides part [length]
   /// n k |λₜ|, at most n k f p, of a path: the slip follows what it wears, and more than one

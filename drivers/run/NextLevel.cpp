@@ -233,7 +233,7 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
                                          const std::vector<SolvedState>& steps) {
   const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
-  std::vector<contact::ContactState> states;
+  std::vector<contact::ContactStates> states;
   states.reserve(steps.size());
   for (const SolvedState& step : steps)
     states.push_back(step.states);

@@ -185,6 +185,37 @@ void findDeepOverlaps(const Scene& scene, Warnings& warn) {
   }
 }
 
+/// Faces of an incompressible body that are so near each other that V hardly tells a change of its
+/// volume from a pressure between them.
+void findNarrowSlots(const Scene& scene, Warnings& warn) {
+  constexpr double narrow = 1e-3;  // of an element; 1e-13 over the square of it is lost
+  std::map<std::string, double> ratios;
+  for (const ContactPair& pair : scene.contacts)
+    if (const bem::Material& material = scene.bodies[pair.side.body].material;
+        pair.side.isOnBodyOf(pair.opposite) && material.poissonsRatio >= 0.5 &&
+        !material.planeStress)
+      ratios[pair.name] = narrow;
+  if (ratios.empty())
+    return;
+  const BodySpaces spaces(scene, firstMeshes(scene));
+  spaces.multiplier().forEachElement([&](const auto& element) {
+    const auto found = ratios.find(element.condition->name);
+    if (found == ratios.end())
+      return;
+    const auto there = spaces.opposite()->at(element, 0);
+    const double apart = norm(element.mesh->scaledPoint(element.element, 0) -
+                              element.mesh->scaledPoint(there.element, there.t));
+    found->second = std::min(found->second, apart / (2 * element.geometry().half));
+  });
+  for (const auto& [name, ratio] : ratios)
+    if (ratio < narrow)
+      warn("Contacts->", name, ": the sides are ", ratio,
+           " of an element apart; in a body of Poisson's Ratio 1/2 dense operators lose "
+           "the pressure's digits between them: take compressed ones (Solver->Linear->"
+           "Method), a smaller Poisson's Ratio, or cut the body along the slot and tie "
+           "its parts ahead of it");
+}
+
 /// Sides that come as near as Adjust says where they are not adjusted.
 void findUnadjusted(const Scene& scene, Warnings& warn) {
   const Part contacts = scene.root().sub("Contacts");
@@ -235,6 +266,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
   findUnstable(scene, warn);
   findDeepOverlaps(scene, warn);
   findUnadjusted(scene, warn);
+  findNarrowSlots(scene, warn);
   return warn.all();
 }
 

@@ -2,7 +2,7 @@
 
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 #include "contact/path/PathMemory.hpp"
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/system/GivenPenetration.hpp"
 #include "contact/system/LoadSize.hpp"
 
 #include <algorithm>
@@ -212,7 +211,6 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
   Vector given = obstacle.given();
   drives.addGiven(given);
   double ofBodies = 0;
-  contact::addBodyLoads(obstacle, given);
   double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const contact::Loads loads =
@@ -268,11 +266,12 @@ Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
         double outwards = meets && contact->second.gap ? contact->second.gap(x) : 0;
         if (!meets)
           for (const auto& [given, along] : {std::pair(&clamp->second.x, x.normal.x),
-                                             std::pair(&clamp->second.y, x.normal.y)})
+                                             std::pair(&clamp->second.y, x.normal.y)}) {
             if (*given)
               outwards += (*given)(x)*along;
             else if (std::abs(along) > 1e-12)
               room.isLimited = false;
+          }
         const double share = rule.weights[q] * mesh.measure(e, rule.points[q]);
         room.area += share * outwards;
         room.size += share * std::abs(outwards);

@@ -47,10 +47,10 @@ std::pair<SideOfBody, SideOfBody> readBetween(const Part& part, const Scene& sce
   SideOfBody second = readSide(between[1], key, scene);
   if (first.rigid && second.rigid)
     throw InputError(key + ": both bodies are rigid; at least one must be elastic");
-  if (first.isOnBodyOf(second))
-    throw InputError(
-        key + ": contact of a body with itself is not possible; both sides belong to '" +
-        scene.bodies[first.body].name + "'");
+  if (first == second)
+    throw InputError(key, ": names '", scene.labelOf(first),
+                     "' twice; where a body meets itself give the edges of either face a "
+                     "name of their own");
   if (first.rigid)
     std::swap(first, second);
   return {first, second};

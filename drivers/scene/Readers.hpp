@@ -18,8 +18,8 @@ void readBodies(Scene& scene);
 
 /// Reads the contacts of a scene whose bodies are read: the two sides, the parts of the
 /// first side that have an opposite side, and required nodes at the ends of these parts.
-/// \throws bem::InputError for unknown bodies or boundaries, contact of a body with
-///   itself or of two rigid ones, a boundary that already has a condition, sides that
+/// \throws bem::InputError for unknown bodies or boundaries, contact of a boundary with
+///   itself or of two rigid bodies, a boundary that already has a condition, sides that
 ///   never face each other, and as checkOverlaps.
 void readContacts(Scene& scene);
 

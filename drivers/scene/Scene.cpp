@@ -35,8 +35,9 @@ bem::Visibility Scene::visibility(const ContactPair& pair) const {
   const bem::Outline& side = outlineOf(pair.side);
   const bem::Outline& opposite = outlineOf(pair.opposite);
   std::vector<bem::Curve> own;
-  for (const bem::Edge& edge : side.edges())
-    own.push_back(edge.curve.moved(shift(pair)));
+  if (!pair.side.isOnBodyOf(pair.opposite))
+    for (const bem::Edge& edge : side.edges())
+      own.push_back(edge.curve.moved(shift(pair)));
   std::vector<bem::Curve> others;
   for (const bem::Edge& edge : opposite.edges())
     others.push_back(inUnits(units().length, opposite, edge));

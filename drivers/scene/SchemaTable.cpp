@@ -238,8 +238,10 @@ void addSeveralBodies(Table& table) {
   add(table, Row(contact, Kind::List, "a contact, under a name of your choice"),
       {
           Row("Between", Kind::Names,
-              "two sides, body:boundary; the first one carries the contact stresses, or "
-              "the elastic one if the other is rigid")
+              "two sides, body:boundary, of two bodies or of one that meets itself; the "
+              "first one carries the contact stresses, or the elastic one if the other "
+              "is "
+              "rigid")
               .required(),
           Row("Interference", Kind::Expression, "length",
               "overlap along the first side's outward normal, in addition to that of the "

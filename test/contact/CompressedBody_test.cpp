@@ -6,7 +6,7 @@
 #include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/Solve.hpp"
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

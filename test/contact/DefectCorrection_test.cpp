@@ -7,7 +7,7 @@
 #include "contact/BodyScene.hpp"
 #include "contact/Form.hpp"
 #include "contact/Solve.hpp"
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/path/PathMemory.hpp"
 
@@ -75,12 +75,14 @@ double open(const contact::ContactSystem& system, const contact::Configuration& 
   const contact::Problem& problem = system.numbers();
   const Vector& r = at.penetration;
   const Vector lengths = system.lengths();
-  const auto set = contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
-                       .at(pack(problem, at.state))
-                       .set;
+  const auto states =
+      contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
+          .at(pack(problem, at.state))
+          .states;
   double most = 0;
   for (std::size_t i = 0; i < r.size(); ++i)
-    if ((set[i] != 0) == (static_cast<bem::Index>(i) < problem.normals))
+    if (states[i] == contact::ContactState::Closed ||
+        states[i] == contact::ContactState::Stick)
       most = std::max(most, std::abs(r[i]) / lengths[i]);
   return most / largest(at.displacements.front());
 }
@@ -147,17 +149,16 @@ TEUCHOS_UNIT_TEST(DefectCorrection, placesThatSlipALittleAreSaidToSlip) {
   const contact::Configuration at =
       corrected(system, test::solve(problem).state, test::processes());
   const Vector bounds = problem.slipBounds(at.state.multiplier);
-  const auto atBoundButStuck = [&](const contact::ContactState& states) {
+  const auto atBoundButStuck = [&](const contact::ContactStates& states) {
     int count = 0;
     for (std::size_t t = 0; t < bounds.size(); ++t)
       count +=
-          states.tangential[t] == contact::FrictionState::Stick &&
+          states[problem.normals + t] == contact::ContactState::Stick &&
           std::abs(at.state.multiplier[problem.normals + t]) >= (1 - 1e-9) * bounds[t];
     return count;
   };
-  const auto slips = [&](const contact::ContactState& states) {
-    return std::count(states.tangential.begin(), states.tangential.end(),
-                      contact::FrictionState::SlipForward);
+  const auto slips = [&](const contact::ContactStates& states) {
+    return std::count(states.begin(), states.end(), contact::ContactState::SlipForward);
   };
   const auto states = contact::classify(problem, at.state, at.penetration);
   TEST_EQUALITY(atBoundButStuck(states), 0);
@@ -168,7 +169,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, placesThatSlipALittleAreSaidToSlip) {
   for (std::size_t t = 0; t < bounds.size(); ++t) {
     const std::size_t i = problem.normals + t;
     rounding = std::max(rounding, std::abs(byD[i] - at.penetration[i]));
-    if (states.tangential[t] == contact::FrictionState::SlipForward)
+    if (states[i] == contact::ContactState::SlipForward)
       smallest = std::min(smallest, std::abs(at.penetration[i]));
   }
   TEST_COMPARE(smallest, <, rounding);
@@ -178,7 +179,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, placesThatSlipALittleAreSaidToSlip) {
   for (std::size_t t = 0; t < bounds.size(); ++t) {
     const std::size_t i = problem.normals + t;
     const double work = at.state.multiplier[i] * at.penetration[i];
-    const bool sticks = states.tangential[t] == contact::FrictionState::Stick;
+    const bool sticks = states[i] == contact::ContactState::Stick;
     TEST_EQUALITY(memory.frictionWork()[t], sticks ? 0 : work);
     TEST_ASSERT(sticks || work > 0);
   }
@@ -203,8 +204,8 @@ TEUCHOS_UNIT_TEST(DefectCorrection, heldLoadsAreSolvedByTheStepBefore) {
     }
     contact::Configuration at = corrected(now, solution.state, test::processes());
     const auto states = contact::classify(now.numbers(), at.state, at.penetration);
-    for (std::size_t i = 0; i < states.normal.size(); ++i)
-      if (states.normal[i] == contact::NormalState::Closed)
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (states[i] == contact::ContactState::Closed)
         at.penetration[i] += 1e-9 * now.lengths()[i];
     memory.add(now, at);
     state = at.state;

@@ -46,8 +46,10 @@ contact::Conditions conditionsFor(double load, bool clamped, double coefficient)
 test::SolvedScene solvedBlock(double load, bool clamped, double coefficient = 0.4) {
   return test::SolvedScene(
       {bem::makeMesh(test::outlineOf(test::rectangle({-1, 0}, 2, 1)), {4, 2, 3, 2}, 2),
-       bem::Material{5, 0.3, false}, conditionsFor(load, clamped, coefficient),
-       "Gauss-Legendre-Lagrange"});
+       bem::Material{5, 0.3, false},
+       conditionsFor(load, clamped, coefficient),
+       "Gauss-Legendre-Lagrange",
+       {}});
 }
 
 /// A load factor is one of all tractions and prescribed displacements over the same gap.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/ContactSolver.hpp"
@@ -43,8 +43,8 @@ inline contact::Vector slip(const contact::Problem& problem,
 }
 
 /// What each coefficient does, by D.
-inline contact::ContactState statesOf(const contact::Problem& problem,
-                                      const contact::State& state) {
+inline contact::ContactStates statesOf(const contact::Problem& problem,
+                                       const contact::State& state) {
   return classify(problem, state, contact::penetration(problem, state));
 }
 

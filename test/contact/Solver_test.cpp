@@ -1,7 +1,6 @@
 #include "Largest.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
-#include "contact/equation/ContactState.hpp"
 #include "contact/equation/Equation.hpp"
 #include "reference/Violation.hpp"
 
@@ -178,15 +177,12 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
   problem.offset = {2, 2, -1, 0.3, -4, 5};
   problem.rigid = contact::Matrix(6, 0);
   const Solution solution = solve(problem, {}, {});
-  const auto state = test::statesOf(problem, solution.state);
-  using contact::FrictionState;
-  using contact::NormalState;
+  using contact::ContactState;
   TEST_ASSERT(
-      (state.normal == std::vector<NormalState>{NormalState::Closed, NormalState::Closed,
-                                                NormalState::Open}));
-  TEST_ASSERT((state.tangential == std::vector<FrictionState>{FrictionState::Stick,
-                                                              FrictionState::SlipBackward,
-                                                              FrictionState::None}));
+      (test::statesOf(problem, solution.state) ==
+       contact::ContactStates{ContactState::Closed, ContactState::Closed,
+                              ContactState::Open, ContactState::Stick,
+                              ContactState::SlipBackward, ContactState::Frictionless}));
   TEST_COMPARE(std::abs(solution.state.multiplier[4] + 1), <, 1e-12);
 }
 

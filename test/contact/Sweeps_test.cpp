@@ -73,14 +73,14 @@ TEUCHOS_UNIT_TEST(ActiveSets, fullStepsCycleWithPeriodThreeOnTheClassicalExample
   const Problem problem = cyclingProblem();
   const Equation equation = test::equationOf(problem);
   auto e = equation.at({0, 0, 0});
-  std::vector<contact::ActiveSet> sets;
+  std::vector<contact::ContactStates> sets;
   for (int step = 0; step < 9; ++step) {
     Vector x = e.unknowns;
     const Vector d = contact::NewtonSystem(equation, e).solve(e.residual);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] -= d[i];
     e = equation.at(x);
-    sets.push_back(e.set);
+    sets.push_back(e.states);
     TEST_ASSERT(!e.converged);
   }
   for (std::size_t k = 3; k < sets.size(); ++k) {

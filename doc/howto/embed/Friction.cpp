@@ -1,7 +1,7 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/CoulombIteration.hpp"
@@ -40,19 +40,15 @@ contact::State solved(const contact::Problem& problem) {
 Point measure(const Block& block, const contact::ContactSystem& system,
               const ContactModel& model, double factor, const contact::State& state) {
   const contact::Problem numbers = model.family().at({1, factor});
-  const contact::ContactState contact =
+  const contact::ContactStates states =
       classify(numbers, state, penetration(numbers, state));
-  const auto slips = [&](std::size_t t) {
-    return contact.tangential[t] == contact::FrictionState::SlipForward ||
-           contact.tangential[t] == contact::FrictionState::SlipBackward;
-  };
   Point point{factor, 0, 0, 0};
   for (const auto& element : system.body(0).elements()) {
     const auto& weights = bem::gaussLegendre(element.degree + 1).weights;
     const double half = block.units.length * block.space.mesh()[element.element].half;
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const auto k = static_cast<std::size_t>(element.tangential.first) + i;
-      if (slips(k - static_cast<std::size_t>(numbers.normals)))
+      if (slips(states[k]))
         point.slipLength += half * weights[i];
       point.shear +=
           half * weights[i] * block.units.stress * std::abs(state.multiplier[k]);

@@ -94,13 +94,13 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const contact::Conditions& conditions,
                               const contact::MultiplierSpace& multiplier,
                               std::size_t body,
-                              const std::vector<contact::ContactState>& states) {
+                              const std::vector<contact::ContactStates>& states) {
   if (strategy.grading == Grading::Ignored ||
       !transitions().at(options.transitions).areSingular)
     return findSingularPoints(mesh, conditions);
   std::vector<SingularPoints> all;
   all.reserve(states.size());
-  for (const contact::ContactState& state : states)
+  for (const contact::ContactStates& state : states)
     all.push_back(findSingularPoints(mesh, conditions, multiplier, body, state));
   return united(all);
 }

@@ -60,7 +60,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const contact::Conditions& conditions,
                               const contact::MultiplierSpace& multiplier,
                               std::size_t body,
-                              const std::vector<contact::ContactState>& states);
+                              const std::vector<contact::ContactStates>& states);
 
 /// The marks of the strategy on rank 0, without those that cut short elements.  Collective.
 Marks decide(const Strategy& strategy, const LevelData& level,

@@ -6,6 +6,8 @@
 
 namespace epafi::adaptivity {
 
+using contact::ContactState;
+
 namespace {
 
 bool isSupport(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
@@ -45,23 +47,20 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
   return isSmooth ? Singularity::None : Singularity::Weak;
 }
 
-/// State of coefficient i of an element.  If the slip bound depends on the pressure, an open
-/// point has no friction state.
-std::pair<contact::NormalState, contact::FrictionState> stateOf(
-    const contact::MultiplierSpace& multiplier,
+/// States of coefficient i of an element, of pressure and shear.  If the slip bound depends on the
+/// pressure, an open point has no friction.
+std::pair<ContactState, ContactState> statesOf(
     const contact::MultiplierSpace::ContactElement& element, int i,
-    const contact::ContactState& states) {
-  using contact::FrictionState;
-  using contact::NormalState;
+    const contact::ContactStates& states) {
   if (element.ties())
-    return {NormalState::Closed, FrictionState::Stick};
-  const NormalState normal = states.normal[element.normalOf(i)];
+    return {ContactState::Closed, ContactState::Stick};
+  const ContactState normal = states[element.normalOf(i)];
   const contact::Friction& friction = element.condition->friction;
   const bool idle =
-      normal == NormalState::Open && friction && friction.law->dependsOnPressure();
+      normal == ContactState::Open && friction && friction.law->dependsOnPressure();
   if (!element.shears() || idle)
-    return {normal, FrictionState::None};
-  return {normal, states.tangential[element.tangentialOf(i) - multiplier.normals()]};
+    return {normal, ContactState::Frictionless};
+  return {normal, states[element.tangentialOf(i)]};
 }
 
 }  // namespace
@@ -78,20 +77,18 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
-                                  std::size_t body, const contact::ContactState& states) {
+                                  std::size_t body,
+                                  const contact::ContactStates& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
   const auto& elements = multiplier.elements(body);
   for (const auto& element : elements) {
     const auto places = multiplier.basis().places(element.degree);
-    const auto stateAt = [&](const auto& where, int i) {
-      return stateOf(multiplier, where, i, states);
-    };
-    if (element.follower &&
-        stateAt(element, element.degree) != stateAt(elements[*element.follower], 0))
+    if (element.follower && statesOf(element, element.degree, states) !=
+                                statesOf(elements[*element.follower], 0, states))
       points.nodes[mesh[element.element].endNode] = Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
-      if (stateAt(element, i) != stateAt(element, i + 1))
+      if (statesOf(element, i, states) != statesOf(element, i + 1, states))
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;

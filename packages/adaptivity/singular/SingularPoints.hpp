@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
-#include "contact/equation/ContactState.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/ContactState.hpp"
 
 #include <vector>
 
@@ -39,7 +39,7 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
-                                  std::size_t body, const contact::ContactState& states);
+                                  std::size_t body, const contact::ContactStates& states);
 
 /// Union of the singular points of several states on one mesh: the strongest singularity at each
 /// node; places closer than a tenth of an element are merged to that of the first state.

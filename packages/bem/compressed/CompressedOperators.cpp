@@ -51,12 +51,18 @@ struct AllUnknowns {
     return {static_cast<int>(b), shares[b].unknowns[own].element};
   }
 
-  /// Gives bodies the entries between their own unknowns; returns those between bodies.
-  std::vector<Entry> shareOut(const std::vector<Entry>& entries) {
+  /// Gives bodies the entries between their own unknowns; returns those between bodies.  `across`:
+  /// these and those between elements of one body that do not touch, as where it meets itself.
+  std::vector<Entry> shareOut(const std::vector<const Space*>& spaces,
+                              const std::vector<Entry>& entries,
+                              std::vector<Entry>& across) {
     std::vector<Entry> between;
     for (const Entry& entry : entries) {
       const auto [b, row] = owners[entry.row];
       const auto [d, column] = owners[entry.column];
+      if (b != d || !areBeside(spaces[b]->mesh(), shares[b].unknowns[at(row)].element,
+                               shares[b].unknowns[at(column)].element))
+        across.push_back(entry);
       if (b == d)
         shares[b].entries.push_back({row, column, entry.value});
       else
@@ -65,10 +71,14 @@ struct AllUnknowns {
     return between;
   }
 
-  std::vector<Link> linksOf(const std::vector<Entry>& between) const {
+  static bool areBeside(const Mesh& mesh, int e, int f) {
+    return e == f || mesh[e].next == f || mesh[e].previous == f;
+  }
+
+  std::vector<Link> linksOf(const std::vector<Entry>& across) const {
     std::vector<Link> links;
-    links.reserve(between.size());
-    for (const Entry& entry : between)
+    links.reserve(across.size());
+    for (const Entry& entry : across)
       links.push_back({elementOf(std::max(entry.row, entry.column)),
                        elementOf(std::min(entry.row, entry.column)),
                        std::abs(entry.value)});
@@ -76,10 +86,10 @@ struct AllUnknowns {
   }
 
   /// `leaves`: of all unknowns.
-  void setAbroad(const std::vector<Entry>& between, const std::vector<int>& leaves) {
+  void setAbroad(const std::vector<Entry>& across, const std::vector<int>& leaves) {
     for (BodyShare& share : shares)
       share.abroad.resize(share.unknowns.size());
-    for (const Entry& entry : between)
+    for (const Entry& entry : across)
       for (const auto& [i, j] :
            {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
         const auto [b, own] = owners[i];
@@ -114,8 +124,9 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   }
   for (std::size_t k = 0; k < local.elements.size(); ++k)
     all.add(local.bodies.empty() ? 0 : local.bodies[k], {local.elements[k], -1, true});
-  const auto between = all.shareOut(local.entries);
-  const std::vector<ClusterPlace> order = clusterOrder(spaces, all.linksOf(between));
+  std::vector<Entry> across;
+  const auto between = all.shareOut(spaces, local.entries, across);
+  const std::vector<ClusterPlace> order = clusterOrder(spaces, all.linksOf(across));
   for (std::size_t b = 0; b < bodies.size(); ++b)
     trees_.emplace_back(spaces, order, static_cast<int>(b), options.leafUnknowns);
   std::vector<Index> unknowns(tree().size());
@@ -126,7 +137,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
       ++unknowns[c];
   }
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, processes);
-  all.setAbroad(between, leaves_);
+  all.setAbroad(across, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     skeletonise(all.shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
                 *subtrees_);

@@ -131,11 +131,13 @@ void checkVertices(const Loop& loop) {
 
 [[noreturn]] void failToBeSimple(const Loop& loop, std::size_t i, std::size_t j) {
   // the arcs of a clockwise circle bulge inwards
-  throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i), " and ",
-                   nameOf(loop, j),
-                   hasArcs(loop) && twiceAreaOfChords(loop) < 0
-                       ? "; its vertices run clockwise, list them counter-clockwise"
-                       : "");
+  throw InputError(
+      "the polygon touches or crosses itself: ", nameOf(loop, i), " and ",
+      nameOf(loop, j),
+      hasArcs(loop) && twiceAreaOfChords(loop) < 0
+          ? "; its vertices run clockwise, list them counter-clockwise"
+          : "; where faces of a crack coincide, cut the body along the crack "
+            "and tie its parts ahead of it");
 }
 
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.

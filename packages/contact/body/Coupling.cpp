@@ -17,69 +17,70 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-/// What the coefficients of a contact element, in a row, do to the displacements of an element, its
-/// own or an opposite one.
-class Works {
- public:
-  /// \param turn  that of directions, of the element's body
-  Works(const ContactElement& contact, const bem::Space& space, int element,
-        double Direction::*turn)
-      : contact_(contact),
-        space_(space),
-        element_(element),
-        turn_(turn),
-        traces_(2 * (space.mesh()[element].degree + Index{1}), contact.coefficients()),
-        rests_(at(contact.coefficients())) {}
-
-  /// Adds a point of the side, t on the element.
-  void add(const SidePoint& point, double weight, double t) {
-    const int degree = space_.mesh()[element_].degree;
-    std::array<double, bem::largestDegree + 1> phi{};
-    bem::DisplacementBasis::values(degree, t, phi.data());
-    const Vec2 rest = space_.rotationRest(element_, t);
-    for (int i = 0; i < contact_.coefficients(); ++i) {
-      const Direction& direction = point.directionOf(i);
-      const double value = weight * point.chiOf(i);
-      const Vec2 force = value * direction.unit;
-      double* trace = traces_.column(i);
-      for (int k = 0; k <= degree; ++k) {
-        trace[2 * k] += force.x * phi[at(k)];
-        trace[2 * k + 1] += force.y * phi[at(k)];
-      }
-      rests_[at(i)] += dot(force, rest) - value * direction.*turn_;
+/// Adds a point of a contact element, t on an element, its own or an opposite one, to what the
+/// coefficients do to the displacements of that one, by coefficients: ∫ χ_i d·φ_k, the components of
+/// φ_k in a row, and last ∫ χ_i d·(r - r_I), less what turns of arcs do.
+/// \param turn  of directions, of the element's body
+void addPoint(const SidePoint& point, double weight, const bem::Space& space, int element,
+              double t, double Direction::*turn, Matrix& works) {
+  const int degree = space.mesh()[element].degree;
+  if (works.empty())
+    works = Matrix(2 * (degree + Index{1}) + 1, point.contact.coefficients());
+  std::array<double, bem::largestDegree + 1> phi{};
+  bem::DisplacementBasis::values(degree, t, phi.data());
+  const Vec2 rest = space.rotationRest(element, t);
+  for (int i = 0; i < point.contact.coefficients(); ++i) {
+    const Direction& direction = point.directionOf(i);
+    const double value = weight * point.chiOf(i);
+    const Vec2 force = value * direction.unit;
+    double* column = works.column(i);
+    for (int k = 0; k <= degree; ++k) {
+      column[2 * k] += force.x * phi[at(k)];
+      column[2 * k + 1] += force.y * phi[at(k)];
     }
+    column[works.rows() - 1] += dot(force, rest) - value * direction.*turn;
   }
+}
 
-  void addTo(Coupling& coupling) const {
-    for (int i = 0; i < contact_.coefficients(); ++i) {
-      const int k = contact_.functionOf(i);
-      const Coefficients& own = contact_.of(i);
-      const bool clamped = own.holdsNothing(k);
-      addTo(clamped ? coupling.completion : coupling.trace, i, contact_.numberOf(i), 1);
-      for (const std::size_t end : {0, 1})
-        if (k == (end == 0 ? 0 : contact_.degree))
-          for (const auto& [other, factor] : own.ends[end].added)
-            addTo(coupling.completion, i, other, factor);
+using Entries = std::map<std::pair<Index, Index>, double>;
+
+/// Adds the works of a contact element on an element; apart, what completes ends.
+void addWorks(const Matrix& works, const ContactElement& contact, const bem::Space& space,
+              int element, TraceCoupling& trace, Entries& completed) {
+  const Index last = works.rows() - 1;
+  // of coefficient i, as a part of those of another one
+  const auto add = [&](Index number, double factor, int i, bool completes) {
+    trace.rests[at(number)] += factor * works(last, i);
+    for (Index k = 0; k < last; ++k) {
+      const Index row =
+          space.displacement(element, static_cast<int>(k / 2), static_cast<int>(k % 2));
+      if (completes)
+        completed[{row, number}] += factor * works(k, i);
+      else
+        trace.entries.push_back({row, number, factor * works(k, i)});
     }
+  };
+  for (int i = 0; i < contact.coefficients(); ++i) {
+    const int k = contact.functionOf(i);
+    const Coefficients& own = contact.of(i);
+    add(contact.numberOf(i), 1, i, own.holdsNothing(k));
+    for (const std::size_t end : {0, 1})
+      if (k == (end == 0 ? 0 : contact.degree))
+        for (const auto& [other, factor] : own.ends[end].added)
+          add(other, factor, i, true);
   }
+}
 
- private:
-  /// Of a coefficient's work, as a part of that of another one.
-  void addTo(TraceCoupling& trace, int i, Index number, double factor) const {
-    trace.rests[at(number)] += factor * rests_[at(i)];
-    for (int k = 0; 2 * k < traces_.rows(); ++k)
-      for (const int c : {0, 1})
-        trace.entries.push_back({space_.displacement(element_, k, c), number,
-                                 factor * traces_(2 * Index{k} + c, i)});
-  }
-
-  const ContactElement& contact_;
-  const bem::Space& space_;
-  int element_;
-  double Direction::*turn_;
-  Matrix traces_;  ///< ∫ χ_i d·φ_k: components of displacement functions x coefficients
-  Vector rests_;  ///< ∫ χ_i d·(r - r_I), less what turns of arcs do
-};
+/// Only where displacements are prescribed do completed ends do more than quadrature on arcs leaves.
+void addCompleted(const Entries& completed, const std::vector<char>& held,
+                  Coupling& coupling) {
+  constexpr double rounding = 1e-15;  // of straight sides
+  for (const auto& [place, value] : completed)
+    if (const auto [row, number] = place; held[at(row)] != 0)
+      coupling.completion.entries.push_back({row, number, value});
+    else if (std::abs(value) > rounding)
+      coupling.trace.entries.push_back({row, number, value});
+}
 
 void checkEnds(const ContactElement& element, const MultiplierBasis& basis) {
   for (const Coefficients* own : {&element.normal, &element.tangential})
@@ -96,15 +97,16 @@ void checkEnds(const ContactElement& element, const MultiplierBasis& basis) {
 std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces,
                                     const MultiplierSpace& multiplier,
                                     const Opposite& opposite) {
+  const Vector zero(at(multiplier.size()));
   std::vector<Coupling> couplings(spaces.size());
+  std::vector<Entries> completed(spaces.size());
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     couplings[b].opposite = &opposite;
-    couplings[b].trace = couplings[b].completion = {
-        {}, spaces[b]->rotation(), Vector(at(multiplier.size()))};
+    couplings[b].trace = {{}, spaces[b]->rotation(), zero};
+    couplings[b].completion = {{}, nullptr, zero};
   }
   multiplier.forEachElement([&](const ContactElement& contact) {
-    Works own(contact, *spaces[at(contact.body)], contact.element, &Direction::ownTurn);
-    std::map<std::pair<int, int>, Works> facing;  // by body and element
+    std::map<std::pair<int, int>, Matrix> all;  // works by body and element
     for (const Stretch& stretch : stretches(opposite, contact)) {
       const Opposite::Point middle = opposite.at(contact, stretch.middle);
       if (middle.element >= 0)
@@ -112,21 +114,25 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
       forEachPointOf(
           contact, multiplier.basis(), ruleOfForces(contact, middle),
           [&](const SidePoint& point) {
-            own.add(point, point.weight, point.t);
-            const int body = point.opposite.body;
-            const int element = point.opposite.element;
-            if (element >= 0)
-              facing
-                  .try_emplace({body, element}, contact, *spaces[at(body)], element,
-                               &Direction::oppositeTurn)
-                  .first->second.add(point, -point.weight, point.opposite.t);
+            addPoint(point, point.weight, *spaces[at(contact.body)], contact.element,
+                     point.t, &Direction::ownTurn, all[{contact.body, contact.element}]);
+            if (const Opposite::Point& there = point.opposite; there.element >= 0)
+              addPoint(point, -point.weight, *spaces[at(there.body)], there.element,
+                       there.t, &Direction::oppositeTurn,
+                       all[{there.body, there.element}]);
           },
           stretch);
     }
-    own.addTo(couplings[at(contact.body)]);
-    for (const auto& [where, works] : facing)
-      works.addTo(couplings[at(where.first)]);
+    for (const auto& [where, works] : all) {
+      const std::size_t b = at(where.first);
+      addWorks(works, contact, *spaces[b], where.second, couplings[b].trace,
+               completed[b]);
+    }
   });
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    if (!completed[b].empty())
+      addCompleted(completed[b], prescribed(*spaces[b], multiplier.conditions(b)),
+                   couplings[b]);
   return couplings;
 }
 
@@ -171,6 +177,14 @@ Vector Coupling::ofDensities(const Vector& density) const {
   for (const Index i : compliance.densities)
     result.push_back(density[at(i)]);
   return result;
+}
+
+TraceCoupling Coupling::withDensities(Index displacements) const {
+  TraceCoupling all = trace;
+  for (const auto& [row, column, value] : weights)
+    all.entries.push_back(
+        {displacements + compliance.densities[at(row)], column, -value});
+  return all;
 }
 
 double Coupling::complianceWork(const Vector& density) const {

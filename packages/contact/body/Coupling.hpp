@@ -25,7 +25,8 @@ using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 struct Coupling {
   const Opposite* opposite = nullptr;  ///< what directions depend on
   TraceCoupling trace;                 ///< C: <χ_i, φ_j>
-  /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free displacements.
+  /// What completed ends, see completeEnds, add to C in Bᵀ λ on prescribed displacements, where no
+  /// condition asks for it.  What quadrature on arcs leaves of them on others is part of C.
   TraceCoupling completion;
   std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
   std::vector<bem::Entry> mass;     ///< M: multiplier x multiplier
@@ -51,6 +52,8 @@ struct Coupling {
   /// E w and Eᵀ ψ: from G's rows to all densities, and back.
   Vector onDensities(const Vector& w, Index densities) const;
   Vector ofDensities(const Vector& density) const;
+  /// [C, -Gᵀ] by displacements and, behind them, all densities.
+  TraceCoupling withDensities(Index displacements) const;
   /// ψᵀ G ψ, all that V + G has beyond V.
   double complianceWork(const Vector& density) const;
   /// <γ t_p, P_i> of all densities: on contact elements by the weights of Loads::OfInside, on

@@ -57,11 +57,7 @@ CompressedFlexibility::CompressedFlexibility(
 void CompressedFlexibility::takeCoupling() {
   for (const auto& body : bodies_) {
     const Coupling& own = body->coupling();
-    TraceCoupling& trace = coupling_.emplace_back(own.trace);
-    for (const auto& [row, column, value] : own.weights)
-      trace.entries.push_back(
-          {body->space().displacements() + own.compliance.densities[at(row)], column,
-           -value});
+    coupling_.push_back(own.withDensities(body->space().displacements()));
     mass_.insert(mass_.end(), own.mass.begin(), own.mass.end());
   }
 }

@@ -79,12 +79,9 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
     const Index densities = first + space.displacements();
     const Coupling own = stabilised(std::move(couplings[b]), space, multiplier, b,
                                     stabilization, lames[b], units);
-    for (const bem::Entry& entry : own.trace.entries)
+    for (const bem::Entry& entry : own.withDensities(space.displacements()).entries)
       local.entries.push_back({first + entry.row, further + entry.column, entry.value});
     local.rotations.push_back(own.trace.rests);
-    for (const bem::Entry& entry : own.weights)
-      local.entries.push_back({densities + own.compliance.densities[at(entry.row)],
-                               further + entry.column, -entry.value});
     for (const bem::Entry& entry : own.mass)
       if (entry.row >= entry.column)
         local.entries.push_back(

@@ -55,11 +55,6 @@ StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
 
 }  // namespace
 
-int differences(const ActiveSet& a, const ActiveSet& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(),
-                            std::not_equal_to<>());
-}
-
 Equation::Equation(const Problem& problem, Bound bound, double tolerance)
     : problem_(problem),
       bound_(bound),
@@ -194,14 +189,15 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     const double trial = multiplier + entry(e.penetration, i);
     double projection = std::max(trial, 0.0);
     double bound = 0;
-    if (i >= problem_.normals) {
+    if (i < problem_.normals) {
+      e.states.push_back(trial > 0 ? ContactState::Closed : ContactState::Open);
+    } else {
       bound = entry(e.bounds, i - problem_.normals);
       projection = std::clamp(trial, -bound, bound);
+      e.states.push_back(trial >= bound    ? ContactState::SlipForward
+                         : trial <= -bound ? ContactState::SlipBackward
+                                           : ContactState::Stick);
     }
-    const bool above = i < problem_.normals ? trial > 0 : trial >= bound;
-    const bool below = !above && i >= problem_.normals && trial <= -bound;
-    e.set.push_back(
-        static_cast<signed char>(static_cast<int>(above) - static_cast<int>(below)));
     const double natural =
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
     e.natural.push_back(natural);

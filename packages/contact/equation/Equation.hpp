@@ -7,11 +7,6 @@
 
 namespace epafi::contact {
 
-/// State of each coefficient: 0 open or stick, +1 closed or slip at +s, -1 slip at -s.
-using ActiveSet = std::vector<signed char>;
-/// Number of coefficients whose states differ.
-int differences(const ActiveSet& a, const ActiveSet& b);
-
 /// The nonsmooth equation at one point x = (λ, α) and the linear model of a Newton step: F and one
 /// element of its generalised Jacobian.
 struct Evaluation {
@@ -26,8 +21,8 @@ struct Evaluation {
   Vector residual;                    ///< F: one per coefficient, then one per motion
 
   // Measures of convergence.
-  Vector natural;  ///< λ - P(λ + c r), one per coefficient
-  ActiveSet set;
+  Vector natural;        ///< λ - P(λ + c r), one per coefficient
+  ContactStates states;  ///< without Frictionless: the sides of zero bounds
   double scaled = 0;     ///< largest natural residual or balance / Problem::stress
   double tolerance = 0;  ///< bound for `scaled`, at least the rounding error
   bool converged = false;

@@ -1,5 +1,6 @@
 #include "contact/multiplier/SharedNodes.hpp"
 
+#include "bem/algebra/LeastSquares.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <algorithm>
@@ -32,30 +33,27 @@ class NodeDirections {
     }
   }
 
-  /// Component of `direction` orthogonal to the constrained directions of the node.
-  Vec2 rest(int node, Vec2 direction) const {
+  /// Do the constrained directions of the node leave less than `spent` of a unit vector?
+  bool isSpent(int node, Vec2 direction) const {
     const auto taken = taken_.find(node);
-    if (taken != taken_.end())
-      for (const Vec2& other : taken->second)
-        direction = direction - dot(direction, other) * other;
-    return direction;
+    const std::vector<Vector> none;
+    return bem::leastSquares(taken == taken_.end() ? none : taken->second,
+                             {direction.x, direction.y}, 0)
+               .rest < spent;
   }
 
-  /// Constrains rest(node, direction) and returns true, if its norm is at least `spent` for a unit
-  /// vector; else returns false.
+  /// Constrains the direction unless it is spent.
   bool take(int node, Vec2 direction) {
-    const Vec2 left = rest(node, direction);
-    const double length = norm(left);
-    if (length < spent)
+    if (isSpent(node, direction))
       return false;
-    taken_[node].push_back((1 / length) * left);
+    taken_[node].push_back({direction.x, direction.y});
     return true;
   }
 
   bool anyAt(int node) const { return taken_.count(node) > 0; }
 
  private:
-  std::map<int, std::vector<Vec2>> taken_;  // orthonormal
+  std::map<int, std::vector<Vector>> taken_;
 };
 
 /// A coefficient of an element at one of its ends, in one direction.
@@ -189,7 +187,7 @@ void completeEnds(const bem::Mesh& mesh, const Conditions& conditions,
     for (const EndOf& end : endsOf(mesh, element)) {
       if (!clamped.anyAt(end.node)) {
         nodes[end.node].push_back(end);
-      } else if (!end.isOwn() && norm(clamped.rest(end.node, end.direction)) < spent) {
+      } else if (!end.isOwn() && clamped.isSpent(end.node, end.direction)) {
         end.coefficient().clamped = true;
         add(beyondNeighbour(end), 1, end.coefficient().added);
       }

@@ -10,21 +10,6 @@ namespace {
 
 constexpr int mostPairs = 10;
 
-// The active set of the rows.
-ActiveSet rowSet(const Evaluation& e) {
-  const std::size_t normals = e.rows.size() - e.bounds.size();
-  ActiveSet set;
-  for (std::size_t i = 0; i < e.rows.size(); ++i) {
-    const Complementarity& row = e.rows[i];
-    const bool open = row.penetration == 0;
-    if (i < normals)
-      set.push_back(open ? 0 : 1);
-    else
-      set.push_back(static_cast<signed char>(!open ? 0 : row.bound < 0 ? 1 : -1));
-  }
-  return set;
-}
-
 class Sweeper {
  public:
   Sweeper(const Problem& problem, Vector unknowns)
@@ -104,9 +89,9 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
   if (e.converged)
     return unknowns;
   Sweeper sweeper(equation.withTangent(e), unknowns);
-  ActiveSet before;
-  for (int pair = 0; pair < mostPairs && rowSet(e) != before; ++pair) {
-    before = rowSet(e);
+  ContactStates before;
+  for (int pair = 0; pair < mostPairs && e.states != before; ++pair) {
+    before = e.states;
     sweeper.pairOfSweeps();
     e = equation.at(sweeper.unknowns());
   }

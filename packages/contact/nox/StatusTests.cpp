@@ -20,7 +20,7 @@ constexpr double hasFallen = 0.999;  // a cycle repeats its residual up to round
 constexpr int many = 16;             // set changes; while they halve, that is progress
 constexpr std::size_t memory = 4;    // steps in which a coefficient must have changed
 
-std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
+std::vector<Index> changing(const std::vector<ContactStates>& sets) {
   std::vector<Index> result;
   const std::size_t begin = sets.size() > memory ? sets.size() - memory : 0;
   for (std::size_t i = 0; i < sets.back().size(); ++i)
@@ -42,7 +42,7 @@ void StepTest::record(const Evaluation& e) {
     first_ = least_ = e.scaled;
     run_.best = e.unknowns;
   } else {
-    run_.setChanges.push_back(differences(sets_.back(), e.set));
+    run_.setChanges.push_back(differences(sets_.back(), e.states));
   }
   if (sets_.empty() || e.scaled < 0.5 * improved_) {
     improved_ = e.scaled;
@@ -57,7 +57,7 @@ void StepTest::record(const Evaluation& e) {
     least_ = e.scaled;
     run_.best = e.unknowns;
   }
-  sets_.push_back(e.set);
+  sets_.push_back(e.states);
   run_.changing = changing(sets_);
 }
 
@@ -80,26 +80,26 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
   } else {
     const auto& newton = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver);
     if (point->equation().bound() == Equation::Bound::Differentiated &&
-        newton.getStepSize() == 1 && isRounding(e.set, e.scaled)) {
+        newton.getStepSize() == 1 && isRounding(e.states, e.scaled)) {
       run_.end = End::Converged;
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;
     }
     // the same set twice in a row is no cycle: a law that is not piecewise linear bends
-    const bool isNew = e.set != std::exchange(last_, e.set);
-    const auto before = seen_.find(e.set);
+    const bool isNew = e.states != std::exchange(last_, e.states);
+    const auto before = seen_.find(e.states);
     const bool cycles = isNew && before != seen_.end() &&
                         e.scaled >= hasFallen * before->second && --patience_.cycles <= 0;
     if (cycles || sets_.size() > progress_ + patience_.steps)
       fail(End::Cycling);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);
-    seen_[e.set] = e.scaled;
+    seen_[e.states] = e.scaled;
   }
   return status_;
 }
 
-bool StepTest::isRounding(const ActiveSet& set, double scaled) const {
+bool StepTest::isRounding(const ContactStates& set, double scaled) const {
   const auto before = seen_.find(set);
   return before != seen_.end() && set == last_ && scaled <= mostRounding &&
          scaled >= isLeft * before->second;

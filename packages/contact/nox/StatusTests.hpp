@@ -43,11 +43,11 @@ class StepTest final : public NOX::StatusTest::Generic {
   Patience patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;
-  bool isRounding(const ActiveSet& set, double scaled) const;
+  bool isRounding(const ContactStates& set, double scaled) const;
 
-  std::vector<ActiveSet> sets_;
-  ActiveSet last_;                    ///< of the previous step
-  std::map<ActiveSet, double> seen_;  // residual of the last step with this set
+  std::vector<ContactStates> sets_;
+  ContactStates last_;                    ///< of the previous step
+  std::map<ContactStates, double> seen_;  // residual of the last step with this set
   double first_ = 0;
   double least_ = 0;
   double improved_ = 0;       // residual at the last progress: half of the one before

@@ -48,7 +48,7 @@ SideShape shapeAt(const bem::Curve& curve, const bem::Continuations& beyond, dou
           beyond.ofPart({half * (1 + t), 0}, {0, half * (1 - t)})};
 }
 
-ContactDirection directionBetween(const SideShape& own, const SideShape& opposite) {
+Direction directionBetween(const SideShape& own, const SideShape& opposite) {
   constexpr double parallel = 1e-12;
   const Vec2 other = -opposite.normal;
   const double angle = std::atan2(cross(own.normal, other), dot(own.normal, other));
@@ -71,7 +71,7 @@ ContactDirection directionBetween(const SideShape& own, const SideShape& opposit
     }
   }
   const Vec2 sum = ofOwn * own.normal + ofOther * other;
-  ContactDirection result;
+  Direction result;
   result.angle = angle;
   if (own.curvature > 0 && opposite.curvature > 0)
     result.parting =

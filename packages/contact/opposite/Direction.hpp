@@ -15,17 +15,14 @@ struct SideShape {
 /// \param beyond the curve
 SideShape shapeAt(const bem::Curve& curve, const bem::Continuations& beyond, double t);
 
-/// A direction in which displacements and tractions are taken.
+/// A direction in which displacements and tractions are taken, d of contact or d turned left.
 struct Direction {
   bem::Vec2 unit{};
   /// What does not count along it: a rotation by one of each body about the centre of its arc, which
   /// leaves the arc where it is.
   double ownTurn = 0;
   double oppositeTurn = 0;
-};
-
-/// The direction of contact, d, and what it is worth.
-struct ContactDirection : Direction {
+  // what d is worth
   double angle = 0;  ///< between the sides: of -n₂ against n₁
   double parting =
       0;  ///< κ₁ κ₂ / (κ₁ + κ₂): convex sides that slide by δ part by half of that times δ²
@@ -40,6 +37,6 @@ struct ContactDirection : Direction {
 /// turns the normal into the other one on the way to it, which fades out at a quarter of a line or
 /// circle; two straight sides turn at their next corners, however far.
 ///                                                      [doc/theory/contact.md, Directions]
-ContactDirection directionBetween(const SideShape& own, const SideShape& opposite);
+Direction directionBetween(const SideShape& own, const SideShape& opposite);
 
 }  // namespace epafi::contact

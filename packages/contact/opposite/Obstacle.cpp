@@ -15,6 +15,10 @@ namespace {
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
+const bem::Rule* ruleOfGiven(const ContactElement& contact, const Opposite::Point&) {
+  return &bem::gaussForGiven(contact.degree);
+}
+
 template <class Law>
 Vector fieldsAt(const LawOnBoundary<Law>& law, const char* kind,
                 const ContactElement& contact, const bem::SurfacePoint& x,
@@ -87,6 +91,33 @@ void addSurface(const SidePoint& point, const bem::SurfacePoint& x, bem::Units u
   surface.places.push_back({contact.normalOf(point.number), point.weight, law});
 }
 
+void addBodyLoads(const Obstacle& obstacle, Vector& r) {
+  const MultiplierSpace& multiplier = obstacle.multiplier;
+  const auto insideOf = [&](int body) -> const BodyLoadSolution& {
+    return multiplier.conditions(at(body)).inside;
+  };
+  bool anywhere = false;
+  for (std::size_t b = 0; b < multiplier.bodies(); ++b)
+    anywhere = anywhere || multiplier.conditions(b).inside;
+  if (!anywhere)
+    return;
+  forEachSidePoint(
+      multiplier, *obstacle.opposite, ruleOfGiven, [&](const SidePoint& point) {
+        const ContactElement& contact = point.contact;
+        const Opposite::Point& there = point.opposite;
+        Vec2 u;
+        if (const BodyLoadSolution& inside = insideOf(contact.body))
+          u = inside->displacement(*contact.mesh, contact.element, point.t);
+        if (there.element >= 0)
+          if (const BodyLoadSolution& inside = insideOf(there.body))
+            u = u - inside->displacement(multiplier.mesh(at(there.body)), there.element,
+                                         there.t);
+        point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
+          r[at(i)] += point.weight * chi * dot(u, direction.unit);
+        });
+      });
+}
+
 void setFriction(const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
   const MultiplierSpace& multiplier = obstacle.multiplier;
   const auto tangential = [&](Index k) -> Tangential& {
@@ -122,28 +153,22 @@ Obstacle makeObstacle(const MultiplierSpace& multiplier,
   obstacle.tangentials.resize(at(multiplier.size() - multiplier.normals()));
   obstacle.slid.assign(at(multiplier.points()), 0.0);
   obstacle.wear = obstacle.slid;
-  forEachSidePoint(
-      multiplier, *opposite,
-      [](const ContactElement& contact, const Opposite::Point&) {
-        return &bem::gaussForGiven(contact.degree);
-      },
-      [&](const SidePoint& point) {
-        const ContactElement& contact = point.contact;
-        const double gap = point.opposite.gap;
-        Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
-        for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.normal.holdsNothing(i))
-            numbers[at(contact.normalOf(i))] += point.weight * gap * point.chi[at(i)];
-        const bem::Function& sliding = contact.condition->sliding;
-        if (!sliding || !contact.shears())
-          return;
-        const double m =
-            sliding(contact.mesh->physicalPoint(contact.element, point.t)) / units.length;
-        for (int i = 0; i <= contact.degree; ++i)
-          if (!contact.tangential.holdsNothing(i))
-            obstacle.jump[at(contact.tangentialOf(i))] +=
-                point.weight * m * point.chi[at(i)];
-      });
+  forEachSidePoint(multiplier, *opposite, ruleOfGiven, [&](const SidePoint& point) {
+    const ContactElement& contact = point.contact;
+    const double gap = point.opposite.gap;
+    Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
+    for (int i = 0; i <= contact.degree; ++i)
+      if (!contact.normal.holdsNothing(i))
+        numbers[at(contact.normalOf(i))] += point.weight * gap * point.chi[at(i)];
+    const bem::Function& sliding = contact.condition->sliding;
+    if (!sliding || !contact.shears())
+      return;
+    const double m =
+        sliding(contact.mesh->physicalPoint(contact.element, point.t)) / units.length;
+    for (int i = 0; i <= contact.degree; ++i)
+      if (!contact.tangential.holdsNothing(i))
+        obstacle.jump[at(contact.tangentialOf(i))] += point.weight * m * point.chi[at(i)];
+  });
   multiplier.forEachElement([&](const ContactElement& contact) {
     if (contact.shears() || contact.ties())
       setFriction(contact, units, obstacle);
@@ -161,6 +186,7 @@ Vector Obstacle::given() const {
   Vector r = bem::times(-1, jump);
   for (std::size_t i = 0; i < gap.size(); ++i)
     r[i] -= gap[i];
+  addBodyLoads(*this, r);
   return r;
 }
 

@@ -21,7 +21,12 @@ struct Obstacle {
   Vector slid{};      ///< m at the Gauss points of the elements
   Vector wear{};      ///< n k there: worn depth per pressure and slip
 
-  /// What gaps and jumps are of r, the penetration.
+  /// What gaps and jumps are of r, the penetration, and body loads,
+  ///
+  ///   ∫ χ_i d · (u_p - u_p∘P) ds,
+  ///
+  /// u_p the particular solutions of the body and of the opposite one, P the projection onto that one.
+  ///                                                           [doc/theory/body-loads.md]
   Vector given() const;
 };
 

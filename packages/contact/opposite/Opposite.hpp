@@ -59,7 +59,7 @@ class Opposite {
            const std::map<std::string, OppositeSide>& sides);
 
   struct Point {
-    ContactDirection direction{};
+    Direction direction{};
     double gap = 0;  ///< along it, dimensionless
     int turning =
         0;  ///< Gauss points, beyond those for polynomials, for what turns there

@@ -12,46 +12,50 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-RigidDrives::Traces RigidDrives::tracesOf(int rigid, const MultiplierSpace& multiplier,
-                                          const Opposite& opposite) {
-  Traces result{Matrix(multiplier.size(), 3)};
+std::vector<RigidDrives::Traces> RigidDrives::tracesOf(std::size_t bodies,
+                                                       const MultiplierSpace& multiplier,
+                                                       const Opposite& opposite) {
+  std::vector<Traces> all(bodies);
+  for (Traces& own : all)
+    own.values = Matrix(multiplier.size(), 3);
   forEachSidePoint(
       multiplier, opposite,
       [&](const auto& contact, const Opposite::Point& middle) {
-        return middle.rigid == rigid ? &ruleOfForces(contact, middle) : nullptr;
+        const bool isOne = middle.rigid >= 0 && at(middle.rigid) < bodies;
+        return isOne ? &ruleOfForces(contact, middle) : nullptr;
       },
       [&](const SidePoint& point) {
+        Traces& own = all[at(point.opposite.rigid)];
         const bool hasAll = !point.contact.mesh->outline().isAxisymmetric();
         const Vec2 arm = hasAll ? point.opposite.arm : Vec2{};
-        result.length += point.weight;
-        result.lever = std::max(result.lever, norm(arm));
+        own.length += point.weight;
+        own.lever = std::max(own.lever, norm(arm));
         const std::array<Vec2, 3> motions = {Vec2{hasAll ? 1.0 : 0.0, 0}, Vec2{0, 1},
                                              turnLeft(arm)};
         point.forEachCoefficient([&](Index i, double chi, const Direction& direction) {
           for (Index k = 0; k < 3; ++k)
-            result.values(i, k) += chi * dot(point.weight * motions[k], direction.unit);
+            own.values(i, k) += chi * dot(point.weight * motions[k], direction.unit);
           if (hasAll)
-            result.values(i, 2) -= chi * point.weight * direction.oppositeTurn;
+            own.values(i, 2) -= chi * point.weight * direction.oppositeTurn;
         });
       });
-  if (result.lever > 0) {
-    Vector turned = bem::columnOf(result.values, 2);
-    dropRounding(bem::columnOf(result.values, 0), bem::columnOf(result.values, 1),
-                 {result.lever}, turned);
+  for (Traces& own : all) {
+    if (!(own.lever > 0))
+      continue;
+    Vector turned = bem::columnOf(own.values, 2);
+    dropRounding(bem::columnOf(own.values, 0), bem::columnOf(own.values, 1), {own.lever},
+                 turned);
     for (Index i = 0; i < multiplier.size(); ++i)
-      result.values(i, 2) = turned[at(i)] / result.lever;
+      own.values(i, 2) = turned[at(i)] / own.lever;
   }
-  return result;
+  return all;
 }
 
 RigidDrives::RigidDrives(std::vector<Drive> drives, const MultiplierSpace& multiplier,
                          const Opposite& opposite)
-    : drives_(std::move(drives)) {
-  std::vector<Traces> traces;
-  for (std::size_t k = 0; k < drives_.size(); ++k)
-    traces.push_back(tracesOf(static_cast<int>(k), multiplier, opposite));
-  traces_ = std::make_shared<const std::vector<Traces>>(std::move(traces));
-}
+    : drives_(std::move(drives)),
+      traces_(std::make_shared<const std::vector<Traces>>(
+          tracesOf(drives_.size(), multiplier, opposite))) {}
 
 RigidDrives RigidDrives::under(std::vector<Drive> drives) const {
   RigidDrives result = *this;

@@ -73,8 +73,9 @@ class RigidDrives {
     double lever = 0;   ///< largest |y - y₀| at contacts; zero: it has none
     double length = 0;  ///< of the sides that are opposite to it
   };
-  static Traces tracesOf(int rigid, const MultiplierSpace& multiplier,
-                         const Opposite& opposite);
+  static std::vector<Traces> tracesOf(std::size_t bodies,
+                                      const MultiplierSpace& multiplier,
+                                      const Opposite& opposite);
 
   /// What a motion about the reference point has in the units of its trace, or a moment.
   double scaleOf(std::size_t k, std::size_t c) const {

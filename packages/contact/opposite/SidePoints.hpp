@@ -13,8 +13,8 @@ struct SidePoint {
   double weight;             ///< quadrature weight, by bem::Mesh::measure
   Vector chi;                ///< χ_i(t) of the element
   Opposite::Point opposite;  ///< of a loop that has been given what lies opposite
-  Direction normal;          ///< d of contact
-  Direction tangent;         ///< d turned left
+  Direction normal = opposite.direction;     ///< d of contact
+  Direction tangent{turnLeft(normal.unit)};  ///< d turned left
 
   /// Number among the Gauss points of all elements, see forEachGaussPoint.
   std::size_t gaussPoint() const { return at(contact.point + number); }
@@ -52,16 +52,14 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
   const bem::Element& element = contact.geometry();
   for (int q = 0; q < rule.size(); ++q) {
     const double t = stretch.middle + stretch.half * rule.points[at(q)];
-    const Opposite::Point opposite = stretch.opposite != nullptr
-                                         ? stretch.opposite->at(contact, t)
-                                         : Opposite::Point{};
-    const Direction normal = stretch.opposite != nullptr
-                                 ? Direction(opposite.direction)
-                                 : Direction{element.curve.normal(t)};
+    Opposite::Point opposite;
+    if (stretch.opposite != nullptr)
+      opposite = stretch.opposite->at(contact, t);
+    else
+      opposite.direction.unit = element.curve.normal(t);
     const double weight =
         stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t);
-    visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite,
-                    normal, Direction{turnLeft(normal.unit)}});
+    visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite});
   }
 }
 

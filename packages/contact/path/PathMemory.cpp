@@ -1,7 +1,7 @@
 #include "contact/path/PathMemory.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/equation/ContactState.hpp"
+#include "contact/equation/Classify.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
@@ -124,9 +124,9 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   memory_.defect = step.defect(at);
   // what rounding leaves of r where contact is closed: under the same load, Newton's method would
   // look for states that it alone decides
-  const ContactState state = classify(problem, at.state, at.penetration);
+  const ContactStates states = classify(problem, at.state, at.penetration);
   for (std::size_t i = 0; i < normals; ++i)
-    if (state.normal[i] == NormalState::Closed)
+    if (states[i] == ContactState::Closed)
       memory_.defect[i] -= at.penetration[i];
   memory_.largestLoad = std::max(memory_.largestLoad, step.loadSize());
   memory_.responses = step.responses();

@@ -13,8 +13,8 @@ Equation sharp(const Problem& problem) {
   return Equation(problem, Equation::Bound::Differentiated, 0);
 }
 
-ActiveSet setOf(const Problem& problem, const State& state) {
-  return sharp(problem).at(pack(problem, state)).set;
+ContactStates statesOf(const Problem& problem, const State& state) {
+  return sharp(problem).at(pack(problem, state)).states;
 }
 
 /// a - b, where b may be empty.
@@ -46,7 +46,7 @@ void Prediction::add(const ContactSystem& step, const State& solved) {
   Vector load = loadOf(step);
   loadChange_ = difference(load, load_);
   load_ = std::move(load);
-  set_ = setOf(step.numbers(), solved);
+  states_ = statesOf(step.numbers(), solved);
 }
 
 State Prediction::start(const ContactSystem& step) const {
@@ -61,8 +61,8 @@ State Prediction::start(const ContactSystem& step) const {
   axpy(further, change_.multiplier, ahead.multiplier);
   axpy(further, change_.rigid, ahead.rigid);
   const Problem& problem = step.numbers();
-  return differences(setOf(problem, ahead), set_) <=
-                 differences(setOf(problem, last_), set_)
+  return differences(statesOf(problem, ahead), states_) <=
+                 differences(statesOf(problem, last_), states_)
              ? ahead
              : last_;
 }

@@ -31,7 +31,7 @@ class Prediction {
   State change_;  ///< from the solution before to the last one
   Vector load_;
   Vector loadChange_;
-  ActiveSet set_;
+  ContactStates states_;
 };
 
 }  // namespace epafi::contact

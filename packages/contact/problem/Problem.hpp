@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/problem/ContactState.hpp"
 #include "contact/problem/Flexibility.hpp"
 #include "contact/problem/Surface.hpp"
 #include "contact/problem/Tangential.hpp"

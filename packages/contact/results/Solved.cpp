@@ -117,9 +117,10 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
     point.bound = units_.stress * here.bound(stress.normal);
     const double bound = space.at(bounds_, element, t).tangential;
     if (element.ties() || bound > tolerance_)
-      point.friction = slipping(element, stress.tangential, bound) > 0
-                           ? FrictionKind::Slip
-                           : FrictionKind::Stick;
+      point.friction = slipping(element, stress.tangential, bound) <= 0
+                           ? ContactState::Stick
+                       : stress.tangential > 0 ? ContactState::SlipForward
+                                               : ContactState::SlipBackward;
   }
   return point;
 }

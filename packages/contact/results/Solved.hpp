@@ -76,21 +76,15 @@ struct Solved {
   }
 };
 
-enum class FrictionKind {
-  None,  ///< the bound is zero
-  Stick,
-  Slip
-};
-
 /// State of a point of a contact boundary, in the user's units.  Normal is along the direction d of
 /// contact, see Opposite, tangential along d turned counter-clockwise; λ = -σ(u) n.
 struct ContactPoint {
   bem::SurfacePoint place;
-  ContactDirection direction;  ///< d, dimensionless
-  double pressure = 0;         ///< λₙ [stress]
-  double shear = 0;            ///< λₜ [stress]
-  double normal = 0;           ///< uₙ, relative to the opposite side [length]
-  double tangential = 0;       ///< uₜ, relative to the opposite side [length]
+  Direction direction;    ///< d, dimensionless
+  double pressure = 0;    ///< λₙ [stress]
+  double shear = 0;       ///< λₜ [stress]
+  double normal = 0;      ///< uₙ, relative to the opposite side [length]
+  double tangential = 0;  ///< uₜ, relative to the opposite side [length]
   double sliding = 0;   ///< given, of the opposite side; slip is uₜ - sliding [length]
   double gap = 0;       ///< [length]
   double bound = 0;     ///< slip bound s(λₙ) [stress]
@@ -98,7 +92,7 @@ struct ContactPoint {
   double worn = 0;      ///< worn depth [length]
   double distance = 0;  ///< Σ |slip| while closed [length]
   bool closed = false;  ///< λₙ > 0
-  FrictionKind friction = FrictionKind::None;
+  ContactState friction = ContactState::Frictionless;
 };
 
 /// The discrete solution as functions on the contact boundaries.

@@ -97,7 +97,7 @@ Configuration corrected(const ContactSystem& system, State state,
       break;
     Point there = pointOf(system, equation, processes, unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
-    const bool isSettled = processes.agreed(there.evaluation.set == e.set);
+    const bool isSettled = processes.agreed(there.evaluation.states == e.states);
     const bool isWorthAnother = there.missed <= progress * best.missed;
     e = there.evaluation;
     if (there.isSolution && there.missed < best.missed)

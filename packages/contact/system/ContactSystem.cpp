@@ -4,7 +4,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/system/GivenPenetration.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -176,7 +175,6 @@ void ContactSystem::finish() {
   for (const ContactBody& body : *bodies_)
     if (!body.loads().residual.terms.empty())
       axpy(1, body.loads().residual.terms, given_);
-  addBodyLoads(*obstacle_, given_);
   addGiven(numbers_.offset);
   rigid_.addForces(numbers_);
 }

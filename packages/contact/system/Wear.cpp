@@ -71,10 +71,23 @@ void StepWear::takeSlips(const Vector& slip) {
   Vector change = next;
   slips_.resize(change.size());
   bem::axpy(-1, slips_, change);
-  share_ = known_ ? aitken_.shareOf(change) : 1;
+  share_ = known_ ? shareOf(change) : 1;
   for (std::size_t k = 0; k < change.size(); ++k)
     slips_[k] = std::max(known_ ? slips_[k] + share_ * change[k] : next[k], 0.0);
   known_ = !slip.empty();
+}
+
+double StepWear::shareOf(const Vector& change) {
+  constexpr double least = 0.125;
+  constexpr double most = 4;
+  Vector turned = std::exchange(changeBefore_, change);
+  if (turned.empty())
+    return 1;
+  const double before = bem::dot(turned, turned);
+  const double mixed = bem::dot(turned, change);
+  bem::axpy(-1, change, turned);
+  const double square = bem::dot(turned, turned);
+  return square > 0 ? std::clamp(share_ * (before - mixed) / square, least, most) : 1;
 }
 
 double StepWear::setSlips(const Vector& slip, Surface& surface) {

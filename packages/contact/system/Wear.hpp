@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/opposite/Obstacle.hpp"
-#include "contact/system/Aitken.hpp"
 
 namespace epafi::contact {
 
@@ -32,7 +31,9 @@ class StepWear {
   /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
   /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.  From
   /// the third time on |Δs| takes a share ω of its change, since slips may jump to and fro or
-  /// settle slowly.  Returns ω.
+  /// settle slowly; by Aitken's rule for vectors, so that changes that are each a multiple of the one
+  /// before, of either sign, vanish with the third.  (Of slips some stick and some do not: Anderson's
+  /// steps settle fewer scenes.)  Returns ω.
   double setSlips(const Vector& slip, Surface& surface);
   /// |Δs| are next those of the slips, whatever they were.
   void forgetIterations() { known_ = false; }
@@ -42,16 +43,18 @@ class StepWear {
 
  private:
   void takeSlips(const Vector& slip);
+  /// ω of the change that the slips of a solution ask for after the last share.
+  double shareOf(const Vector& change);
 
   std::shared_ptr<const Obstacle> obstacle_;
   Wear before_;
   bool wears_ = false;
   Vector testedBefore_;
-  Vector slips_{};      ///< |Δs| at the points
-  bool known_ = false;  ///< are slips_ those of a solution?
-  Aitken aitken_{};
-  double share_ = 1;  ///< ω
-  Vector rates_{};    ///< n k |Δs|
+  Vector slips_{};         ///< |Δs| at the points
+  bool known_ = false;     ///< are slips_ those of a solution?
+  Vector changeBefore_{};  ///< see shareOf; empty: none
+  double share_ = 1;       ///< ω
+  Vector rates_{};         ///< n k |Δs|
 };
 
 }  // namespace epafi::contact
