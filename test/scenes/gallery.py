@@ -60,6 +60,11 @@ def amplitude(folder):
     return (max(pressures) - min(pressures)) / 2
 
 
+def sticking(folder):
+    at, slips = (steps("indent." + column, 1)(folder) for column in ("contact_length", "slip_length"))
+    return 1 - slips / at
+
+
 def creep(folder):
     last, before = (rows(folder, "steps.csv")[k] for k in (-1, -5))
     speed = (last["slab.motion_x"] - before["slab.motion_x"]) / (last["t"] - before["t"])
@@ -79,9 +84,12 @@ case("gasket", "largest pressure", peak)
 case("heap", "length that slips", history("slip_length"), None, "deformed")
 case("hertz", "largest pressure", peak, 5.4945054945)
 case("hot-tube", "hoop stress inside", inside("syy"), -220.314893, "von_mises")
+case("hub-on-shaft", "force_normal", history("force_normal"), 101289.43104, "hoop")
 case("incline", "force over weight", lambda folder: abs(rows(
     folder, "bodies.csv")[-1]["reaction_x"]) / 0.01, 0.4 / 0.97)
+case("indenter", "radius that sticks over that of contact", sticking, 0.6983, "von_mises", False)
 case("lap-joint", "friction's work", history("energy_friction"), None, "slip", False)
+case("o-ring", "largest pressure", peak, None, "von_mises", False)
 case("patch", "pressure", peak, 1)
 case("press-fit", "pressure", peak, 6.15234375, "von_mises")
 case("punch", "pressure in the middle", pressure_at(0), 1 / math.pi)
@@ -91,6 +99,7 @@ case("rotating-fit", "pressure at 3000/s", peak, 13.6807031, "path")
 case("rough", "mean pressure", mean_pressure)
 case("rounded-punch", "pressure in the middle", pressure_at(0), 1.359703)
 case("shrink-fit", "mean pressure, cold", mean_pressure, 49.21875, "von_mises")
+case("spheres", "largest pressure", peak, 699.5821675, "von_mises")
 case("there-and-back", "friction's work", history("energy_friction"), None, "steps")
 case("tilting-punch", "length in contact", history("contact_length"), 1.2)
 case("tresca", "strain energy", history("energy_strain"), None, "von_mises")

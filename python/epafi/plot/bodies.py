@@ -27,8 +27,14 @@ def rigid_outlines(folder, elastic, moved=None):
             for lines in (ends[body == b] for b in range(elastic, body.max() + 1))]
 
 
+def revolves(columns, x):
+    """Are these solids of revolution whose pictures show the whole section?  Not of rings so far from
+    the axis that little could be seen of them."""
+    return "hoop" in columns and x.min() < 0.5 * x.max()
+
+
 def with_images(outlines):
-    """Those of solids of revolution, both halves of their sections."""
+    """Of solids of revolution both halves of their sections."""
     return [half for x, u in outlines for half in ((x, u), (x * [-1, 1], u * [-1, 1]))]
 
 

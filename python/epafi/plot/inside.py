@@ -5,7 +5,7 @@ import xml.etree.ElementTree as xml
 import numpy as np
 from matplotlib.tri import Triangulation
 
-from epafi.plot.bodies import draw_rigid, roomy, with_images
+from epafi.plot.bodies import draw_rigid, revolves, roomy, with_images
 from epafi.plot.figures import equal_axes, shape_of
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
@@ -34,7 +34,7 @@ def arrays(file):
 
 class Inside:
     """What fields.vtu holds: points (n, 2), corners (m, 3), values by name (n,); of solids of
-    revolution the whole section."""
+    revolution also the other half of the section."""
 
     def __init__(self, file):
         read = arrays(file)
@@ -42,7 +42,8 @@ class Inside:
         self.corners = read["connectivity"].reshape(-1, 3)
         self.values = {name: read[name] for name in NAMES if name in read}
         self.values["displacement"] = read["displacement"][:, :2]
-        if "hoop" in self.values:
+        self.revolves = revolves(self.values, self.points[:, 0])
+        if self.revolves:
             self.add_image()
 
     def add_image(self):
@@ -120,7 +121,7 @@ def draw(inside, name, rigid, title, pictures):
     drawn = axes.tripcolor(Triangulation(x, y, inside.corners), values, shading="gouraud",
                            vmin=low, vmax=high, rasterized=True, cmap=colours)
     if rigid:
-        if "hoop" in inside.values:
+        if inside.revolves:
             rigid = with_images(rigid)
         draw_rigid(axes, rigid, 0, roomy(inside.points.min(axis=0), inside.points.max(axis=0)))
     finish(figure, axes, drawn, cut, values, name, title, extent, pictures)
