@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/geometry/Crossing.hpp"
 #include "drivers/scene/Scene.hpp"
+#include "drivers/scene/Symmetry.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -85,24 +86,6 @@ bool isIn(const bem::Loops& loops, const std::string& name) {
   return has(loops.outer) || std::any_of(loops.holes.begin(), loops.holes.end(), has);
 }
 
-/// No condition or contact may name edges of which all are on the axis.
-void checkUnnamed(const ParameterList& scene, const std::string& body,
-                  const std::string& name) {
-  const auto refuse = [](const std::string& path) {
-    throw InputError(path, ": these edges lie on the axis x = 0 (", type,
-                     "), where nothing can act; remove it");
-  };
-  for (const char* part : {"Boundary Conditions", "Thermal Conditions"})
-    if (scene.sublist("Bodies").sublist(body).sublist(part).isParameter(name))
-      refuse(bem::message("Bodies->", body, "->", part, "->", name));
-  for (const auto& contact : scene.sublist("Contacts"))
-    for (const std::string& side : scene.sublist("Contacts")
-                                       .sublist(contact.first)
-                                       .get<Teuchos::Array<std::string>>("Between"))
-      if (side == body + ":" + name)
-        refuse(bem::message("Contacts->", contact.first, "->Between: '", side, "'"));
-}
-
 }  // namespace
 
 std::vector<bem::Loops> alignedWithAxis(std::vector<bem::Loops> loops,
@@ -117,7 +100,9 @@ std::vector<bem::Loops> alignedWithAxis(std::vector<bem::Loops> loops,
       alignLoop(hole, tolerance, path, onAxis);
     for (const std::string& name : onAxis)
       if (name == axisBoundary || !isIn(*own, name))
-        checkUnnamed(scene, item.first, name);
+        requireUnnamed(scene, item.first, name,
+                       bem::message("lie on the axis x = 0 (", type,
+                                    "), where nothing can act; remove it"));
     ++own;
   }
   return loops;

@@ -124,34 +124,28 @@ double sideOf(const Symmetry& symmetry, double tolerance, double side,
   return side;
 }
 
-/// No condition or contact may name rollers on the line.
-void checkUnnamed(const Symmetry& symmetry, const Names& names, const std::string& body,
-                  const ParameterList& scene) {
-  const auto refuse = [&](const std::string& path) {
-    throw InputError(path, ": these edges lie on the line of symmetry, ", symmetry.line(),
-                     " (Geometry->Symmetry); they are rollers by themselves, without "
-                     "heat across; remove it, or leave a gap to the line if the body is "
-                     "one of two mirrored copies");
-  };
-  for (const std::string& name : names) {
-    for (const char* part : {"Boundary Conditions", "Thermal Conditions"})
-      if (scene.sublist("Bodies").sublist(body).sublist(part).isParameter(name))
-        refuse(bem::message("Bodies->", body, "->", part, "->", name));
-    for (const auto& contact : scene.sublist("Contacts"))
-      for (const std::string& side : scene.sublist("Contacts")
-                                         .sublist(contact.first)
-                                         .get<Teuchos::Array<std::string>>("Between"))
-        if (side == body + ":" + name)
-          refuse(bem::message("Contacts->", contact.first, "->Between: '", side, "'"));
-  }
-}
-
 }  // namespace
 
 bool Symmetry::cuts(const bem::Outline& outline) const {
   return axis >= 0 &&
          std::any_of(outline.edges().begin(), outline.edges().end(),
                      [](const bem::Edge& e) { return e.boundary == boundary; });
+}
+
+void requireUnnamed(const ParameterList& scene, const std::string& body,
+                    const std::string& boundary, const std::string& why) {
+  const auto refuse = [&](const std::string& path) {
+    throw InputError(path, ": these edges ", why);
+  };
+  for (const char* part : {"Boundary Conditions", "Thermal Conditions"})
+    if (scene.sublist("Bodies").sublist(body).sublist(part).isParameter(boundary))
+      refuse(bem::message("Bodies->", body, "->", part, "->", boundary));
+  for (const auto& contact : scene.sublist("Contacts"))
+    for (const std::string& side : scene.sublist("Contacts")
+                                       .sublist(contact.first)
+                                       .get<Teuchos::Array<std::string>>("Between"))
+      if (side == body + ":" + boundary)
+        refuse(bem::message("Contacts->", contact.first, "->Between: '", side, "'"));
 }
 
 Symmetry parseSymmetry(const ParameterList& geometry) {
@@ -186,7 +180,13 @@ std::vector<bem::Loops> alignedWith(const Symmetry& symmetry,
     for (const std::string& name : names.off)
       rollers.erase(name);
     rollers.insert(Symmetry::boundary);
-    checkUnnamed(symmetry, rollers, item.first, scene);
+    for (const std::string& name : rollers)
+      requireUnnamed(
+          scene, item.first, name,
+          bem::message("lie on the line of symmetry, ", symmetry.line(),
+                       " (Geometry->Symmetry); they are rollers by themselves, "
+                       "without heat across; remove it, or leave a gap to the "
+                       "line if the body is one of two mirrored copies"));
     ++own;
   }
   if (!touches)

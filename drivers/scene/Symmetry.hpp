@@ -37,6 +37,11 @@ struct Symmetry {
 /// Reads the validated list Geometry at the root.
 Symmetry parseSymmetry(const Teuchos::ParameterList& geometry);
 
+/// \throws bem::InputError, ending with `why`, if a condition or a contact of a validated scene names
+/// this boundary of a body.
+void requireUnnamed(const Teuchos::ParameterList& scene, const std::string& body,
+                    const std::string& boundary, const std::string& why);
+
 /// The outlines of all bodies of a validated scene, in order: vertices near the line are
 /// moved onto it, and rollers on it are named Symmetry::boundary.  Those are the edges on it
 /// named `symmetry` or `any`; of a body without such all those without a condition of their own.

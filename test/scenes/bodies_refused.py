@@ -31,7 +31,6 @@ for what, settings, *words in (
         ("one side", [BETWEEN % "pad:bottom"], "between two"),
         ("three sides", [BETWEEN % "pad:bottom, plate:top, pad:top"], SIDES, "3 sides"),
         ("no sides", [SIDES + "="], SIDES, "missing"),
-        ("itself", [BETWEEN % "pad:bottom, pad:top"], "itself"),
         ("a side with a condition", [BETWEEN % "pad:top, plate:top"], "Boundary Conditions->top"),
         ("sides that never meet", [BETWEEN % "pad:left, plate:top"], "never meet"),
         ("behind each other", [BETWEEN % "pad:right, plate:left"], JOINT[:-2], "never meet"),

@@ -155,4 +155,18 @@ for fix in ("X", "Rotation"):
         listed("Contacts", contact("c", "disc:rim", "block:top")),
         listed("Discretization", Mesh_Size=0.3)), "free"))
     claim(code == 1, "a disc held in %s alone is refused: %s" % (fix, text[:200]))
+# A block that rests aslant on a few elements over a bump, its turn fixed: what Fix does through the
+# stabilisation beside pressures along a turning direction is what it does in the equations, or 3e-9 of
+# the virtual work would be missing, which ends a run.
+solved("aslant", saved("aslant", keys(
+    listed("Bodies",
+           body("block", geometry([(-0.02, 0), (1, 0), (1, 1.3), (-0.02, 1.3)], "face, side, far, side"), 1,
+                condition("far", "Neumann", Traction_Y=-1e-4), "X, Rotation",
+                listed("Mesh", Elements_per_Edge=[5, 2, 4, 2], Degree=3)),
+           listed("bump", listed("Material", Rigid=True),
+                  geometry([(1, -0.176), (-1, -0.176), (-1, -2), (1, -2)], ["all"] * 4,
+                           [0.176, 0, 0, 0]))),
+    listed("Contacts", contact("joint", "block:face", "bump:all")),
+    listed("Discretization", Degree=3), listed("Adaptivity", Strategy="None")), "Aslant"))
+
 finish()

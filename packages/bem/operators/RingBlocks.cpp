@@ -143,19 +143,28 @@ class RingBlocks::Filling {
            area * functions[2] - edge * of(Kernels::zr, i, j)};
   }
 
-  EPAFI_INLINE void putTransposed(int i, int j) const {
-    double* to = to_.transposed_.data() + 2 * i * to_.longest_;
+  /// Both rows of what stands for j: of φ_{j+1} of the lanes, of both nodes' for j = 0.
+  /// \param of  (l, ofR, ofZ) computes the rows of φ_l
+  template <class Of>
+  EPAFI_INLINE void putDisplacements(int j, const Of& of, double* to) const {
     Components r[2];
     Components z[2];
-    sourceOnLanes(i, j == 0 ? 1 : j + 1, r[1], z[1]);
+    of(j + 1, r[1], z[1]);
     if (j > 0) {
       displacements_.put(r[1].r, r[1].z, j, to);
       displacements_.put(z[1].r, z[1].z, j, to + to_.longest_);
       return;
     }
-    sourceOnLanes(i, 0, r[0], z[0]);
+    of(0, r[0], z[0]);
     displacements_.putNodes(r[0].r, r[0].z, r[1].r, r[1].z, to);
     displacements_.putNodes(z[0].r, z[0].z, z[1].r, z[1].z, to + to_.longest_);
+  }
+
+  EPAFI_INLINE void putTransposed(int i, int j) const {
+    const auto source = [&](int l, Components& r, Components& z) {
+      sourceOnLanes(i, l, r, z);
+    };
+    putDisplacements(j, source, to_.transposed_.data() + 2 * i * to_.longest_);
   }
 
   /// Of φ_k of f and φ_l of the lanes.
@@ -188,24 +197,16 @@ class RingBlocks::Filling {
   }
 
   EPAFI_INLINE void putHypersingular(int k, int j) const {
-    double* to = to_.hypersingular_.data() + 2 * k * to_.longest_;
-    Components r[2];
-    Components z[2];
-    products(k, j == 0 ? 1 : j + 1, r[1], z[1]);
-    if (j > 0) {
-      displacements_.put(r[1].r, r[1].z, j, to);
-      displacements_.put(z[1].r, z[1].z, j, to + to_.longest_);
-      return;
-    }
-    products(k, 0, r[0], z[0]);
-    if (k == 1) {
-      store(to_.common_[0].lane, r[0].r);
-      store(to_.common_[1].lane, z[0].r);
-      store(to_.common_[2].lane, r[0].z);
-      store(to_.common_[3].lane, z[0].z);
-    }
-    displacements_.putNodes(r[0].r, r[0].z, r[1].r, r[1].z, to);
-    displacements_.putNodes(z[0].r, z[0].z, z[1].r, z[1].z, to + to_.longest_);
+    const auto product = [&](int l, Components& r, Components& z) {
+      products(k, l, r, z);
+      if (k != 1 || l != 0)
+        return;
+      store(to_.common_[0].lane, r.r);
+      store(to_.common_[1].lane, z.r);
+      store(to_.common_[2].lane, r.z);
+      store(to_.common_[3].lane, z.z);
+    };
+    putDisplacements(j, product, to_.hypersingular_.data() + 2 * k * to_.longest_);
   }
 
   RingBlocks& to_;

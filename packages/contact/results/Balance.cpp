@@ -17,13 +17,22 @@ using bem::Vec2;
 constexpr double smallest = 1e-14;  // what rounding takes of a product
 constexpr double farAway = 1e-6;    // moments of a body there lose digits
 
+bool isIncompressible(double compressibility) { return !(compressibility > 1e-12); }
+
 /// Of F.  Pressures in an incompressible body that is thin lose more digits.
-double ofForces(double compressibility) { return compressibility > 1e-12 ? 1e-9 : 1e-3; }
+double ofForces(double compressibility) {
+  return isIncompressible(compressibility) ? 1e-3 : 1e-9;
+}
 
 /// Of μ |u|.
 double ofMotions(double compressibility, bool isFormed) {
   constexpr double least = 1e-7;
   return (isFormed ? smallest : 5e-12) * (1 + 0.2 / std::max(compressibility, least));
+}
+
+/// The same of work, μ |u|²: without compression V is regular, and so is what it solves for.
+double ofWork(double compressibility, bool isFormed) {
+  return ofMotions(isIncompressible(compressibility) ? 1 : compressibility, isFormed);
 }
 
 /// A force that free motions may miss, dimensionless.
@@ -191,7 +200,7 @@ VirtualWork Balance::workOf(const ContactSystem& system, const Configuration& at
   const bool isFormed = system.body(0).elastic()->isFormed();
   double moved = 0;  // of what moves freely
   for (std::size_t b = 0; b < motions_.size(); ++b) {
-    work.rounding += ofMotions(compressibilities_[b], isFormed) * shearModuli[b] *
+    work.rounding += ofWork(compressibilities_[b], isFormed) * shearModuli[b] *
                      motions_[b] * motions_[b];
     moved += system.body(b).holding().free() == 0 ? 0 : motions_[b];
   }

@@ -43,7 +43,7 @@ struct Imbalance {
 /// miss 2 tolerance stress l more.
 ///
 /// Of the virtual work it is 1e-9 of the sum of the absolute values of its terms, the largest until
-/// then, and what the second term leaves on |u|.  A free motion does as much more as it may miss.
+/// then, and what the second term leaves on |u|, at ν = 1/2 that of ν = 0.  A free motion does as much more as it may miss.
 ///
 /// Moments count over the body's diameter; those of a rigid body over the unit of length, or over
 /// the largest lever arm of its contact if that is longer.

@@ -9,7 +9,9 @@ using bem::dot;
 using bem::Vec2;
 
 // With E = λ + ψ + t - Σ ρ r, on pins of their elements' means:
-//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds
+//   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds,
+// λ + ψ by the rule of forces, all else, h = -Σ ρ r, by that of what is given, as in the equations:
+//   γ |λ + ψ|²,   γ (h · (2 (λ + ψ) + h) + t · (λ + ψ + h))
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
                                         const Vector& contactForce) const {
   if (!coupling().hasCompliance())
@@ -25,16 +27,17 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
     const int e = element.element;
     const auto ownAt = [&](const SidePoint& point) {
       const auto stress = multiplier().at(state.multiplier, element, point.t);
-      Vec2 own = stress.normal * point.normal.unit +
-                 stress.tangential * point.tangent.unit +
-                 space_->densityAt(psi, e, point.t);
+      return stress.normal * point.normal.unit + stress.tangential * point.tangent.unit +
+             space_->densityAt(psi, e, point.t);
+    };
+    const auto heldAt = [&](const SidePoint& point) {
+      Vec2 held;
       for (const int mode : holding().fixedModes)
-        own =
-            own - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
-      return own;
+        held =
+            held - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
+      return held;
     };
     const double gamma = coupling().gamma[k];
-    // each by the rule of the terms that it is tested against
     for (const Stretch& stretch : stretches(opposite(), element)) {
       forEachPointOf(
           element, multiplier().basis(),
@@ -44,11 +47,15 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
             twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
-      if (known)
+      if (known || holding().fixed() > 0)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              twice += gamma * point.stabilising() * dot(known(e, point.t), ownAt(point));
+              const Vec2 own = ownAt(point);
+              const Vec2 held = heldAt(point);
+              const Vec2 given = known ? known(e, point.t) : Vec2{};
+              twice += gamma * point.stabilising() *
+                       (dot(held, 2 * own + held) + dot(given, own + held));
             },
             stretch);
     }
