@@ -85,14 +85,16 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;
     }
-    // the same set twice in a row is no cycle: a law that is not piecewise linear bends
+    // the same set twice in a row is no cycle: a law that is not piecewise linear bends, and where
+    // its slope begins infinite residuals are any number on the way
+    const bool bends = !point->equation().problem().surface.places.empty();
     const bool isNew = e.states != std::exchange(last_, e.states);
     const auto before = seen_.find(e.states);
     const bool cycles = isNew && before != seen_.end() &&
                         e.scaled >= hasFallen * before->second && --patience_.cycles <= 0;
     if (cycles || sets_.size() > progress_ + patience_.steps)
       fail(End::Cycling);
-    else if (e.scaled > growthLimit * std::max(first_, 1.0))
+    else if (!bends && e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);
     seen_[e.states] = e.scaled;
   }

@@ -17,7 +17,7 @@ namespace epafi::contact {
 /// full step with the same active set, which solves a linear problem, leaves 0.9 of it,
 /// so that it is the rounding error of D. Failed: an active set recurs behind others
 /// without a smaller residual (a cycle of active sets), too many steps make no progress, the
-/// residual grew by a factor of a million, or it is not a number.
+/// residual grew by a factor of a million although no surface yields by a curve, or it is not a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// What ends the run.
