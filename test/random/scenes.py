@@ -16,8 +16,9 @@ LAWS = {"None": (), "Tresca": ("Threshold",), "Coulomb": ("Coefficient",),
 BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein", "Biorthogonal")
 STRATEGIES = ("None", "Uniform h", "Uniform p", "Adaptive h", "Adaptive hp", "Graded hp")
 GAPS = ("zero", "constant", "tilted", "parabola", "wave")
-# Clamped on a side; held in the mean; held by a roller on an oblique side, which leaves one
-# motion to be held in the mean; pressed onto a contact side, so that this carries the load.
+# Clamped on a side; held in the mean; held by a roller on an oblique side, along an axis or along its
+# normal, which leaves one motion to be held in the mean; pressed onto a contact side, so that this
+# carries the load.
 HELD = ("clamp", "mean", "roller", "pressed")
 DOF = 600
 
@@ -109,6 +110,8 @@ class Scene:
             return {"Type": "Contact", "Gap": self.gap(k), "Friction": friction}
         if self.kinds[k] == "support":
             held = "XY" if self.held == "clamp" else draw.choice("XY")
+            if self.held == "roller" and random.Random("%d normal" % self.seed).random() < 0.5:
+                held = ["Normal"]
             return {"Type": "Dirichlet", **{"Displacement " + axis: "0" for axis in held}}
         if self.kinds[k] == "load":
             return {"Type": "Neumann", **self.traction(k)}
@@ -130,9 +133,12 @@ class Scene:
         if self.held == "clamp":
             return []
         if self.held == "roller":
-            support = next(c for c, kind in zip(self.conditions, self.kinds)
-                           if kind == "support")
-            return ["Y" if "Displacement X" in support else "X"]
+            k = self.kinds.index("support")
+            if "Displacement Normal" in self.conditions[k]:  # it goes along a line or turns about a centre
+                (x, y), (a, b) = self.corners[k], self.corners[(k + 1) % self.sides]
+                turns = self.bulges and self.bulges[k]
+                return ["Rotation" if turns else "X" if abs(a - x) > abs(b - y) else "Y"]
+            return ["Y" if "Displacement X" in self.conditions[k] else "X"]
         return ["X", "Rotation"] if self.held == "pressed" else ["X", "Y", "Rotation"]
 
     def scene(self):

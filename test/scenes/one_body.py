@@ -2,8 +2,8 @@
 same cut into two bodies that are tied; slots from wide to narrow, which pressure closes."""
 import math
 
-from runs import (RANKS, balanced, claim, differ, epafi, finish, goes_on, largest, levels, refused, rows,
-                  run, solved, steps)
+from runs import (RANKS, balanced, claim, differ, epafi, finish, goes_on, keys_of, largest, levels, refused,
+                  rows, run, saved, solved, steps)
 from written import (CLAMPED, NONE, TIED, body, condition, contact, disc, friction, geometry, history,
                      keys, listed, round_hole, written)
 
@@ -141,6 +141,20 @@ squeezed = [run(slotted("squeezed", True, degree=3, more=listed("Solver", Linear
                 "squeezed", levels(2))[0][-1] for method in ("Dense", "Compressed")]
 claim(differ(*(row["energy_strain"] for row in squeezed)) < 1e-8 and
       differ(*(row["slot.force_y"] for row in squeezed)) < 1e-6, "compressed as dense")
+
+# a body that nothing holds, under loads that balance
+def loose(fix):
+    scene = keys_of(slotted("loose", True, degree=3, size=0.5, law=NONE))
+    loads = {side: {"Type": "Neumann", "Traction Y": "%g * (3 - x)" % p} for side, p in (
+        ("top", -0.001), ("bottom", 0.001))}
+    return run(saved("loose", scene.changed({
+        "Bodies->beam->Boundary Conditions": loads,
+        **({"Bodies->beam->Rigid Motions->Fix": fix} if fix else {})})), "loose")[0][0]
+
+
+free, fixed = loose([]), loose(["X", "Y", "Rotation"])
+claim(fixed["slot.contact_length"] > 0 and differ(free["energy_strain"], fixed["energy_strain"]) < 1e-10,
+      "a loose body closes its slot as one that is held in the mean")
 
 # refused
 if RANKS == 1:

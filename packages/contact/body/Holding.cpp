@@ -189,6 +189,15 @@ void scaleMotions(Holding& holding) {
   }
 }
 
+/// Of what a displacement does to each multiplier, the sum of absolute values: where a body meets itself
+/// the rest of its terms is rounding.
+Vector sizesOf(const TraceCoupling& trace, const Vector& u) {
+  Vector sizes(trace.rests.size());
+  for (const bem::Entry& entry : trace.entries)
+    sizes[at(entry.column)] += std::abs(entry.value * u[at(entry.row)]);
+  return sizes;
+}
+
 }  // namespace
 
 Holding makeHolding(const bem::Space& space, const Conditions& conditions) {
@@ -205,8 +214,8 @@ std::vector<Vector> motionsOnContacts(const Holding& holding, Index first,
   std::vector<Vector> columns;
   if (first == holding.allowed.columns())
     return columns;
-  const Vector alongX = trace.apply(columnOf(holding.modes.motions, 0));
-  const Vector alongY = trace.apply(columnOf(holding.modes.motions, 1));
+  const Vector alongX = sizesOf(trace, columnOf(holding.modes.motions, 0));
+  const Vector alongY = sizesOf(trace, columnOf(holding.modes.motions, 1));
   for (Index k = first; k < holding.allowed.columns(); ++k) {
     const Vector motion = columnOf(holding.allowed, k);
     columns.push_back(trace.apply(motion));
