@@ -111,10 +111,9 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
                bem::Vec2 traction = solved.space.densityAt(step.densities[b], e, t);
                if (solved.conditions.inside)
                  traction = traction + solved.conditions.inside->traction(mesh, e, t);
-               const InsideValue stress = stressOf(
-                   surface.at(e, t), scene.bodies[b].material, solved.units,
-                   solved.conditions.inside,
-                   placeOfInside(mesh, e, t, scene.bodies[b].conditions.heat != nullptr));
+               const InsideValue stress =
+                   stressAt(surface.at(e, t), scene.bodies[b].material, solved.units,
+                            solved.conditions.inside, mesh, e, t);
                addPoint(mesh.physicalPoint(e, t),
                         solved.units.length * solved.displacementAt(e, t),
                         solved.units.stress * traction, contact,

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
+#include "contact/conditions/ConductedHeat.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/ChildProgram.hpp"
@@ -70,34 +71,23 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
 
 }  // namespace
 
-InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+// Conducted heat has its own temperature there, which no integral has to give.
+InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
-                     bem::Vec2 scaled) {
+                     const bem::Mesh& mesh, int e, double t) {
+  const bem::Vec2 place = mesh.scaledPoint(e, t);
   contact::ParticularSolution::Value particular;
-  if (inside)
-    particular = inside->at({scaled}).front();
-  return inUnits(field, material, units, inside, scaled, particular);
-}
-
-bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts) {
-  constexpr double skin = 1e-3;  // over half the element's length
-  constexpr double end = 0.05;   // likewise
-  if (!conducts)
-    return mesh.scaledPoint(e, t);
-  const double place = std::clamp(t, -1 + end, 1 - end);
-  return mesh.scaledPoint(e, place) - (skin * mesh[e].half) * mesh[e].curve.normal(place);
+  if (inside) {
+    const contact::ConductedHeat* heat = inside->conducted();
+    particular = {inside->displacement(mesh, e, t),
+                  heat != nullptr ? heat->temperature(e, t) : inside->temperature(place)};
+  }
+  return inUnits(field, material, units, inside, place, particular);
 }
 
 InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
-  const bem::InteriorValue own = surfaces_[b].at(e, t);
-  const bool conducts = scene_.bodies[b].conditions.heat != nullptr;
-  InsideValue value = stressOf(own, scene_.bodies[b].material, scene_.units(), inside_[b],
-                               placeOfInside(mesh(b), e, t, conducts));
-  bem::Vec2 u = own.displacement;
-  if (inside_[b])
-    u = u + inside_[b]->displacement(mesh(b), e, t);
-  value.displacement = scene_.units().length * u;
-  return value;
+  return stressAt(surfaces_[b].at(e, t), scene_.bodies[b].material, scene_.units(),
+                  inside_[b], mesh(b), e, t);
 }
 
 double BodyInsides::workAtPoint(std::size_t b) const {

@@ -29,15 +29,11 @@ struct InsideValue {
   }
 };
 
-/// With body loads and heat, in the user's units.
-/// \param field of the rest, at a point in scaled coordinates
-InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+/// At a point of the boundary, with body loads and heat, in the user's units.
+/// \param field of the rest
+InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
-                     bem::Vec2 scaled);
-
-/// Where the particular solution's stress is taken for a point of the boundary: there, but that of
-/// conducted heat, an integral over the boundary, just inside and away from the ends of elements.
-bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts);
+                     const bem::Mesh& mesh, int e, double t);
 
 /// The numbers of a value by their names in files: the scalar fields of fields.vtu, and in
 /// this order the columns of fields.csv and interior.csv.
