@@ -1,16 +1,19 @@
 """The documentation as a site:  build_site.py ROOT FOLDER EPAFI [--headers]
 
-Puts the pages where doc/site/mkdocs.yml looks, with the list of all parameters that EPAFI prints,
-builds FOLDER/html by mkdocs, with --headers the headers by Doxygen below it, and follows every
+Puts the pages where doc/site/mkdocs.yml looks, with the list of all parameters that EPAFI prints and
+the interface of the Python package, builds FOLDER/html by mkdocs, with --headers the headers by Doxygen below it, and follows every
 link and picture of the pages to where it leads.
 """
+import functools
 import glob
 import html.parser
+import inspect
 import os
 import re
 import shutil
 import subprocess
 import sys
+import textwrap
 import urllib.parse
 
 from formulas import with_formulas
@@ -18,6 +21,7 @@ from formulas import with_formulas
 # Where pages are; what they link to beyond comes along.
 SHOWN = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "doc"]
 PARAMETERS = "parameters" + ".md"  # made here
+PYTHON = "python-api" + ".md"
 # Debian's mkdocs names two scripts that it does not have.
 JQUERY = "/usr/share/javascript/jquery/jquery.min.js"
 # Chapters that are whole folders.
@@ -36,12 +40,42 @@ def stage(root, pages, epafi):
         stream.write("# Every parameter\n\n" + subprocess.run(
             [epafi, "parameters", "--format", "markdown"], check=True, text=True,
             stdout=subprocess.PIPE).stdout)
+    with open(os.path.join(pages, PYTHON), "w", encoding="utf-8") as stream:
+        stream.write(python_page(root))
     for file in glob.glob(os.path.join(pages, "**", "*.md"), recursive=True):
         for_mkdocs(file, root, pages)
     os.makedirs(os.path.join(pages, "js"))
     shutil.copy(JQUERY, os.path.join(pages, "js/jquery-3.6.0.min.js"))
     with open(os.path.join(pages, "js/theme_extra.js"), "w", encoding="utf-8"):
         pass
+
+
+def python_page(root):
+    """What `import epafi` offers, by its docstrings."""
+    sys.path.insert(0, os.path.join(root, "python"))
+    import epafi
+
+    def told(name, thing, level):
+        try:
+            signature = str(inspect.signature(thing)).replace("self, ", "").replace("(self)", "()").replace("'", "")
+        except (TypeError, ValueError):
+            signature = ""
+        title = "%s %s" % ("#" * level, name)
+        return "%s\n\n    %s%s\n\n%s\n" % (title, name, signature, textwrap.indent(
+            inspect.getdoc(thing) or "", "    "))
+
+    lines = ["# Python: every class and function\n", inspect.getdoc(epafi).replace("\n    ", "\n\n    ", 1) + "\n"]
+    for name in sorted(epafi.__all__):
+        thing = getattr(epafi, name)
+        lines.append(told(name, thing, 2))
+        if inspect.isclass(thing):
+            for own, member in vars(thing).items():
+                member = member.__func__ if isinstance(member, (classmethod, staticmethod)) else member
+                member = member.fget if isinstance(member, property) else member
+                member = member.func if isinstance(member, functools.cached_property) else member
+                if not own.startswith("_") and callable(member) and inspect.getdoc(member):
+                    lines.append(told("%s.%s" % (name, own), member, 3))
+    return "\n".join(lines)
 
 
 def for_mkdocs(file, root, pages):
@@ -112,7 +146,7 @@ def document_headers(root, folder):
     with open(os.path.join(root, "doc/site/Doxyfile"), encoding="utf-8") as stream:
         options = stream.read()
     options += "INPUT = %s %s\nSTRIP_FROM_PATH = %s\nSTRIP_FROM_INC_PATH = %s\n" % (
-        os.path.join(root, "packages"), os.path.join(root, "drivers/Program.hpp"),
+        os.path.join(root, "packages"), os.path.join(root, "drivers"),
         root, os.path.join(root, "packages"))
     options += "OUTPUT_DIRECTORY = %s\nHTML_OUTPUT = headers\n" % os.path.join(folder, "html")
     subprocess.run(["doxygen", "-"], input=options, text=True, check=True)

@@ -19,8 +19,9 @@ packagesOf() {
     check)
       echo clang-format-14 libxml2-utils python3-jsonschema
       echo python3-pip python3-setuptools python3-wheel python3-pandas  # of the Python front
+      echo mkdocs libjs-jquery  # the pages as a site, to follow their links
       ;;
-    site) echo mkdocs doxygen libjs-jquery ;;  # the documentation as a site: ninja -C build site
+    site) echo mkdocs doxygen libjs-jquery ;;  # with the headers: ninja -C build site
     all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu ;;
   esac
 }

@@ -80,8 +80,7 @@ class SavedRun {
                        "' has no History, and no steps; leave --step out");
     if (!level.complete)
       throw InputError(
-          "--step: the path in '", folder_, "' was interrupted behind ",
-          level.path.size(),
+          "--step: the path in '", folder_, "' was interrupted after ", level.path.size(),
           " solved steps, and fields of its steps are kept at its end; go on with epafi "
           "run --restart, or leave --step out for the last one");
     if (static_cast<std::size_t>(number) > level.steps.size())

@@ -17,7 +17,19 @@ namespace epafi::drivers {
 namespace {
 
 // The fields of a point, and of a segment.
-enum { Displacement, Traction, Pressure, Shear, Gap, Contact, Friction, Along, VonMises };
+enum {
+  Displacement,
+  Traction,
+  LambdaN,
+  LambdaT,
+  Gap,
+  Contact,
+  Friction,
+  Along,
+  VonMises,
+  Pressure,
+  Shear
+};
 enum { Element, Degree, Boundary, OfBody, Edge };
 
 VtkGrid emptyGrid() {
@@ -33,7 +45,9 @@ VtkGrid emptyGrid() {
            {"contact", whole},
            {"friction", whole},
            {"stress_t", real},
-           {"von_mises", real}},
+           {"von_mises", real},
+           {"pressure", real},
+           {"shear", real}},
           {{"element", whole},
            {"degree", whole},
            {"boundary", whole},
@@ -47,20 +61,28 @@ struct Surface {
   double vonMises = along;
 };
 
-/// Adds a point.  `contact`: empty where there is no contact.
+/// What is told of contact at a point.
+struct Touch {
+  contact::ContactPoint point;
+  contact::MultiplierSpace::Value shown;  ///< its stresses without jumps at nodes
+};
+
+/// Adds a point.  `touch`: empty where there is no contact.
 void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
-              const std::optional<contact::ContactPoint>& contact, const Surface& surface,
-              VtkGrid& grid) {
+              const std::optional<Touch>& touch, const Surface& surface, VtkGrid& grid) {
+  const contact::ContactPoint* contact = touch ? &touch->point : nullptr;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<DataArray>& fields = grid.pointData;
   grid.points.add(place);
   fields[Displacement].add(displacement);
   fields[Traction].add(traction);
-  fields[Pressure].add(contact ? contact->pressure : nothing);
-  fields[Shear].add(contact ? contact->shear : nothing);
-  fields[Gap].add(contact ? contact->gap : nothing);
-  fields[Contact].add(contact ? static_cast<int>(contact->closed) : -1);
-  fields[Friction].add(contact ? numberOf(contact->friction) : -1);
+  fields[LambdaN].add(touch ? contact->pressure : nothing);
+  fields[LambdaT].add(touch ? contact->shear : nothing);
+  fields[Gap].add(touch ? contact->gap : nothing);
+  fields[Contact].add(touch ? static_cast<int>(contact->closed) : -1);
+  fields[Friction].add(touch ? numberOf(contact->friction) : -1);
+  fields[Pressure].add(touch ? touch->shown.normal : nothing);
+  fields[Shear].add(touch ? touch->shown.tangential : nothing);
   fields[Along].add(surface.along);
   fields[VonMises].add(surface.vonMises);
 }
@@ -94,6 +116,7 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
   const contact::Solved& solved = step.bodies[b];
   const bem::Mesh& mesh = solved.space.mesh();
   const contact::ContactFields fields(solved);
+  const bem::Vector continuous = fields.continuous();
   std::vector<const contact::ContactFields::Element*> contacts(bem::at(mesh.size()));
   for (const auto& element : fields.elements())
     contacts[element.element] = &element;
@@ -105,9 +128,10 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
     addCurve(element.curve, 2 * (element.degree + 1),
              {e, element.degree, boundary, static_cast<int>(b), element.piece.edge}, grid,
              [&](double t) {
-               std::optional<contact::ContactPoint> contact;
+               std::optional<Touch> touch;
                if (contacts[e] != nullptr)
-                 contact = fields.at(*contacts[e], t);
+                 touch = Touch{fields.at(*contacts[e], t),
+                               fields.inUnits(continuous, *contacts[e], t)};
                bem::Vec2 traction = solved.space.densityAt(step.densities[b], e, t);
                if (solved.conditions.inside)
                  traction = traction + solved.conditions.inside->traction(mesh, e, t);
@@ -116,7 +140,7 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
                             solved.conditions.inside, mesh, e, t);
                addPoint(mesh.physicalPoint(e, t),
                         solved.units.length * solved.displacementAt(e, t),
-                        solved.units.stress * traction, contact,
+                        solved.units.stress * traction, touch,
                         {stress.along(element.curve.tangent(t)), stress.vonMises}, grid);
              });
   }

@@ -61,7 +61,7 @@ class Archive {
       int number = static_cast<int>(state) - static_cast<int>(first);
       (*this)(presses ? pressures : shears, number);
       if (number < 0 || number > static_cast<int>(last) - static_cast<int>(first))
-        throw bem::InputError("/Epafi: ", number, " is no state");
+        throw bem::InputError("/Epafi: ", number, " is not a state");
       state = static_cast<ContactState>(static_cast<int>(first) + number);
     }
   }

@@ -295,6 +295,40 @@ void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& 
           "begins and one where it ends");
 }
 
+/// Coefficients of friction that no surface has, and obstacles deep in a body.
+void findImplausible(const Body& body, const contact::Conditions& conditions,
+                     Warnings& warn) {
+  constexpr double most = 3;
+  constexpr double deepest = 0.02;  // of the body
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const auto found = conditions.contact.find(edge.boundary);
+    if (found == conditions.contact.end())
+      continue;
+    const contact::Conditions::Contact& contact = found->second;
+    const bem::SurfacePoint middle = pointOf(body, edge, 0);
+    if (contact.friction && contact.friction.law->dependsOnPressure() &&
+        !contact.friction.law->knowsPlace()) {
+      const auto shear = valueAt(
+          [&](const bem::SurfacePoint& x) {
+            return contact.friction.at(x, 1).slope(1e-12);
+          },
+          middle);
+      if (shear && *shear > most)
+        warn.once("friction " + contact.path, contact.path,
+                  "->Friction->Coefficient: is ", *shear,
+                  ": shear may be so many times the pressure; surfaces have 0.1 to 1, "
+                  "and 30 % is 0.3");
+    }
+    const auto gap = valueAt(contact.gap, middle);
+    if (contact.name.empty() && !contact.ties() && gap &&
+        *gap < -deepest * body.outline->diameter())
+      warn.once("gap " + contact.path, contact.path, "->Gap: is ", *gap, " at (",
+                middle.x, ", ", middle.y,
+                "): the obstacle stands deep in the body, where strains are not small; a "
+                "gap > 0 is a distance");
+  }
+}
+
 /// What a body's conditions at some time say that is probably not meant.
 void findInConditions(const Body& body, const contact::Conditions& conditions,
                       Warnings& warn) {
@@ -322,6 +356,7 @@ void findInConditions(const Body& body, const contact::Conditions& conditions,
   findJumps(body, conditions, warn);
   findSlidingAcross(body, conditions, warn);
   findPressedCorners(body, conditions, warn);
+  findImplausible(body, conditions, warn);
   if (conditions.neumann.empty())
     return;
   const bem::Mesh mesh = firstMesh(body);

@@ -11,6 +11,7 @@
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/ContactEstimate.hpp"
+#include "drivers/run/Room.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/scene/Text.hpp"
 

@@ -107,9 +107,7 @@ void findUnused(const Scene& scene, Warnings& warn) {
     if (words.count(name) != 0)
       used.push_back(name);
   const auto tell = [&](const std::string& what, const std::string& name) {
-    const std::string near = bem::nearest(name, used);
-    warn(what + " is in no expression" +
-         (near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
+    warn(what + " is in no expression" + bem::meant(name, used));
   };
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) == 0)
@@ -144,6 +142,48 @@ void findStiffSides(const Scene& scene, Warnings& warn) {
            "', and its pressures lose as many digits; name the softer one first, or make "
            "'",
            side.name, "' Rigid");
+  }
+}
+
+/// What different units of length, or other words of the same problem, make of bodies.
+void findUnlikeBodies(const Scene& scene, Warnings& warn) {
+  constexpr double farLarger = 1000;
+  const auto sizeOf = [](const Body& body) { return body.outline->diameter(); };
+  const auto [small, large] = std::minmax_element(
+      scene.bodies.begin(), scene.bodies.end(),
+      [&](const Body& a, const Body& b) { return sizeOf(a) < sizeOf(b); });
+  if (sizeOf(*large) > farLarger * sizeOf(*small))
+    warn("Bodies: '", small->name, "' is ", std::round(sizeOf(*large) / sizeOf(*small)),
+         " times smaller than '", large->name,
+         "'; are both drawn in the same unit of length?");
+  for (const Body& body : scene.bodies) {
+    if (body.material.planeStress != scene.bodies.front().material.planeStress)
+      warn("Bodies->", body.name, "->Material->Plane State: differs from that of '",
+           scene.bodies.front().name,
+           "'; forces are per unit of one thickness, and a thin body beside a thick one "
+           "is neither");
+    const std::string material = "Bodies->" + body.name + "->Material";
+    if (scene.given.sublist("Bodies")
+            .sublist(body.name)
+            .sublist("Material")
+            .isParameter("Density") &&
+        body.conditions.inside == nullptr)
+      warn(material,
+           "->Density: acts by Gravity, Spin or Angular Acceleration under Body "
+           "Loads alone, and none is given");
+  }
+}
+
+/// Angles that are small in degrees, but not in radian.
+void findLargeTurns(const Scene& scene, Warnings& warn) {
+  constexpr double large = 0.5;
+  for (const RigidBody& body : scene.rigid) {
+    const RigidBody::Component& turn = body.components[2];
+    const double angle = turn.free || !turn.value ? 0 : turn.value(scene.endOfPath());
+    if (std::abs(angle) > large)
+      warn("Bodies->", body.name, "->Motion->Rotation: is ", angle,
+           "; rotations are in radian (30*pi/180 for 30 degrees), and the geometry is "
+           "that of small ones");
   }
 }
 
@@ -263,6 +303,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
   findInConditions(scene, warn);
   findUnused(scene, warn);
   findStiffSides(scene, warn);
+  findUnlikeBodies(scene, warn);
+  findLargeTurns(scene, warn);
   findUnstable(scene, warn);
   findDeepOverlaps(scene, warn);
   findUnadjusted(scene, warn);

@@ -5,6 +5,7 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/ContactEstimate.hpp"
+#include "drivers/run/FrictionLimit.hpp"
 #include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
@@ -277,7 +278,7 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
     return std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(start),
                                                     spaces.opposite());
   });
-  checkResistance(scene, *system);
+  checkResistance(spaces, *system);
   SolvedLevel solved{stiffness, {from.number}, planned};
   solved.level.meshes = from.meshes;
   if (scene.history)
@@ -293,6 +294,8 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
     solveOnce(spaces, first, system, from, run, solved);
   if (planned.memoryOfDense && !solved.row.report.converged())
     return solved.level.reason;
+  if (!solved.row.report.converged() && !solved.steps.empty())
+    solved.level.reason = frictionLimits(solved.last()) + solved.level.reason;
   const std::string unbalanced = solved.unbalanced;
   Level level = finish(run, std::move(solved));
   if (!unbalanced.empty())

@@ -1,8 +1,8 @@
 #include "drivers/run/UnheldMotions.hpp"
 
+#include "bem/algebra/LeastSquares.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
@@ -20,13 +20,6 @@ namespace {
 
 using bem::Vector;
 
-/// Takes from a vector what orthonormal ones have of it; twice, for rounding.
-void orthogonalise(const std::vector<Vector>& basis, Vector& v) {
-  for (int pass = 0; pass < 2; ++pass)
-    for (const Vector& q : basis)
-      bem::axpy(-bem::dot(q, v), q, v);
-}
-
 /// The free rigid motions of each elastic body, as displacements.
 using FreeMotions = std::vector<std::vector<Vector>>;
 
@@ -40,58 +33,11 @@ FreeMotions motionsOf(const contact::ContactSystem& system) {
   return motions;
 }
 
-/// \throws bem::InputError naming a body of which a combination of the motions, a column each of
-/// what they do to contact, leaves all contacts as they are.
-void requireResistance(const Scene& scene, const bem::Matrix& motions,
-                       const FreeMotions& free) {
-  if (!scene.hasSeveral())
-    return;
-  constexpr double rounding = 1e-9;
-  double largest = 0;
-  for (bem::Index k = 0; k < motions.columns(); ++k) {
-    const Vector column = bem::columnOf(motions, k);
-    largest = std::max(largest, std::sqrt(bem::dot(column, column)));
-  }
-  std::vector<Vector> basis;
-  const auto resist = [&](bem::Index k, const std::string& name, const char* advice) {
-    Vector rest = bem::columnOf(motions, k);
-    orthogonalise(basis, rest);
-    const double size = std::sqrt(bem::dot(rest, rest));
-    if (!(size > rounding * largest))
-      throw bem::InputError(
-          "Bodies->", name,
-          ": can move as a rigid body, alone or with what it touches, in a "
-          "way that nothing resists; ",
-          advice);
-    for (double& x : rest)
-      x /= size;
-    basis.push_back(std::move(rest));
-  };
-  bem::Index k = 0;
-  std::vector<std::pair<std::size_t, bem::Index>> order;  // body, and its first column
-  for (std::size_t b = 0; b < free.size(); k += static_cast<bem::Index>(free[b++].size()))
-    order.emplace_back(b, k);
-  // of bodies that move together the one with the fewest holds is named
-  std::stable_sort(order.begin(), order.end(), [&](const auto& one, const auto& other) {
-    return free[one.first].size() < free[other.first].size();
-  });
-  for (const auto& [b, column] : order)
-    for (std::size_t own = 0; own < free[b].size(); ++own)
-      resist(column + static_cast<bem::Index>(own), scene.bodies[b].name,
-             "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
-  for (const RigidBody& body : scene.rigid)
-    for (const RigidBody::Component& component : body.components)
-      if (component.stiffness > 0)
-        ++k;
-      else if (component.free)
-        resist(k++, body.name,
-               "give it a Displacement or a Rotation instead of a Force or a Moment, or "
-               "a Stiffness, contact or friction");
-}
-
+/// A rigid motion of a body.
 struct Moved {
-  double size = 0;    ///< of the largest displacement, scaled
-  std::string words;  ///< "drives Bodies->pad in the direction (0, 1)"
+  double size = 0;  ///< of the largest displacement, scaled
+  std::string body{};
+  std::string how{};  ///< " in the direction (0, 1)", " about (0, 3)"
   double unit = 1;    ///< of force or moment: the displacement or the angle, scaled
   bool turns = false;
 };
@@ -107,26 +53,35 @@ std::string direction(bem::Vec2 u) {
                       tidy(u.y / size, 1), ")");
 }
 
-/// Of a rigid displacement: U + θ e_z x (x - c), c the nodes' mean.
-Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
+/// A rigid displacement U + θ e_z x (x - c), c the nodes' mean, scaled.
+struct RigidPart {
+  bem::Vec2 centre{};
+  bem::Vec2 mean{};  ///< U
+  double turn = 0;   ///< θ
+  double farthest = 0;
+};
+
+RigidPart rigidPart(const Vector& u, const bem::Space& space) {
   const bem::Mesh& mesh = space.mesh();
   const bem::DisplacementField field(space, u);
-  bem::Vec2 centre;
-  bem::Vec2 mean;
+  RigidPart part;
   for (int e = 0; e < mesh.size(); ++e) {
-    centre = centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
-    mean = mean + (1.0 / mesh.size()) * field.at(e, -1);
+    part.centre = part.centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
+    part.mean = part.mean + (1.0 / mesh.size()) * field.at(e, -1);
   }
-  double turn = 0;
   double squares = 0;
-  double farthest = 0;
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Vec2 arm = mesh.scaledPoint(e, -1) - centre;
-    turn += cross(arm, field.at(e, -1) - mean);
+    const bem::Vec2 arm = mesh.scaledPoint(e, -1) - part.centre;
+    part.turn += cross(arm, field.at(e, -1) - part.mean);
     squares += dot(arm, arm);
-    farthest = std::max(farthest, norm(arm));
+    part.farthest = std::max(part.farthest, norm(arm));
   }
-  turn /= squares;
+  part.turn /= squares;
+  return part;
+}
+
+Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
+  const auto [centre, mean, turn, farthest] = rigidPart(u, space);
   const double arc = std::abs(turn) * farthest;
   const bool turns = arc > 1e-3 * norm(mean);  // else about a point far away
   std::string how = direction(mean);
@@ -135,46 +90,180 @@ Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
     const double length = body.outline->diameter();
     how = bem::message(" about (", tidy(pole.x, length), ", ", tidy(pole.y, length), ")");
   }
-  return {norm(mean) + arc,
-          (turns ? "turns Bodies->" : "drives Bodies->") + body.name + how,
-          turns ? std::abs(turn) : norm(mean), turns};
+  return {norm(mean) + arc, body.name, how, turns ? std::abs(turn) : norm(mean), turns};
 }
 
 Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
   const bem::Vec2 slide{components[0], components[1]};
   const double turn = std::abs(components[2]);
   const bool turns = turn > 1e-3 * norm(slide);
-  return {norm(slide) + turn,
-          turns ? "turns Bodies->" + body.name
-                : "drives Bodies->" + body.name + direction(slide),
+  return {norm(slide) + turn, body.name, turns ? "" : direction(slide),
           turns ? turn : norm(slide), turns};
 }
 
-std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers,
-                       const FreeMotions& free) {
+/// The motions of all bodies for amplitudes of the free ones, the elastic bodies first.
+std::vector<Moved> movedBy(const Vector& amplitudes, const BodySpaces& spaces,
+                           const FreeMotions& free) {
   const Scene& scene = spaces.scene();
-  const contact::UnresistedMotion motion = contact::unresistedMotion(numbers);
-  if (motion.amplitudes.empty())
-    return "";
-  Moved most;
-  const auto keepLarger = [&](Moved moved) {
-    if (moved.size > most.size)
-      most = std::move(moved);
-  };
-  const double* next = motion.amplitudes.data();
+  std::vector<Moved> result;
+  const double* next = amplitudes.data();
   for (std::size_t b = 0; b < free.size(); ++b) {
     Vector moved(spaces.space(b).displacements());
     for (const Vector& one : free[b])
       bem::axpy(*next++, one, moved);
-    keepLarger(movedBy(moved, spaces.space(b), scene.bodies[b]));
+    result.push_back(movedBy(moved, spaces.space(b), scene.bodies[b]));
   }
   for (const RigidBody& body : scene.rigid) {
     std::array<double, 3> components{};
     for (std::size_t c = 0; c < 3; ++c)
       if (body.components[c].free)
         components[c] = *next++;
-    keepLarger(movedBy(components, body));
+    result.push_back(movedBy(components, body));
   }
+  return result;
+}
+
+/// Tells motions that do nothing to contact from what they do, a column each.
+class Resistance {
+ public:
+  explicit Resistance(const bem::Matrix& motions) : motions_(motions) {
+    for (bem::Index k = 0; k < motions.columns(); ++k) {
+      const Vector column = bem::columnOf(motions, k);
+      largest_ = std::max(largest_, std::sqrt(bem::dot(column, column)));
+    }
+  }
+
+  /// Amplitudes of motion k and of those that were added before, which together leave all contacts as
+  /// they are; empty if there are none: then motion k is added.
+  Vector unresisted(bem::Index k) {
+    constexpr double rounding = 1e-9;
+    Vector rest = bem::columnOf(motions_, k);
+    Vector amplitudes(bem::at(motions_.columns()), 0.0);
+    amplitudes[bem::at(k)] = 1;
+    for (int pass = 0; pass < 2; ++pass)  // twice, for rounding
+      for (const auto& [basis, of] : added_) {
+        const double part = -bem::dot(basis, rest);
+        bem::axpy(part, basis, rest);
+        bem::axpy(part, of, amplitudes);
+      }
+    const double size = std::sqrt(bem::dot(rest, rest));
+    if (!(size > rounding * largest_))
+      return amplitudes;
+    for (Vector* vector : {&rest, &amplitudes})
+      for (double& x : *vector)
+        x /= size;
+    added_.emplace_back(std::move(rest), std::move(amplitudes));
+    return {};
+  }
+
+ private:
+  const bem::Matrix& motions_;
+  double largest_ = 0;
+  std::vector<std::pair<Vector, Vector>> added_{};  ///< orthonormal, and amplitudes
+};
+
+/// \throws bem::InputError naming a body and a motion of it that, with motions of others, leaves all
+/// contacts as they are
+void requireResistance(const BodySpaces& spaces, const bem::Matrix& motions,
+                       const FreeMotions& free) {
+  const Scene& scene = spaces.scene();
+  if (!scene.hasSeveral())
+    return;
+  Resistance resistance(motions);
+  const auto resist = [&](bem::Index k, std::size_t body, const char* advice) {
+    const Vector amplitudes = resistance.unresisted(k);
+    if (amplitudes.empty())
+      return;
+    const Moved moved = movedBy(amplitudes, spaces, free)[body];
+    throw bem::InputError("Bodies->", moved.body, ": can ", moved.turns ? "turn" : "move",
+                          " as a rigid body", moved.how,
+                          ", alone or with what it touches, in a way that nothing "
+                          "resists; ",
+                          advice);
+  };
+  bem::Index k = 0;
+  std::vector<std::pair<std::size_t, bem::Index>> order;  // body, and its first column
+  for (std::size_t b = 0; b < free.size(); k += static_cast<bem::Index>(free[b++].size()))
+    order.emplace_back(b, k);
+  // of bodies that move together the one with the fewest holds is named
+  std::stable_sort(order.begin(), order.end(), [&](const auto& one, const auto& other) {
+    return free[one.first].size() < free[other.first].size();
+  });
+  for (const auto& [b, column] : order)
+    for (std::size_t own = 0; own < free[b].size(); ++own)
+      resist(column + static_cast<bem::Index>(own), b,
+             "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
+  for (std::size_t r = 0; r < scene.rigid.size(); ++r)
+    for (const RigidBody::Component& component : scene.rigid[r].components)
+      if (component.stiffness > 0)
+        ++k;
+      else if (component.free)
+        resist(k++, free.size() + r,
+               "give it a Displacement or a Rotation instead of a Force or a Moment, or "
+               "a Stiffness, contact or friction");
+}
+
+/// What slides on flat ground: along n, out of the body, the load presses, along t it shears.
+struct Slide {
+  bem::Vec2 normal{};
+  double friction = -1;  ///< of all its contacts; < 0: they differ, or there are none
+};
+
+/// The sides of an elastic body in contact, if they all face one way and have one coefficient of
+/// friction.
+Slide groundOf(const BodySpaces& spaces,
+               const std::vector<contact::Conditions>& conditions, std::size_t body) {
+  constexpr double same = 1e-9;
+  const double stress = spaces.scene().units().stress;
+  Slide slide;
+  bool isOne = true;
+  spaces.multiplier().under(conditions).forEachElement([&](const auto& element) {
+    const contact::Opposite::Point there = spaces.opposite()->at(element, 0);
+    const bool isOwn = bem::at(element.body) == body;
+    if (!isOwn && (there.element < 0 || bem::at(there.body) != body))
+      return;
+    const bem::Vec2 normal = (isOwn ? 1 : -1) * there.direction.unit;
+    const contact::PointLaw law = element.condition->friction.at(
+        element.mesh->physicalPoint(element.element, 0), stress);
+    const double friction = law.bound(1);
+    if (slide.friction < 0)
+      slide = {normal, friction};
+    isOne = isOne && !element.ties() && !element.condition->isSupport &&
+            law.bound(0) == 0 &&
+            !(element.shears() && element.condition->friction.law->knowsPlace()) &&
+            norm(normal - slide.normal) < same &&
+            std::abs(friction - slide.friction) <= same * friction;
+  });
+  return isOne ? slide : Slide{};
+}
+
+/// The force of a load on a body whose three motions are free, by what it does along them.
+bem::Vec2 forceAlong(const Vector& loads, const std::vector<Vector>& motions,
+                     const bem::Space& space) {
+  std::vector<Vector> rows;
+  for (const Vector& motion : motions) {
+    const RigidPart part = rigidPart(motion, space);
+    rows.push_back({part.mean.x, part.mean.y, part.turn});
+  }
+  const auto along = [&](const Vector& translation) {
+    return bem::dot(bem::leastSquares(rows, translation, 1e-12).x, loads);
+  };
+  return {along({1, 0, 0}), along({0, 1, 0})};
+}
+
+std::string unresisted(const BodySpaces& spaces,
+                       const std::vector<contact::Conditions>& conditions,
+                       const contact::Problem& numbers, const FreeMotions& free) {
+  const Scene& scene = spaces.scene();
+  const contact::UnresistedMotion motion = contact::unresistedMotion(numbers);
+  if (motion.amplitudes.empty())
+    return "";
+  std::size_t body = 0;
+  const std::vector<Moved> all = movedBy(motion.amplitudes, spaces, free);
+  for (std::size_t b = 1; b < all.size(); ++b)
+    if (all[b].size > all[body].size)
+      body = b;
+  const Moved& most = all[body];
   std::string limit;
   if (motion.held > 0) {
     const double unit =
@@ -182,7 +271,26 @@ std::string unresisted(const BodySpaces& spaces, const contact::Problem& numbers
     limit = bem::message(most.turns ? ": of a moment of " : ": of a force of ",
                          motion.load * unit, " they hold at most ", motion.held * unit);
   }
-  return "the load " + most.words +
+  std::string words =
+      (most.turns ? " turns Bodies->" : " drives Bodies->") + most.body + most.how;
+  if (body < free.size() && free[body].size() == 3 && !most.turns && motion.held == 0)
+    if (const Slide slide = groundOf(spaces, conditions, body); slide.friction >= 0) {
+      const double* first = numbers.rigidLoad.data();
+      for (std::size_t b = 0; b < body; ++b)
+        first += free[b].size();
+      const bem::Vec2 force =
+          forceAlong({first, first + 3}, free[body], spaces.space(body));
+      const double pressing = dot(force, slide.normal);
+      const double along = dot(force, turnLeft(slide.normal));
+      const double unit = scene.energy() / scene.units().length;
+      if (pressing > 0 && std::abs(along) > slide.friction * pressing) {
+        words =
+            " slides Bodies->" + most.body + direction(along * turnLeft(slide.normal));
+        limit = bem::message(": ", tidy(std::abs(along) * unit, pressing * unit), " > ",
+                             slide.friction, " x ", pressing * unit);
+      }
+    }
+  return "the load" + words +
          ", a rigid motion in which neither contact nor friction can balance it" + limit;
 }
 
@@ -237,58 +345,17 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
   return balance;
 }
 
-/// By how much the area of a body may grow.
-struct Room {
-  double area = 0;  ///< ∫ gap ds over contacts + ∫ u·n ds over clamps, ds scaled
-  double size = 0;  ///< of the same, absolute values
-  bool isLimited = true;   ///< by conditions all around
-  bool isContact = false;  ///< at least on a part
-
-  bool isKnown() const { return isLimited && isContact; }
-  bool isMissing() const { return area < -1e-6 * size; }  // the rest is quadrature's
-};
-
-Room roomOf(const bem::Mesh& mesh, const contact::Conditions& conditions) {
-  Room room;
-  room.isLimited = conditions.inside == nullptr && !conditions.heat;
-  const bem::Rule& rule = bem::gaussLegendre(8);
-  for (int e = 0; e < mesh.size() && room.isLimited; ++e) {
-    const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
-    const auto contact = conditions.contact.find(mesh.boundary(e));
-    const bool meets = contact != conditions.contact.end();
-    if (meets ? !contact->second.name.empty() || contact->second.normal ||
-                    contact->second.wear
-              : clamp == conditions.dirichlet.end())
-      room.isLimited = false;
-    else
-      for (std::size_t q = 0; q < rule.points.size() && room.isLimited; ++q) {
-        const bem::SurfacePoint x = mesh.physicalPoint(e, rule.points[q]);
-        double outwards = meets && contact->second.gap ? contact->second.gap(x) : 0;
-        if (!meets)
-          for (const auto& [given, along] : {std::pair(&clamp->second.x, x.normal.x),
-                                             std::pair(&clamp->second.y, x.normal.y)}) {
-            if (*given)
-              outwards += (*given)(x)*along;
-            else if (std::abs(along) > 1e-12)
-              room.isLimited = false;
-          }
-        const double share = rule.weights[q] * mesh.measure(e, rule.points[q]);
-        room.area += share * outwards;
-        room.size += share * std::abs(outwards);
-        room.isContact = room.isContact || (meets && !contact->second.isSupport);
-      }
-  }
-  return room;
-}
-
 }  // namespace
 
-void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
-  requireResistance(scene, system.numbers().rigid, motionsOf(system));
+void checkResistance(const BodySpaces& spaces, const contact::ContactSystem& system) {
+  requireResistance(spaces, system.numbers().rigid, motionsOf(system));
 }
 
 std::string unresisted(const BodySpaces& spaces, const contact::ContactSystem& system) {
-  return unresisted(spaces, system.numbers(), motionsOf(system));
+  std::vector<contact::Conditions> conditions;
+  for (std::size_t b = 0; b < system.size(); ++b)
+    conditions.push_back(system.body(b).conditions());
+  return unresisted(spaces, conditions, system.numbers(), motionsOf(system));
 }
 
 std::vector<double> unbalanced(const BodySpaces& spaces,
@@ -307,34 +374,13 @@ std::vector<double> unbalanced(const BodySpaces& spaces,
   return result;
 }
 
-void checkRoom(const BodySpaces& spaces, double t) {
-  const Scene& scene = spaces.scene();
-  const auto isIncompressible = [](const Body& body) {
-    return body.material.poissonsRatio >= 0.5 && !body.material.planeStress;
-  };
-  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), isIncompressible))
-    return;
-  const std::vector<contact::Conditions> conditions = scene.conditionsAt(t);
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    if (const Room room = roomOf(spaces.space(b).mesh(), conditions[b]);
-        isIncompressible(scene.bodies[b]) && room.isKnown() && room.isMissing())
-      throw bem::InputError(
-          "Bodies->", scene.bodies[b].name,
-          ": is incompressible (Poisson's Ratio 1/2) and enclosed: contact and "
-          "prescribed "
-          "displacements take ",
-          -room.area * scene.symmetry.copies() * scene.units().length,
-          scene.history ? bem::message(" at t = ", t) : "",
-          " of its area, and it has none to give; leave it a free side or room, or take "
-          "a smaller Poisson's Ratio");
-}
-
 void checkUnheld(const BodySpaces& spaces,
                  const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
   const FreeBalance balance = freeBalanceOf(spaces, conditions, t);
-  requireResistance(scene, balance.numbers.rigid, balance.free);
-  const std::string motion = unresisted(spaces, balance.numbers, balance.free);
+  requireResistance(spaces, balance.numbers.rigid, balance.free);
+  const std::string motion =
+      unresisted(spaces, conditions, balance.numbers, balance.free);
   if (!motion.empty())
     throw bem::InputError(scene.history ? bem::message("at t = ", t, " ") : "", motion);
 }

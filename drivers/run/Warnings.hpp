@@ -31,14 +31,14 @@ class Warnings {
 };
 
 /// What is probably not meant in a scene, a sentence each: what has no effect, conditions as below,
-/// bodies drawn deep into each other, straight edges that draw a curve on a side in contact.  A polygon
+/// sizes or states that do not go together, angles in degrees, bodies drawn deep into each other, straight edges that draw a curve on a side in contact.  A polygon
 /// meets an obstacle at its corners: 64 edges around a cylinder give 1.6 times Hertz' contact length.
 std::vector<std::string> warningsOf(const Scene& scene);
 
 /// Adds what boundary conditions say that is probably not meant, at the end of a path and at some
 /// times before it, each sentence once: displacements or temperatures that jump, at a
 /// corner or on a side, displacements that go through an obstacle at a corner, loads narrower than
-/// their elements can see.
+/// their elements can see, friction that no surface has, obstacles deep in a body.
 void findInConditions(const Scene& scene, Warnings& warn);
 
 /// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less

@@ -86,17 +86,18 @@ bem::SchemaRows bodyLoadsRows() {
   return {
       Row("Gravity X", Kind::Expression, "force / mass",
           "acceleration; the force per volume is Density times it; in t and constants"),
-      Row("Gravity Y", Kind::Expression, "force / mass", "likewise; down is negative"),
+      Row("Gravity Y", Kind::Expression, "force / mass",
+          "acceleration along y, down is negative; in t and constants"),
       Row("Force X", Kind::Expression, "stress / length",
           "instead of Gravity X: the force per volume"),
       Row("Force Y", Kind::Expression, "stress / length",
-          "instead of Gravity Y, likewise"),
+          "instead of Gravity Y: the force per volume along y"),
       Row("Spin", Kind::Expression, "radian / time",
           "angular velocity about Center; the force per volume is Density times its "
           "square times the way from there; in t and constants"),
       Row("Angular Acceleration", Kind::Expression, "radian / time^2",
           "the body's own about Center, counter-clockwise; not taken from Spin; "
-          "likewise"),
+          "in t and constants"),
       Row("Center", Kind::Reals, "length",
           "of Spin and Angular Acceleration; without it the origin"),
       Row("Temperature", Kind::Expression, "temperature",
@@ -209,7 +210,7 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   // in powers of z cancellation leaves eight digits on a body of aspect ratio 1 : 100
   if (deviation > 1e-7 * largest)
     throw InputError(loads_.path("Temperature"),
-                     ": is no polynomial in x and y of degree at most ", highest,
+                     ": is not a polynomial in x and y of degree at most ", highest,
                      "; the nearest one is off by up to ", deviation);
   return terms;
 }

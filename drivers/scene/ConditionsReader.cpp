@@ -33,6 +33,18 @@ void readWear(const Part& part, contact::Conditions::Contact& condition) {
   condition.wear = part.nonNegative("Coefficient");
 }
 
+/// Coulomb's Coefficient may depend on the pressure.
+contact::Friction readFriction(const Part& part, const contact::FieldOf& fields) {
+  if (part.list->get<std::string>("Law") == "Coulomb")
+    if (const auto coefficient = part.ofPressure("Coefficient"); coefficient) {
+      contact::Friction friction = contact::makePressureFriction(coefficient);
+      if (part.has("Compliance"))
+        friction.compliance = fields("Compliance");
+      return friction;
+    }
+  return contact::parseFriction(*part.list, fields);
+}
+
 /// The parameters that all contacts have.
 contact::Conditions::Contact readSurface(const Part& part) {
   const auto fieldsOf = [](const Part& law, bool orZero = true) {
@@ -41,7 +53,7 @@ contact::Conditions::Contact readSurface(const Part& part) {
   contact::Conditions::Contact condition;
   condition.path = part.place.path;
   const Part friction = part.sub("Friction");
-  condition.friction = contact::parseFriction(*friction.list, fieldsOf(friction));
+  condition.friction = readFriction(friction, fieldsOf(friction));
   if (part.has("Sliding")) {
     const bem::Function now = part.function("Sliding");
     const bem::Function before = part.then(0).function("Sliding");

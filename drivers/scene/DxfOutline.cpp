@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -64,7 +65,7 @@ std::optional<Pair> nextPair(std::istringstream& file, int& line) {
   const auto number = numberIn<int>(trimmed(code));
   if (!number)
     throw InputError("line ", line, ": '", trimmed(code),
-                     "' is not a group code; this is no drawing in ASCII DXF");
+                     "' is not a group code; this is not a drawing in ASCII DXF");
   if (!std::getline(file, value))
     throw InputError("line ", line, ": the file ends where a value should follow");
   ++line;
@@ -129,22 +130,24 @@ class Drawing {
           "the drawing has no lines, arcs, circles or polylines in model space");
   }
 
-  /// Skips pieces without length, as at the end of a closed polyline.
   OutlinePieces outline() const {
     OutlinePieces result;
     result.advice =
         "lines, arcs and polylines of all layers must close, so that construction lines "
-        "are to be deleted (ends closer than 1e-6 of the drawing's size are one corner)";
+        "are to be deleted, or left out by Geometry->Boundaries (ends closer than 1e-6 "
+        "of "
+        "the drawing's size are one corner)";
+    result.pieces = pieces_;
     double size = 0;
-    for (const Vec2 end : ends_)
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const Vec2 end = ends_[i];
       size = std::max({size, std::abs(end.x - ends_[0].x), std::abs(end.y - ends_[0].y)});
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      OutlinePiece piece = pieces_[i];
-      piece.from = nodeAt(result, ends_[2 * i], 1e-6 * size);
-      piece.to = nodeAt(result, ends_[2 * i + 1], 1e-6 * size);
-      if (piece.from != piece.to)
-        result.pieces.push_back(piece);
+      const auto tag = static_cast<NodeTag>(i) + 1;
+      result.nodes[tag] = end;
+      OutlinePiece& piece = result.pieces[i / 2];
+      (i % 2 == 0 ? piece.from : piece.to) = tag;
     }
+    result.same = std::max(1e-6 * size, std::numeric_limits<double>::min());
     return result;
   }
 
@@ -155,15 +158,6 @@ class Drawing {
         throw InputError(
             "line ", entity.fileLine, ": ", entity.kind,
             " is not read; explode it, or draw lines, arcs, circles and polylines");
-  }
-
-  static NodeTag nodeAt(OutlinePieces& outline, Vec2 place, double tolerance) {
-    for (const auto& [tag, node] : outline.nodes)
-      if (norm(node - place) <= tolerance)
-        return tag;
-    const auto tag = static_cast<NodeTag>(outline.nodes.size()) + 1;
-    outline.nodes[tag] = place;
-    return tag;
   }
 
   void add(const Entity& entity, Vec2 from, Vec2 to, double bulge) {
@@ -225,8 +219,11 @@ class Drawing {
 
 }  // namespace
 
-bem::Loops readDxf(const std::string& text) {
-  return chained(Drawing(readEntities(text)).outline());
+bem::Loops readDxf(const std::string& text, const FilePart& part) {
+  if (!part.surface.empty())
+    throw InputError(
+        "a drawing has no physical surfaces; Boundaries names a body's layers");
+  return chained(Drawing(readEntities(text)).outline(), part);
 }
 
 }  // namespace epafi::drivers

@@ -11,6 +11,7 @@
 #include <memory>
 #include <muParser.h>
 #include <mutex>
+#include <regex>
 #include <vector>
 
 namespace epafi::drivers {
@@ -60,11 +61,16 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(place.file, ": ", place.path, " = '", text, "' ", what);
   }
+  bool knowsPressure() const {
+    return names.ofPressure && form == Form::OfPoint &&
+           names.constants.count("pressure") == 0 && names.tables.count("pressure") == 0;
+  }
   /// The names, for messages.
   std::string known() const {
     const std::string known = form == Form::Constant      ? "constants before it"
                               : form == Form::OfConstants ? "constants"
                               : form == Form::OfTime      ? "t"
+                              : knowsPressure()           ? "x, y, t, nx, ny and pressure"
                               : names.onBoundary          ? "x, y, t, nx and ny"
                                                           : "x, y and t";
     return known +
@@ -100,10 +106,26 @@ std::string otherLanguage(const std::string& text) {
                                    std::pair("AND", "&&"), std::pair("OR", "||")})
     if (hasWord(word))
       return message("; '", word, "' is written '", sign, "'");
-  if (text.find("**") != std::string::npos)
+  if (text.find("**") != std::string::npos || hasWord("pow"))
     return "; a power is written '^'";
   if (text.find("math.") != std::string::npos || text.find("np.") != std::string::npos)
     return "; functions stand without 'math.' or 'np.'";
+  if (text.find('%') != std::string::npos)
+    return "; per cent is a number, 0.3 for 30 %";
+  if (text.find("\u00b0") != std::string::npos)
+    return "; angles are in radian, 30*pi/180 for 30 degrees";
+  if (text.find('"') != std::string::npos)
+    return "; without quotes";
+  static const std::regex exponent("[0-9.]+[dD][-+]?[0-9]+");
+  if (std::regex_match(text, exponent))
+    return "; an exponent of ten is written 'e', 2.1e5";
+  static const std::regex separated("[0-9]+([_'][0-9]+)+");
+  if (std::regex_match(text, separated))
+    return "; digits are not separated";
+  static const std::regex unit(
+      "[-+]?[0-9][0-9.]*([eE][-+]?[0-9]+)? *[A-Za-z]+[0-9/^A-Za-z]*");
+  if (std::regex_match(text, unit))
+    return "; numbers have no units: those of a scene go together, such as N, mm and MPa";
   return "";
 }
 
@@ -129,6 +151,8 @@ class Parser {
         parser_.DefineVar("nx", &point_.normal.x);
         parser_.DefineVar("ny", &point_.normal.y);
       }
+      if (source.knowsPressure())
+        parser_.DefineVar("pressure", &pressure_);
       parser_.SetExpr(source.text);
     } catch (const mu::Parser::exception_type& error) {
       fail(error);
@@ -136,13 +160,15 @@ class Parser {
   }
   /// Is the expression independent of the point?
   bool isConstant() const { return parser_.GetUsedVar().empty(); }
+  bool usesPressure() const { return parser_.GetUsedVar().count("pressure") != 0; }
 
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
 
   /// \throws InputError with the message of muParser, or if there are several values.
-  double operator()(const bem::SurfacePoint& point) {
+  double operator()(const bem::SurfacePoint& point, double pressure) {
     point_ = point;
+    pressure_ = pressure;
     try {
       int values = 0;
       const double* value = parser_.Eval(values);
@@ -157,16 +183,27 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const mu::Parser::exception_type& error) const {
-    source_.fail("is not an expression in " + source_.known() + ": " + error.GetMsg() +
-                 (otherLanguage(source_.text).empty() ? meant(error)
-                                                      : otherLanguage(source_.text)));
+    const std::string near = meant(error);
+    source_.fail(
+        "is not an expression in " + source_.known() + ": " + error.GetMsg() +
+        (error.GetCode() == mu::ecUNEXPECTED_VAL || otherLanguage(source_.text).empty()
+             ? near
+             : otherLanguage(source_.text)));
   }
 
   std::string meant(const mu::Parser::exception_type& error) const {
+    if (error.GetCode() == mu::ecUNEXPECTED_VAL ||
+        error.GetCode() == mu::ecUNEXPECTED_VAR)
+      return "; a product is written '*'";
     if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
       return "";
     const std::string rest = error.GetToken();  // includes the text behind it
     const std::string called = rest.substr(0, rest.find_first_not_of(letters));
+    if (source_.form < Form::OfPoint && (called == "x" || called == "y"))
+      return "; it is one number, which does not vary along x and y";
+    if (called == "pressure")
+      return "; the pressure of the contact is known in Friction->Coefficient of Law "
+             "Coulomb alone";
     if (parser_.GetFunDef().count(called) != 0)
       return "; '(' follows the name of a function without a blank: " + called + "(x)";
     std::vector<std::string> names;
@@ -182,6 +219,7 @@ class Parser {
 
   const Source& source_;
   bem::SurfacePoint point_;
+  double pressure_ = 0;
   mu::Parser parser_;
 };
 
@@ -194,17 +232,20 @@ class Expression {
     if (loneEqualSign(source_.text) != std::string::npos)
       source_.fail("assigns with '='; nothing can be assigned, equality is '=='");
     const double value =
-        evaluate({});  // checks the syntax; the value at the origin may be undefined
+        evaluate({}, 0);  // checks the syntax; the value at the origin may be undefined
     if (idle_.front()->isConstant())
       constant_ = value;
+    usesPressure_ = idle_.front()->usesPressure();
   }
 
   /// Its value, if this is the same at all points.
   std::optional<double> constant() const { return constant_; }
 
-  double operator()(const bem::SurfacePoint& point) const {
+  bool usesPressure() const { return usesPressure_; }
+
+  double operator()(const bem::SurfacePoint& point, double pressure = 0) const {
     const double t = source_.names.t;
-    double value = evaluate(point);
+    double value = evaluate(point, pressure);
     if (std::isnan(value))
       value = std::abs(value);  // messages shall show nan, not -nan
     if (!std::isfinite(value) && source_.form != Form::OfPoint)
@@ -213,6 +254,7 @@ class Expression {
     if (!std::isfinite(value * value))
       source_.fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
                            t == 1 ? "" : message(", t = ", t),
+                           usesPressure_ ? message(", pressure = ", pressure) : "",
                            std::isfinite(value) ? "; its square must be finite, too"
                                                 : "; one finite number is needed there",
                            source_.ends()));
@@ -220,11 +262,11 @@ class Expression {
   }
 
  private:
-  double evaluate(const bem::SurfacePoint& point) const {
+  double evaluate(const bem::SurfacePoint& point, double pressure) const {
     if (constant_)
       return *constant_;
     std::unique_ptr<Parser> parser = take();
-    const double value = (*parser)(point);
+    const double value = (*parser)(point, pressure);
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(parser));
     return value;
@@ -241,6 +283,7 @@ class Expression {
 
   Source source_;
   std::optional<double> constant_;
+  bool usesPressure_ = false;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Parser>> idle_;
 };
@@ -268,6 +311,18 @@ bem::Function makeExpression(const std::string& text, const Place& place,
   const auto expression =
       std::make_shared<const Expression>(Source{text, place, names, form});
   return [expression](const bem::SurfacePoint& point) { return (*expression)(point); };
+}
+
+contact::PressureCoefficient makeExpressionOfPressure(const std::string& text,
+                                                      const Place& place, Names names) {
+  names.ofPressure = true;
+  const auto expression =
+      std::make_shared<const Expression>(Source{text, place, names, Form::OfPoint});
+  if (!expression->usesPressure())
+    return {};
+  return [expression](const bem::SurfacePoint& point, double pressure) {
+    return (*expression)(point, pressure);
+  };
 }
 
 std::optional<double> constantIn(const std::string& text, const Place& place,

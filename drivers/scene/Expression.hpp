@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Function.hpp"
+#include "contact/law/FrictionLaw.hpp"
 #include "drivers/scene/Interpolant.hpp"
 
 #include <map>
@@ -24,6 +25,8 @@ struct Names {
   double t = 1;
   Tables tables = {};
   bool onBoundary = false;  ///< nx and ny: the outward unit normal at the point
+  bool ofPressure =
+      false;  ///< pressure, of a contact; a constant of this name goes before
 };
 
 /// The names that an expression may use; each form includes those before it.
@@ -45,6 +48,10 @@ enum class Form {
 ///   value is not one finite number, with file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place,
                              const Names& names = {}, Form form = Form::OfPoint);
+
+/// The same with `pressure`, and a function of the pressure, too; empty unless the expression uses it.
+contact::PressureCoefficient makeExpressionOfPressure(const std::string& text,
+                                                      const Place& place, Names names);
 
 /// The value of an expression that is the same at all points; nothing of another one.
 /// \throws bem::InputError for an invalid expression.

@@ -72,6 +72,17 @@ void setLoop(ParameterList& geometry, const std::string& prefix, const bem::Loop
     geometry.set(prefix + "Bulges", Teuchos::Array<double>(loop.bulges));
 }
 
+FilePart partOf(const ParameterList& geometry) {
+  FilePart part;
+  if (geometry.isParameter("Boundaries"))
+    part.boundaries = namesOf(geometry, "Boundaries");
+  if (geometry.isParameter("Surface"))
+    part.surface = geometry.get<std::string>("Surface");
+  if (geometry.isParameter("Scale"))
+    part.scale = geometry.get<double>("Scale");
+  return part;
+}
+
 /// Replaces Geometry->File by the vertices and edges in that file, so that used.xml
 /// depends on no other file; without File checks that Vertices and Edges are given.
 ///
@@ -81,14 +92,20 @@ void setLoop(ParameterList& geometry, const std::string& prefix, const bem::Loop
 void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sceneFile,
                         const std::string& path) {
   if (!geometry.isParameter("File")) {
+    for (const char* key : {"Scale", "Surface", "Boundaries"})
+      if (geometry.isParameter(key))
+        throw InputError(path, "->", key, ": is of what a File holds, and none is given");
     for (const char* key : {"Vertices", "Edges"})
       if (!geometry.isParameter(key))
         throw InputError(path, "->", key, ": missing; give Vertices and Edges, ",
                          "or File");
     return;
   }
+  const auto isOfFile = [](const std::string& key) {
+    return key == "File" || key == "Scale" || key == "Surface" || key == "Boundaries";
+  };
   for (const auto& item : geometry)
-    if (item.first != "File")
+    if (!isOfFile(item.first))
       throw InputError(path, "->", item.first, ": give this or File, not both");
   const auto name = geometry.get<std::string>("File");
   const std::string file =
@@ -97,8 +114,10 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
   within(message(path, "->File = '", name, "'", where, ": "), [&] {
     const auto extension = std::filesystem::path(name).extension();
     const bool isDrawing = extension == ".dxf" || extension == ".DXF";
-    const bem::Loops loops = (isDrawing ? readDxf : readGmsh)(readText(file));
-    geometry.remove("File");
+    const bem::Loops loops =
+        (isDrawing ? readDxf : readGmsh)(readText(file), partOf(geometry));
+    for (const char* key : {"File", "Scale", "Surface", "Boundaries"})
+      geometry.remove(key, false);
     setLoop(geometry, "", loops.outer);
     for (std::size_t k = 0; k < loops.holes.size(); ++k)
       setLoop(geometry, message("Hole ", k + 1, " "), loops.holes[k]);

@@ -1,3 +1,4 @@
+#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/GmshSections.hpp"
 #include "drivers/scene/OutlineChain.hpp"
 
@@ -5,6 +6,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -27,12 +29,22 @@ struct Line {
   Tag to = 0;
   Tag middle = 0;  ///< 0 for a line of first order
   Tag group = 0;
+  Tag curve = 0;
   int fileLine = 0;
+  double bulge = 0;  ///< of a line of first order
+};
+
+/// A surface of the geometry.
+struct Face {
+  std::vector<Tag> groups;
+  std::vector<Tag> curves;  ///< around it
 };
 
 /// The boundaries in a .msh file: nodes, physical curves and the line elements on them.
 struct Mesh {
-  std::map<Tag, std::string> names;        ///< of the physical curves
+  std::map<Tag, std::string> names;     ///< of the physical curves
+  std::map<Tag, std::string> surfaces;  ///< likewise
+  std::vector<Face> faces;
   std::map<Tag, std::vector<Tag>> groups;  ///< of the curves
   std::map<Tag, Node> nodes;
   std::vector<Line> lines;
@@ -59,12 +71,13 @@ void readNames(Sections& file, Mesh& mesh) {
       file.fail(whyNoName(name));
     if (dimension == 1)
       mesh.names[tag] = name;
+    if (dimension == 2)
+      mesh.surfaces[tag] = name;
   }
 }
 
-/// A physical tag; Gmsh writes it negative for reversed curves.
-Tag physical(Sections& file) {
-  const Tag tag = file.whole("a physical tag");
+/// A tag that is negative for reversed curves.
+Tag unsignedTag(Tag tag) {
   return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
 }
 
@@ -74,17 +87,17 @@ std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
     file.real("a bounding box");
   std::vector<Tag> groups;
   for (Tag g = file.count("the number of physical tags"); g > 0; --g)
-    groups.push_back(physical(file));
+    groups.push_back(unsignedTag(file.whole("a physical tag")));
   return groups;
 }
 
-/// Reads points and curves; the rest of the section is skipped.
+/// Reads points, curves and surfaces; the rest of the section is skipped.
 void readEntities(Sections& file, Mesh& mesh) {
   file.need("the numbers of entities");
   const Tag points = file.count("the number of points");
   const Tag curves = file.count("the number of curves");
-  for (const char* what : {"the number of surfaces", "the number of volumes"})
-    file.count(what);
+  const Tag surfaces = file.count("the number of surfaces");
+  file.count("the number of volumes");
   for (Tag n = 0; n < points; ++n) {
     file.need("a point");
     file.whole("a point's tag");
@@ -96,6 +109,14 @@ void readEntities(Sections& file, Mesh& mesh) {
     mesh.groups[tag] = groupsOfEntity(file, 6);
     for (Tag ends = file.count("the number of end points"); ends > 0; --ends)
       file.whole("a point's tag");
+  }
+  for (Tag n = 0; n < surfaces; ++n) {
+    file.need("a surface");
+    file.whole("a surface's tag");
+    Face face{groupsOfEntity(file, 6), {}};
+    for (Tag around = file.count("the number of curves"); around > 0; --around)
+      face.curves.push_back(unsignedTag(file.whole("a curve's tag")));
+    mesh.faces.push_back(std::move(face));
   }
 }
 
@@ -148,7 +169,8 @@ Tag groupOf(const Sections& file, const Mesh& mesh, Tag curve) {
 }
 
 /// Reads a block of line elements on a curve.
-void readLines(Sections& file, Mesh& mesh, Tag type, Tag group, Tag count) {
+void readLines(Sections& file, Mesh& mesh, Tag type, Tag curve, Tag count) {
+  const Tag group = groupOf(file, mesh, curve);
   constexpr Tag segment = 1;
   constexpr Tag secondOrder = 8;
   for (Tag n = 0; n < count; ++n) {
@@ -166,6 +188,7 @@ void readLines(Sections& file, Mesh& mesh, Tag type, Tag group, Tag count) {
     if (type == secondOrder)
       line.middle = file.count("a node's tag");
     line.group = group;
+    line.curve = curve;
     line.fileLine = file.number();
     if (group != 0)
       mesh.lines.push_back(line);
@@ -181,7 +204,7 @@ void readElements(Sections& file, Mesh& mesh) {
     const Tag type = file.whole("an element's type");
     const Tag count = file.count("the number of elements");
     if (dimension == 1) {
-      readLines(file, mesh, type, groupOf(file, mesh, entity), count);
+      readLines(file, mesh, type, entity, count);
       continue;
     }
     if (dimension > 1 && file.isBinary())
@@ -241,8 +264,9 @@ std::vector<Tag> nodesOf(const Line& line) {
   return nodes;
 }
 
-/// \throws bem::InputError unless all nodes of the lines exist and have the same z.
-void checkNodes(const Mesh& mesh) {
+/// The size of the outline.  \throws bem::InputError unless all nodes of the lines exist and have
+/// the same z.
+double checkNodes(const Mesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   double size = 0;
@@ -259,6 +283,7 @@ void checkNodes(const Mesh& mesh) {
   if (most - least > 1e-9 * size)
     throw InputError("the outline is not in a plane of constant z: from z = ", least,
                      " to ", most);
+  return size;
 }
 
 std::string nameOf(const Mesh& mesh, Tag group) {
@@ -269,7 +294,7 @@ std::string nameOf(const Mesh& mesh, Tag group) {
 /// tan(angle/4) of the arc through the nodes of a line: its two chords turn by angle/2.
 double bulgeOf(const Mesh& mesh, const Line& line) {
   if (line.middle == 0)
-    return 0;
+    return line.bulge;
   const Vec2 middle = mesh.nodes.at(line.middle).place;
   const Vec2 in = middle - mesh.nodes.at(line.from).place;
   const Vec2 out = mesh.nodes.at(line.to).place - middle;
@@ -282,20 +307,117 @@ double bulgeOf(const Mesh& mesh, const Line& line) {
   return std::abs(turn) < straight ? 0 : std::tan(0.5 * turn);
 }
 
+/// The centre of the circle nearest to places (Kasa's fit); far away, or not finite, where they are
+/// on a line.
+Vec2 centreOf(const std::vector<Vec2>& places) {
+  Vec2 middle;
+  for (const Vec2 place : places)
+    middle = middle + (1.0 / static_cast<double>(places.size())) * place;
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  Vec2 right;
+  for (const Vec2 place : places) {
+    const Vec2 d = place - middle;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+    right = right + 0.5 * dot(d, d) * d;
+  }
+  const double determinant = xx * yy - xy * xy;
+  return middle + (1 / determinant) *
+                      Vec2{yy * right.x - xy * right.y, xx * right.y - xy * right.x};
+}
+
+/// Makes arcs of the lines of first order on a curve, if their nodes are on a circle: two of equal
+/// length, or three, none turning as far as the sides of a hexagon, are no polygon that was meant.
+void roundCurve(const Mesh& mesh, const std::vector<Line*>& lines) {
+  constexpr double ofSagitta = 1e-3;
+  constexpr double ofLength = 1e-6;
+  constexpr double sharpest = boost::math::constants::pi<double>() / 3 * (1 - 1e-6);
+  std::vector<Vec2> places;
+  double longest = 0;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Line* line : lines) {
+    if (line->middle != 0)
+      return;
+    const Vec2 from = mesh.nodes.at(line->from).place;
+    const Vec2 to = mesh.nodes.at(line->to).place;
+    places.insert(places.end(), {from, to});
+    longest = std::max(longest, norm(to - from));
+    shortest = std::min(shortest, norm(to - from));
+  }
+  if (lines.size() < 2 || (lines.size() < 3 && longest - shortest > ofLength * longest))
+    return;
+  const Vec2 centre = centreOf(places);
+  double radius = 0;
+  for (const Vec2 place : places)
+    radius += norm(place - centre) / static_cast<double>(places.size());
+  const double sagitta = longest * longest / (8 * radius);
+  if (!(radius < longest / straight) ||
+      !(2 * std::asin(std::min(1.0, longest / (2 * radius))) < sharpest) ||
+      !std::all_of(places.begin(), places.end(), [&](Vec2 place) {
+        return std::abs(norm(place - centre) - radius) <= ofSagitta * sagitta;
+      }))
+    return;
+  for (Line* line : lines) {
+    const Vec2 from = mesh.nodes.at(line->from).place;
+    const Vec2 to = mesh.nodes.at(line->to).place;
+    const double angle = 2 * std::asin(norm(to - from) / (2 * radius));
+    line->bulge = std::copysign(std::tan(angle / 4), cross(to - from, centre - from));
+  }
+}
+
+void roundCurves(Mesh& mesh) {
+  std::map<Tag, std::vector<Line*>> curves;
+  for (Line& line : mesh.lines)
+    curves[line.curve].push_back(&line);
+  for (const auto& [curve, lines] : curves)
+    roundCurve(mesh, lines);
+}
+
+/// Leaves the lines on the border of a physical surface.
+void keepBorder(const std::string& surface, Mesh& mesh) {
+  std::vector<std::string> names;
+  std::map<Tag, int> sides;  // of curves, on faces of the surface
+  for (const Face& face : mesh.faces)
+    for (const Tag group : face.groups) {
+      const auto named = mesh.surfaces.find(group);
+      names.push_back(named == mesh.surfaces.end() ? std::to_string(group)
+                                                   : named->second);
+      for (const Tag curve : face.curves)
+        if (names.back() == surface)
+          ++sides[curve];
+    }
+  if (std::find(names.begin(), names.end(), surface) == names.end())
+    throw InputError("no physical surface is named '", surface, "'",
+                     bem::suggestion(surface, names));
+  mesh.lines.erase(
+      std::remove_if(mesh.lines.begin(), mesh.lines.end(),
+                     [&](const Line& line) { return sides[line.curve] != 1; }),
+      mesh.lines.end());
+}
+
 }  // namespace
 
-bem::Loops readGmsh(const std::string& text) {
-  const Mesh mesh = readMesh(text);
-  checkNodes(mesh);
+bem::Loops readGmsh(const std::string& text, const FilePart& part) {
+  constexpr double rounding = 1e-9;
+  Mesh mesh = readMesh(text);
+  if (!part.surface.empty())
+    keepBorder(part.surface, mesh);
+  const double size = checkNodes(mesh);
+  roundCurves(mesh);
   OutlinePieces outline;
+  outline.same = rounding * size;
   outline.advice =
       "all of its curves need a physical group (lines without one are not read)";
-  for (const auto& [tag, node] : mesh.nodes)
-    outline.nodes[tag] = node.place;
+  for (const Line& line : mesh.lines)
+    for (const Tag tag : {line.from, line.to})
+      outline.nodes[tag] = mesh.nodes.at(tag).place;
   for (const Line& line : mesh.lines)
     outline.pieces.push_back({line.from, line.to, bulgeOf(mesh, line),
                               nameOf(mesh, line.group), line.fileLine});
-  return chained(outline);
+  return chained(std::move(outline), part);
 }
 
 }  // namespace epafi::drivers

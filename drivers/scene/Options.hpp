@@ -83,7 +83,7 @@ struct RunLimits {
         "a level with more, displacement and contact stress together, is not computed; "
         "without it 4000, or twice the first mesh's if that is more");
     keys.add(&memory, "Maximum Memory", "MiB", bem::above(0),
-             "a level that is foretold to take more, all processes together, is not "
+             "a level that is predicted to need more, all processes together, is not "
              "computed; without it what the machine and its control groups have free");
   }
 };

@@ -1,6 +1,7 @@
 #include "drivers/scene/OutlineChain.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -25,6 +26,56 @@ constexpr double straight = 1e-9;
 /// of their curvatures are below this, the accuracy of coordinates with 7 digits.
 constexpr double oneCircle = 1e-6;
 
+constexpr const char* severalBodies =
+    "; of several bodies in a file Geometry->Boundaries (or, in a mesh, Surface) names "
+    "one";
+
+/// The pieces of these boundaries.
+void keepOnly(const std::vector<std::string>& boundaries, OutlinePieces& all) {
+  std::vector<std::string> names;
+  for (const OutlinePiece& piece : all.pieces)
+    if (std::find(names.begin(), names.end(), piece.boundary) == names.end())
+      names.push_back(piece.boundary);
+  for (const std::string& boundary : boundaries)
+    if (std::find(names.begin(), names.end(), boundary) == names.end())
+      throw InputError("no line is named '", boundary, "'",
+                       bem::suggestion(boundary, names));
+  const auto isOther = [&](const OutlinePiece& piece) {
+    return std::find(boundaries.begin(), boundaries.end(), piece.boundary) ==
+           boundaries.end();
+  };
+  all.pieces.erase(std::remove_if(all.pieces.begin(), all.pieces.end(), isOther),
+                   all.pieces.end());
+}
+
+/// Makes one node of those that are no farther apart than `same`.
+void merge(OutlinePieces& all) {
+  std::map<std::pair<double, double>, std::vector<Tag>> cells;  // squares of that width
+  std::map<Tag, Tag> ones;
+  for (const auto& [tag, place] : all.nodes) {
+    const double column = std::floor(place.x / all.same);
+    const double row = std::floor(place.y / all.same);
+    Tag one = tag;
+    for (const double i : {-1.0, 0.0, 1.0})
+      for (const double j : {-1.0, 0.0, 1.0})
+        if (const auto cell = cells.find({column + i, row + j}); cell != cells.end())
+          for (const Tag other : cell->second)
+            if (other < one && norm(all.nodes.at(other) - place) <= all.same)
+              one = other;
+    ones[tag] = one;
+    if (one == tag)
+      cells[{column, row}].push_back(tag);
+  }
+  for (OutlinePiece& piece : all.pieces) {
+    piece.from = ones.at(piece.from);
+    piece.to = ones.at(piece.to);
+  }
+  all.pieces.erase(
+      std::remove_if(all.pieces.begin(), all.pieces.end(),
+                     [](const OutlinePiece& piece) { return piece.from == piece.to; }),
+      all.pieces.end());
+}
+
 /// "; the nearest other end, of 'side', is 0.003 away"
 std::string otherEndNear(const OutlinePieces& all, Tag node, const OutlinePiece& piece) {
   std::map<double, std::string> names;  // by distance
@@ -44,12 +95,10 @@ std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   for (std::size_t i = 0; i < all.pieces.size(); ++i) {
     const OutlinePiece& piece = all.pieces[i];
     const std::string where = message("line ", piece.fileLine, ": ");
-    if (piece.from == piece.to)
-      throw InputError(where, "an element from node ", piece.from, " to itself");
     const double bulge = piece.from < piece.to ? piece.bulge : -piece.bulge;
     if (!pairs.insert({std::minmax(piece.from, piece.to), bulge}).second)
       throw InputError(where, "a second element between nodes ", piece.from, " and ",
-                       piece.to, "; an edge has one name");
+                       piece.to, "; an edge has one name", severalBodies);
     result[piece.from].push_back(i);
     result[piece.to].push_back(i);
   }
@@ -60,13 +109,13 @@ std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
       std::string names;
       for (const std::size_t i : touching)
         names += (names.empty() ? "'" : ", '") + all.pieces[i].boundary + "'";
-      throw InputError(
-          "line ", piece.fileLine, ": at node ", tag, " = (", place.x, ", ", place.y,
-          ") ",
-          touching.size() == 1
-              ? message("the outline ends with ", names, otherEndNear(all, tag, piece),
-                        "; ", all.advice)
-              : message(touching.size(), " lines meet, ", names, "; an outline has two"));
+      throw InputError("line ", piece.fileLine, ": at node ", tag, " = (", place.x, ", ",
+                       place.y, ") ",
+                       touching.size() == 1
+                           ? message("the outline ends with ", names,
+                                     otherEndNear(all, tag, piece), "; ", all.advice)
+                           : message(touching.size(), " lines meet, ", names,
+                                     "; an outline has two", severalBodies));
     }
   return result;
 }
@@ -168,7 +217,17 @@ std::vector<Loop> chain(const OutlinePieces& all) {
 
 }  // namespace
 
-bem::Loops chained(const OutlinePieces& pieces) {
+bem::Loops chained(OutlinePieces pieces, const FilePart& part) {
+  if (!part.boundaries.empty())
+    keepOnly(part.boundaries, pieces);
+  for (const OutlinePiece& piece : pieces.pieces)
+    if (piece.from == piece.to)
+      throw InputError("line ", piece.fileLine, ": an element from node ", piece.from,
+                       " to itself");
+  if (pieces.same > 0)
+    merge(pieces);
+  for (auto& [tag, place] : pieces.nodes)
+    place = part.scale * place;
   std::vector<Loop> loops = chain(pieces);
   if (loops.empty())
     throw InputError("all lines have no length");
@@ -186,8 +245,7 @@ bem::Loops chained(const OutlinePieces& pieces) {
   for (const Loop& hole : result.holes)
     if (std::none_of(hole.vertices.begin(), hole.vertices.end(), isInside))
       throw InputError("closed lines of '", result.outer.edges[0], "' and '",
-                       hole.edges[0],
-                       "' are not one inside the other; a file holds one body");
+                       hole.edges[0], "' are not one inside the other", severalBodies);
   return result;
 }
 

@@ -57,7 +57,7 @@ ParameterList& madeParentOf(ParameterList& list, const std::string& path) {
   for (const std::string& name : parents(path)) {
     walked = bem::join(walked, name);
     if (target->isParameter(name) && !target->isSublist(name))
-      throw InputError(walked + ": is no sublist in the scene");
+      throw InputError(walked + ": is not a list in the scene");
     target = &target->sublist(name);
   }
   return *target;
@@ -96,7 +96,7 @@ void setList(ParameterList& list, const std::string& path, const std::string& va
       continue;
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
-      throw InputError(path, ": '", trimmed(piece), "' is no Key=value");
+      throw InputError(path, ": '", trimmed(piece), "' is not a Key=value");
     const std::string inner = bem::join(path, trimmed(piece.substr(0, equal)));
     if (holderOf(list, inner) != nullptr)
       throw InputError(inner + ": given twice; keep one");
@@ -128,7 +128,7 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
   const bool alone = value.find('{') == std::string::npos;
   if (alone && row.kind == Kind::Counts && value.find(',') != std::string::npos)
     throw InputError(
-        path, ": '", value, "' is no array; write {",
+        path, ": '", value, "' is not an array; write {",
         value.substr(value.find_first_not_of("[ "),
                      value.find_last_not_of("] ") + 1 - value.find_first_not_of("[ ")),
         "}");
@@ -167,7 +167,14 @@ void applyOverride(ParameterList& list, const std::string& assignment) {
     for (const RemovedKey& key : removedKeys)
       if (path == key.path)
         refuse(key);
-    setAt(list, path, value);
+    try {
+      setAt(list, path, value);
+    } catch (const InputError& error) {
+      const bool parted =
+          path.find("->") == path.npos && path.find_first_of("./") != path.npos;
+      throw InputError(error.what(),
+                       parted ? "; names are parted by ->, not by . or /" : "");
+    }
   });
 }
 

@@ -20,15 +20,38 @@ bem::Function Part::function(const std::string& key) const {
                   : bem::Function();
 }
 
+namespace {
+
+/// \throws InputError for a value < 0; `where`: what it depends on besides x and y
+double checked(double value, const Place& place, const bem::SurfacePoint& x,
+               const std::string& where, bool orZero = true) {
+  if (value < 0 || (value == 0 && !orZero))
+    throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (", x.x,
+                     ", ", x.y, ")", where, "; it must be ", orZero ? ">=" : ">",
+                     " 0 there");
+  return value;
+}
+
+std::string atTime(double t) { return t == 1 ? "" : bem::message(", t = ", t); }
+
+}  // namespace
+
 bem::Function Part::nonNegative(const std::string& key, bool orZero) const {
   return [function = function(key), place = at(key), t = names.t,
           orZero](const bem::SurfacePoint& x) {
-    const double value = function(x);
-    if (value < 0 || (value == 0 && !orZero))
-      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (", x.x,
-                       ", ", x.y, ")", t == 1 ? "" : bem::message(", t = ", t),
-                       "; it must be ", orZero ? ">=" : ">", " 0 there");
-    return value;
+    return checked(function(x), place, x, atTime(t), orZero);
+  };
+}
+
+contact::PressureCoefficient Part::ofPressure(const std::string& key) const {
+  const auto function =
+      makeExpressionOfPressure(list->get<std::string>(key), at(key), names);
+  if (!function)
+    return {};
+  return [function, place = at(key), t = names.t](const bem::SurfacePoint& x,
+                                                  double pressure) {
+    return checked(function(x, pressure), place, x,
+                   atTime(t) + bem::message(", pressure = ", pressure));
   };
 }
 

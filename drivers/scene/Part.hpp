@@ -32,6 +32,9 @@ struct Part {
   bem::Function function(const std::string& key) const;
   /// The same function; it throws bem::InputError where its value is negative, or zero.
   bem::Function nonNegative(const std::string& key, bool orZero = true) const;
+  /// The function under an existing key if it uses `pressure`, else empty; it throws
+  /// bem::InputError where its value is negative.
+  contact::PressureCoefficient ofPressure(const std::string& key) const;
   /// The value of the expression under an existing key, at this time or at t.
   double number(const std::string& key) const { return number(key, names.t); }
   double number(const std::string& key, double t) const;

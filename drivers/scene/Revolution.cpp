@@ -139,7 +139,7 @@ void checkBody(const Part& body) {
       if (name != "Y")
         throw InputError(
             rigid.path("Fix"), ": ", type, ": '", name,
-            "' is no rigid motion of a solid of revolution; Y is the only one");
+            "' is not a rigid motion of a solid of revolution; Y is the only one");
   refuseAny(body.sub("Body Loads"), "body loads are not possible yet; remove this list");
   refuseAny(body.sub("Thermal Conditions"), "heat is not possible yet; remove this list");
   const Part conditions = body.sub("Boundary Conditions");

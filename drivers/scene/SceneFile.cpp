@@ -308,6 +308,10 @@ RawScene rawScene(const std::string& text, const std::string& file) {
   const std::string extension =
       boost::algorithm::to_lower_copy(path.extension().string());
   const bool yaml = extension == ".yaml" || extension == ".yml";
+  if (!yaml && text[text.find_first_not_of(" \t\r\n")] != '<')
+    throw InputError(
+        extension == ".xml" ? "is not XML, which begins with <" : "is not XML",
+        "; a scene is XML (.xml) or YAML (.yaml or .yml); JSON is YAML, too");
   RawScene scene = yaml ? readYaml(text) : readXml(text);
   if (scene.title.empty())
     scene.title = path.stem().string();

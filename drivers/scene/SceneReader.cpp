@@ -120,6 +120,8 @@ bool statesMesh(const ParameterList& scene) {
 ParameterList withStrategy(ParameterList scene) {
   constexpr double usual = 0.01;
   const bool adapts = scene.isSublist("Adaptivity");
+  if (scene.isParameter("Adaptivity") && !adapts)  // refused later
+    return scene;
   const auto says = [&](const char* key) {
     return adapts && scene.sublist("Adaptivity").isParameter(key);
   };
@@ -324,6 +326,7 @@ std::string usedXml(const Scene& scene) {
 std::string numbersXml(const Scene& scene) {
   Part root = scene.root().then(scene.endOfPath());
   root.names.onBoundary = true;
+  root.names.ofPressure = true;
   ParameterList list(*scene.used);
   putNumbers(root, list);
   return toXml(list, scene.title);

@@ -40,7 +40,9 @@ void addBody(Table& table) {
           Row("Young's Modulus", Kind::Real, "stress", above(0),
               "Young's modulus E; every body has one unless it is Rigid"),
           Row("Poisson's Ratio", Kind::Real, "1", {-1, 0.5, true, false},
-              "Poisson's ratio nu, likewise; 1/2 in plane strain needs Form Density"),
+              "Poisson's ratio nu; every body has one unless it is Rigid; 1/2 in plane "
+              "strain "
+              "needs Form Density"),
           Row("Plane State", Kind::Text, "no strain or no stress across the plane")
               .defaultValue("Plane Strain")
               .allowed({"Plane Strain", "Plane Stress"}),
@@ -74,6 +76,14 @@ void addBody(Table& table) {
               "instead of vertices and edges: a Gmsh mesh (.msh, format 4.1), whose "
               "physical curves name the boundaries, or a drawing (.dxf), whose layers "
               "do; relative to the scene"),
+          Row("Scale", Kind::Real, "1", bem::above(0),
+              "factor on the file's coordinates, 25.4 from inches to millimetres"),
+          Row("Boundaries", Kind::Names,
+              "of a file of several bodies the boundaries, layers of a drawing or "
+              "physical "
+              "curves of a mesh, that are this body's; without it all of the file's"),
+          Row("Surface", Kind::Text,
+              "of a mesh of several bodies the physical surface that is this body"),
       });
   add(table,
       Row("Geometry", Kind::List, "what the outlines of all bodies have in common"),
@@ -156,7 +166,8 @@ void addConditions(Table& table) {
                "instead of Traction X: the uniform traction that makes this force on the "
                "whole boundary, per unit of thickness; in t and constants"),
            Row("Force Y", Kind::Expression, "stress length",
-               "instead of Traction Y, likewise"),
+               "instead of Traction Y: the uniform traction that makes this force along "
+               "y"),
            Row("Pressure", Kind::Expression, "stress",
                "added to it: on the body, against the outward normal"),
            Row("Moment", Kind::Expression, "stress length^2",
@@ -215,21 +226,26 @@ void addSeveralBodies(Table& table) {
       {
           Row("Displacement X", Kind::Expression, "length",
               "prescribed, without x and y; without it and Force X none"),
-          Row("Displacement Y", Kind::Expression, "length", "likewise"),
+          Row("Displacement Y", Kind::Expression, "length",
+              "prescribed along y, without x and y; without it and Force Y none"),
           Row("Rotation", Kind::Expression, "radian",
               "prescribed, counter-clockwise about the reference point; small: places "
               "move by its tangent"),
           Row("Force X", Kind::Expression, "stress length",
               "instead of Displacement X: the motion is free, under this force"),
-          Row("Force Y", Kind::Expression, "stress length", "likewise"),
+          Row("Force Y", Kind::Expression, "stress length",
+              "instead of Displacement Y: the motion is free, under this force"),
           Row("Moment", Kind::Expression, "stress length^2",
-              "instead of Rotation: about the reference point, likewise"),
+              "instead of Rotation: the body turns freely about the reference point, "
+              "under this"),
           Row("Stiffness X", Kind::Real, "stress", above(0),
               "the motion is free, by a spring of this stiffness whose other end has "
               "Displacement X; Force X acts, too"),
-          Row("Stiffness Y", Kind::Real, "stress", above(0), "likewise"),
+          Row("Stiffness Y", Kind::Real, "stress", above(0),
+              "of a spring along y whose other end has Displacement Y"),
           Row("Stiffness Rotation", Kind::Real, "stress length^2", above(0),
-              "likewise of Rotation and Moment, per radian"),
+              "of a spring against rotation, moment per radian, whose other end has "
+              "Rotation"),
           Row("Reference Point", Kind::Reals, "length",
               "where forces act and what rotations turn about; without it the outline's "
               "centroid"),

@@ -83,9 +83,10 @@ class Reader {
       checkWhole(item.second.IsScalar() ? item.second : item.first);
       if (item.second.IsNull() &&
           item.first.Scalar().find_first_not_of("0123456789") == std::string::npos)
-        throw InputError(at(item.first.Mark()), ": '", item.first.Scalar(),
-                         "' behind a comma is no key; a number is written with a point, "
-                         "0.002, and without separators of thousands");
+        throw InputError(
+            at(item.first.Mark()), ": '", item.first.Scalar(),
+            "' after a comma is not a key; a number is written with a point, "
+            "0.002, and without separators of thousands");
       if (item.first.Scalar() != "<<") {
         own.emplace_back(item.first.Scalar(), item.second);
         continue;
@@ -129,12 +130,13 @@ class Reader {
     const bool isRow = written.shape == Written::Shape::Table;
     if (isRow && (!array.IsSequence() ||
                   array.size() != static_cast<std::size_t>(written.columns)))
-      throw InputError("entry ", written.rows, " is no array of ", written.columns,
+      throw InputError("entry ", written.rows, " is not an array of ", written.columns,
                        " numbers, as the first one is; a text with a comma needs quotes");
     ++written.rows;
     for (const YAML::Node& entry : array) {
       if (!entry.IsScalar())
-        throw InputError("an array holds numbers or texts, or arrays of as many numbers");
+        throw InputError("an array holds numbers or texts, or arrays of as many numbers",
+                         entry.IsMap() ? "; a text with ': ' in it needs quotes" : "");
       count(entry);
       written.type = joined(written, typeOf(entry));
       written.texts.push_back(trimmed(entry.Scalar()));
@@ -160,6 +162,9 @@ std::string advice(const std::string& text, const YAML::Exception& error) {
     std::getline(lines, line);
   if (line.substr(0, line.find_first_not_of(" \t")).find('\t') != std::string::npos)
     return "; indent by blanks, not by tabs";
+  if (error.msg == "end of map not found" || error.msg == "end of sequence not found")
+    return "; what belongs to one list begins in one column, with as many blanks before "
+           "it";
   const bool isUnfinished = error.msg.rfind("end of ", 0) == 0;
   return isUnfinished ? "; a bracket, a brace or a comma is missing, or a text in "
                         "brackets that has a comma needs quotes"

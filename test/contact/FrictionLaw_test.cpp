@@ -133,6 +133,24 @@ TEUCHOS_UNIT_TEST(FrictionLaw, aProgramAddsOneToTheTableAndTheKeys) {
   TEST_EQUALITY(found, 3);  // with Compliance, which all laws have
 }
 
+TEUCHOS_UNIT_TEST(FrictionLaw, aCoefficientMayDependOnPlaceAndPressure) {
+  const contact::Friction friction = contact::makePressureFriction(
+      [](const bem::SurfacePoint& x, double p) { return (0.3 + x.x) / (1 + p / 100); });
+  for (const double stress : {1.0, 1e3}) {
+    const contact::PointLaw law = friction.at({0.1, 7}, stress);
+    for (const double p : {1e-12, 1.0, 50.0, 1e4, 1e9}) {
+      const double share = 1 + p / 100;
+      TEST_FLOATING_EQUALITY(law.bound(p / stress), 0.4 * p / share / stress, 1e-13);
+      TEST_COMPARE(std::abs(law.slope(p / stress) - 0.4 / (share * share)), <, 1e-10);
+    }
+    TEST_EQUALITY(law.bound(-1), 0);
+  }
+  const contact::Friction falling = contact::makePressureFriction(
+      [](const bem::SurfacePoint& /*x*/, double p) { return std::exp(-p); });
+  TEST_NOTHROW(falling.at({}, 1).slope(0.99));
+  TEST_THROW(falling.at({}, 1).slope(1.01), bem::InputError);
+}
+
 TEUCHOS_UNIT_TEST(FrictionLaw, keysThatDifferCannotShareAName) {
   const bem::SchemaRows one = {bem::Row("Key", Kind::Real, "a").only("A")};
   const bem::SchemaRows other = {bem::Row("Key", Kind::Whole, "b").only("B")};

@@ -49,7 +49,7 @@ TEUCHOS_UNIT_TEST(BadInput, aWrongTypeSaysWhatIsWanted) {
   TEST_COMPLAINT(withDiscretization(list("Degree", "")).xml(), "Discretization->Degree",
                  "sublist", "int");
   TEST_COMPLAINT(withRest(parameter("Solver", "Newton")).xml(), "Solver", "'Newton'",
-                 "sublist");
+                 "a list (ParameterList) with 'Coulomb Iteration'");
   TEST_COMPLAINT(withRest(list("Output", entry("Fields", "int", "1"))).xml(),
                  "Output->Fields", "int", "true");
 }

@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(DxfOutline, saysWhatIsNoOutline) {
     TEST_ASSERT(test::contains(complaint, part));
   };
   complains("", "no section ENTITIES");
-  complains("AutoCAD Binary DXF", "no drawing in ASCII DXF");
+  complains("AutoCAD Binary DXF", "not a drawing in ASCII DXF");
   complains("0\nSECTION\n2", "line 3: the file ends");
   complains(drawing({}), "no lines, arcs");
   complains(drawing({line("a", "0", "0", "one", "0")}), "line 16: 'one'");
@@ -124,7 +124,8 @@ TEUCHOS_UNIT_TEST(DxfOutline, saysWhatIsNoOutline) {
   for (const Entity& other : triangle("2", "0"))
     all.push_back(other);
   complains(drawing(all),
-            "'a' and 'a' are not one inside the other; a file holds one body");
+            "'a' and 'a' are not one inside the other; of several bodies in a file "
+            "Geometry->Boundaries");
   complains(drawing({line("Grundfl\xe4"
                           "che",
                           "0", "0", "1", "0")}),

@@ -296,7 +296,10 @@ TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
                         ? ""
                         : bem::message("Bodies->punch->Motion->", key, " = '", text,
                                        "' is not an expression in t: Unexpected token \"",
-                                       text, "\" found at position 0."));
+                                       text, "\" found at position 0.",
+                                       *text != 'n' ? "; it is one number, which does "
+                                                      "not vary along x and y"
+                                                    : ""));
     }
 }
 

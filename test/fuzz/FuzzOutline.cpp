@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   for (const auto read : {drivers::readGmsh, drivers::readDxf})
     try {
-      const bem::Loops loops = read(text);
+      const bem::Loops loops = read(text, {});
       bem::Outline(loops.outer, loops.holes);
     } catch (const bem::InputError&) {
       // what a bad file gets

@@ -400,7 +400,7 @@ for text, what in (
         (with_more(BARE, loads(Gravity_X=1, Force_X=1), Density=1.0), "not both"),
         (with_more(BARE, loads(Spin=1, Center=[1]), Density=1.0), "a point has two"),
         (with_more(BARE, loads(Temperature="exp(x)"), Thermal_Expansion=1e-5),
-         "is no polynomial in x and y of degree at most 4; the nearest one is off by up to"),
+         "is not a polynomial in x and y of degree at most 4; the nearest one is off by up to"),
         (with_more(BARE, loads(Gravity_Y="-x"), Density=1.0), "Gravity Y")):
     refused(what, written("refused", [text], NONE, "Density"), what, command="check")
 refused("a rigid body that is hot", written("refused", [BARE, rigid(

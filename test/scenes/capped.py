@@ -9,8 +9,10 @@ from written import Keys, block, body, condition, listed, written
 YOUNG, NU, P = 100.0, 0.3, 1.0
 
 
-def conditions(along, shear, **law):
-    return (condition("bottom", "Contact", listed("Friction", Law="Capped Coulomb", **law)) +
+def conditions(along, shear, coefficient, **cap):
+    law = "Capped Coulomb" if cap else "Coulomb"
+    return (condition("bottom", "Contact",
+                      listed("Friction", Law=law, Coefficient=coefficient, **cap)) +
             condition("top", "Dirichlet", Displacement_X=along,
                       Displacement_Y=-P * (1 - NU ** 2) / YOUNG) +
             condition("right", "Neumann", Traction_Y=shear) +
@@ -30,13 +32,27 @@ for name, (coefficient, cap, shear) in CASES.items():
             stretch = P * NU * (1 + NU) / YOUNG
             along = "%r*x + %r" % (stretch, shear * 2 * (1 + NU) / YOUNG + 0.05)
             file = written(case, [body(
-                "block", block(-1, 0, 1, 1), YOUNG, conditions(along, shear, Coefficient=coefficient, Cap=cap),
+                "block", block(-1, 0, 1, 1), YOUNG, conditions(along, shear, coefficient, Cap=cap),
                 mesh=listed("Mesh", Elements_per_Edge=[4, 2, 3, 2], Degree=degree))], Multiplier=basis)
             _, contact = run(file, case)
             claim(max(abs(c["lambda_n"] - P) for c in contact) < 1e-9, case + ": pressure")
             claim(max(abs(c["lambda_t"] - shear) for c in contact) < 1e-9, case + ": shear")
             claim(max(abs(c["bound"] - shear) for c in contact) < 1e-9, case + ": bound")
             claim(all(c["friction"] == 2 for c in contact), case + ": slides")
+# a coefficient that falls with the pressure: F p = 0.3 p/(1 + p) is 0.15 at p = 1
+for name, coefficient in (("everywhere", "0.3/(1 + pressure)"),
+                          ("varying", "(0.3 + 0.1*x)/(1 + pressure + 2*x/3)")):
+    for basis in ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein", "Biorthogonal"):
+        for iteration in ("Newton", "Fixed Point"):
+            case = "pressure.%s.%s.%s" % (name, basis, iteration.replace(" ", ""))
+            stretch = P * NU * (1 + NU) / YOUNG
+            along = "%r*x + %r" % (stretch, 0.15 * 2 * (1 + NU) / YOUNG + 0.05)
+            file = written(case, [body(
+                "block", block(-1, 0, 1, 1), YOUNG, conditions(along, 0.15, coefficient),
+                mesh=listed("Mesh", Elements_per_Edge=[4, 2, 3, 2], Degree=2))], Multiplier=basis)
+            _, contact = run(file, case, ["Solver->Coulomb Iteration=" + iteration])
+            for column, exact in (("lambda_n", P), ("lambda_t", 0.15), ("bound", 0.15)):
+                claim(max(abs(c[column] - exact) for c in contact) < 1e-9, "%s: %s" % (case, column))
 # 0.1 on a length of 2 holds 0.2, whatever presses
 for law in ({"Law": "Capped Coulomb", "Coefficient": 0.5, "Cap": 0.1},
             {"Law": "Tresca", "Threshold": 0.1}):
@@ -49,4 +65,15 @@ for law in ({"Law": "Capped Coulomb", "Coefficient": 0.5, "Cap": 0.1},
                 "Bodies->block", "of a force of 0.3 they hold at most 0.2"] * bool(words), command,
                   pushed, *(["--output", fresh("pushed")] if command == "run" else []),
                   code=code if words else 0)
+# what a coefficient may be
+for coefficient, words in (
+        ("0.3*exp(-pressure/10)", ["Friction->Coefficient", "pressure times Coefficient", "min(pressure"]),
+        ("0.3 - pressure/10", ["Friction->Coefficient is -", "pressure = ", ">= 0"])):
+    falling = written("falling", [body("block", block(-1, 0, 1, 1), YOUNG, conditions(
+        "0.01", 0.15, coefficient))])
+    for command in ("check", "run"):
+        fails("%s of a Coefficient %s" % (command, coefficient), words, command, falling,
+              *(["--output", fresh("falling")] if command == "run" else []))
+fails("the pressure is known to coefficients alone", ["of Law Coulomb alone"], "check", written(
+    "unknown", [body("block", block(-1, 0, 1, 1), YOUNG, conditions("pressure", 0, "0.3"))]))
 finish()

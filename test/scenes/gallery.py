@@ -1,8 +1,10 @@
-"""doc/gallery.md: each shipped scene with its picture, its command and a number.  The numbers of
-the page are those of the scenes, closed forms are met; quick scenes, or all.
+"""doc/gallery.md: each shipped scene with its picture, its command and a number, and doc/verification.md:
+those with a closed form.  The numbers of the pages are those of the scenes, closed forms are met; quick
+scenes, or all.
 
     gallery.py EPAFI SCENES WORK [all]       checks
-    gallery.py EPAFI SCENES WORK write       writes the page's tables, and its pictures
+    gallery.py EPAFI SCENES WORK write       writes the pages' tables, and the pictures
+    gallery.py EPAFI SCENES WORK numbers     writes the tables alone
 """
 import math
 import os
@@ -16,6 +18,7 @@ from runs import EPAFI, SCENES, WORK, claim, finish, read, rows, solved, write
 
 DOC = os.path.join(SCENES, "..", "..", "doc")
 PAGE = os.path.join(DOC, "gallery.md")
+VERIFICATION = os.path.join(DOC, "verification.md")
 CASES = []
 
 
@@ -98,6 +101,30 @@ case("two-blocks", "length that slips", history("slip_length"), None, "von_mises
 case("two-cylinders", "largest pressure", peak, 3.048780488, quick=False)
 
 
+# Of each closed form: whose, what, and what it leaves out; "": nothing, the difference is the mesh's.
+FORMS = {
+    "blade-root": ("balance of forces", "R/(2 (cos 50° - f sin 50°)), R = pull and centrifugal force of the root", ""),
+    "bonded-inclusion": ("Muskhelishvili", "q + s, uniform in the inclusion", ""),
+    "coulomb": ("balance of forces", "the vertical load", ""),
+    "cylinder-on-block": ("Cattaneo, Mindlin", "p₀ = 2P/(πa)", "half-planes, a/R = 0.002"),
+    "disc": ("Hertz", "p₀ = E* a/(2R)", "half-planes, a/R = 0.02"),
+    "dovetail": ("balance of forces", "2N, N (cos 50° + f sin 50°) = 300", ""),
+    "hertz": ("Hertz", "p₀ = E*/(2R)", "a half-plane; the block is 20 a wide"),
+    "hot-tube": ("Timoshenko", "T = 100 ln(20/r)/ln 2", "just below the surface"),
+    "incline": ("balance of forces", "(tan α + f)/(1 - f tan α)", ""),
+    "patch": ("uniform stress", "q", ""),
+    "press-fit": ("Lamé", "δE/(2r) (r² - rᵢ²)(rₒ² - r²)/(r² (rₒ² - rᵢ²))", ""),
+    "punch": ("Sadowsky", "P/(π √(a² - x²))", "a half-plane; the block is 40 a wide"),
+    "ring-on-disc": ("Michell", "Fourier series of ring and disc", "the largest sample for the peak"),
+    "rolling": ("Carter", "a' = 0.6 a: (a - a')/a", "elements of a/16, creep of the last steps"),
+    "rotating-fit": ("Lamé", "(δ - S ω²)/C", ""),
+    "rounded-punch": ("Ciavarella, Hills, Monno", "0.8058354 P/(2a)", "a half-plane; the block is 40 a wide"),
+    "shrink-fit": ("Lamé", "δ/C", ""),
+    "tilting-punch": ("Sadowsky", "2c = 4 (a - e)", "ends at a node"),
+    "two-cylinders": ("Hertz", "p₀ = 2P/(πa)", "half-planes, a/R = 0.0075"),
+}
+
+
 def told(value):
     return "%.6g" % value
 
@@ -107,6 +134,13 @@ def row_of(name, title, number, value, exact, picture):
     return "| %s<br>[%s.xml](../drivers/scenes/%s.xml) | ![%s](images/gallery/%s.png) | %s | %s | %s | %s |" % (
         title, name, name, title, name, number, told(value),
         "" if exact is None else "%.10g" % exact, error)
+
+
+def verified(name, title, number, value, exact, row):
+    """A row of the other page."""
+    author, form, without = FORMS[name]
+    return "| [%s](../drivers/scenes/%s.xml) | %s | %s: %s | %.10g | %.10g | %.1e | %d | %s |" % (
+        title, name, number, author, form, exact, value, abs(value / exact - 1), row["dof"], without)
 
 
 def numbers_of(line):
@@ -120,19 +154,26 @@ if __name__ == "__main__":
     page = read(PAGE)
     lines = {re.search(r"\[([\w-]+)\.xml\]", line)[1]: line for line in page.split("\n")
              if line.startswith("| ") and ".xml](" in line}
-    made = []
+    claim(sorted(FORMS) == sorted(name for name, _, _, exact, _, _ in CASES if exact is not None),
+          "each closed form is named")
+    for name in FORMS:
+        claim("%s.xml)" % name in read(VERIFICATION), "%s is verified" % name)
+    made, forms = [], []
     for name, number, value, exact, picture, quick in CASES:
         if not (quick or how):
             continue
         folder, _ = solved(name, os.path.join(SCENES, name + ".xml"))
         found = value(folder)
-        if how == "write":
+        if how in ("write", "numbers"):
             title = xml.parse(os.path.join(folder, "used.xml")).getroot().get("name")
-            subprocess.run([EPAFI, "plot", folder, "--picture", picture, "--size", "5,3.2", "--dpi", "70",
-                            "--font", "8"], check=True, stdout=subprocess.DEVNULL)
-            shutil.copy(os.path.join(folder, picture + ".png"),
-                        os.path.join(DOC, "images", "gallery", name + ".png"))
+            if how == "write":
+                subprocess.run([EPAFI, "plot", folder, "--picture", picture, "--size", "5,3.2", "--dpi", "70",
+                                "--font", "8"], check=True, stdout=subprocess.DEVNULL)
+                shutil.copy(os.path.join(folder, picture + ".png"),
+                            os.path.join(DOC, "images", "gallery", name + ".png"))
             made.append(row_of(name, title, number, found, exact, picture))
+            if exact is not None:
+                forms.append(verified(name, title, number, found, exact, rows(folder, "history.csv")[-1]))
             continue
         shown, form = numbers_of(lines[name])
         claim(math.isclose(float(shown), found, rel_tol=1e-3), "%s: %s is %s, the page says %s" % (
@@ -140,7 +181,11 @@ if __name__ == "__main__":
         claim((form == "") == (exact is None) and (
             exact is None or math.isclose(float(form), exact, rel_tol=1e-9)), name + ": its closed form")
         claim(os.path.isfile(os.path.join(DOC, "images", "gallery", name + ".png")), "and its picture")
-    if how == "write":
+    if how in ("write", "numbers"):
+        head = read(VERIFICATION)
+        write(VERIFICATION, head[:head.index("| scene")] + "\n".join([
+            "| scene | quantity | closed form | its value | computed | relative difference | unknowns | left out |",
+            "|---|---|---|---|---|---|---|---|", *forms]) + "\n")
         head = page[:page.index("| scene")]
         write(PAGE, head + "\n".join([
             "| scene | picture | number | computed | closed form | relative difference |",

@@ -76,4 +76,26 @@ whole, _ = solved("dovetail", scene("dovetail.xml"))
 last = rows(whole, "history.csv")[-1]
 claim(differ(abs(last["left.force_tangential"]), 0.2 * last["left.force_normal"]) < 1e-6,
       "a flank slips all along")
+ROOT = [(0, 0), (4.571150438746157, 0), (5.571150438746157, 1), (5.571150438746157, 2.935822227524088),
+        (3, 6), (3, 12), (0, 12)]
+DISC = [(0, -10), (16, -10), (16, 7), (3.192836282905962, 7), (3.192836282905962, 5.770186667064307),
+        (5.828265482620773, 2.6294044502764966), (5.828265482620773, -1), (0, -1)]
+STEEL = {"Young's Modulus": 210000, "Poisson's Ratio": 0.3}
+half, _ = solved("half a dovetail", saved("half a dovetail", {
+    "Geometry": {"Symmetry": "X"},
+    "Bodies": {
+        "root": {"Material": STEEL, "Geometry": {"Vertices": ROOT, "Edges": [
+            "free", "free", "free", "right", "free", "blade", "symmetry"]},
+            "Boundary Conditions": {"blade": {"Type": "Neumann", "Traction Y": 100}}},
+        "disc": {"Material": STEEL, "Geometry": {"Vertices": DISC, "Edges": [
+            "base", "free", "free", "free", "right", "free", "free", "symmetry"]},
+            "Boundary Conditions": {"base": {"Type": "Dirichlet", "Displacement X": 0, "Displacement Y": 0}}}},
+    "Contacts": {"right": {"Between": ["root:right", "disc:right"],
+                           "Friction": {"Law": "Coulomb", "Coefficient": 0.2}}},
+    "Discretization": {"Degree": 2}}))
+image = rows(half, "history.csv")[-1]
+claim(all(differ(image["right." + force], 2 * last["right." + force]) < 1e-6
+          for force in ("force_normal", "force_tangential")),
+      "that of its half has the forces of both: %.6f, %.6f" % (
+          image["right.force_normal"], image["right.force_tangential"]))
 finish()

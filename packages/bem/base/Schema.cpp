@@ -276,7 +276,7 @@ class Level {
     }
     if (!entry.isList())
       throw InputError(join(path_, name), ": is ", describe(entry),
-                       ", wanted: a sublist (ParameterList)");
+                       ", wanted: a list (ParameterList)", keysOf(row));
     const auto& sublist = getValue<ParameterList>(entry);
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
@@ -284,6 +284,14 @@ class Level {
       Level(table_, constant_, sublist, row.path, join(path_, name),
             isAnyName(row.name()) ? nearlyNamed(name) : "")
           .complete(result.sublist(name));
+  }
+
+  /// " with 'Law', 'Threshold' or 'Coefficient'", of a list with own names ""
+  std::string keysOf(const SchemaRow& row) const {
+    std::vector<std::string> keys;
+    for (const SchemaRow* child : childrenOf(table_, row.path))
+      keys.push_back(example(child->name()));
+    return keys.empty() || isAnyName(keys.front()) ? "" : " with " + quotedList(keys);
   }
 
   std::string nearlyNamed(const std::string& name) const {
@@ -296,6 +304,11 @@ class Level {
   }
 
   void fill(const SchemaRow& row, ParameterList& result) const {
+    if (row.required)
+      for (const auto& item : given_)  // it may stand there under another name
+        if (const SchemaRow* key = selector();
+            key != nullptr && result.isParameter(key->name()))
+          checkActive(item.first, result);
     if (row.required)
       throw InputError(join(path_, row.name()), ": missing; ", row.meaning,
                        row.range().empty() ? "" : ", " + row.range(),

@@ -35,10 +35,12 @@ const KindText& textOf(Kind kind) {
       {"bool", "bool", "true or false (bool)", "0"},
       {"string", "string", "string", "0"},
       {"string", "string", "an expression (string)", "0"},
-      {"string", "Array(string)", "Array(string)", "{bottom, right, left}"},
+      {"string", "Array(string)", "a list of names, also of one (Array(string))",
+       "{bottom, right, left}"},
       {"int", "Array(int)", "Array(int)", "{1, 1, 1}"},
       {"double", "Array(double)", "a list of numbers (Array(double))", "{0, 0, 0.5}"},
-      {"double", "TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))",
+      {"double", "TwoDArray(double)",
+       "a table n x 2 of numbers (TwoDArray(double)), [[0, 0], [1, 0], ...] in YAML",
        "3x2:{0, 0, 1, 0, 0, 1}"},
       {"", "ParameterList", "ParameterList", ""},
       {"", "ParameterList", "ParameterList", ""}};
@@ -81,11 +83,17 @@ std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
 
 std::string placesOf(const SchemaRows& table, const std::string& name) {
   std::vector<std::string> places;
-  for (const SchemaRow& row : table)
-    if (row.name() == name && !row.parent().empty() &&
+  bool isOfRoot = false;
+  for (const SchemaRow& row : table) {
+    if (row.name() != name)
+      continue;
+    isOfRoot = isOfRoot || row.parent().empty();
+    if (!row.parent().empty() &&
         std::find(places.begin(), places.end(), row.parent()) == places.end())
       places.push_back(row.parent());
-  return places.empty() ? "" : "; it belongs to " + quotedList(places);
+  }
+  return places.empty() ? isOfRoot ? "; it belongs to the root, beside 'Bodies'" : ""
+                        : "; it belongs to " + quotedList(places);
 }
 
 void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent) {

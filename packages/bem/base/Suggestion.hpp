@@ -12,8 +12,8 @@ int editDistance(const std::string& a, const std::string& b);
 /// name, as body:side with side; empty if there is none.
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
 
-/// "; did you mean 'X'?" with the nearest one, if at most half of the name's letters are wrong; else
-/// empty.
+/// "; did you mean 'X'?" with the one that other programs call so, or the nearest one if at most half of
+/// the name's letters are wrong; else empty.
 std::string meant(const std::string& name, const std::vector<std::string>& candidates);
 
 /// "'A', 'B' or 'C'"

@@ -29,6 +29,36 @@ bem::SchemaRows frictionRows() {
   return rows;
 }
 
+std::vector<bem::Function> PressureCoulombLaw::fields() {
+  return {[](const bem::SurfacePoint& x) { return x.x; },
+          [](const bem::SurfacePoint& x) { return x.y; },
+          [](const bem::SurfacePoint& x) { return x.normal.x; },
+          [](const bem::SurfacePoint& x) { return x.normal.y; }};
+}
+
+double PressureCoulombLaw::bound(double pressure, const Vector& fields) const {
+  return pressure > 0
+             ? pressure *
+                   coefficient_({fields[0], fields[1], {fields[2], fields[3]}}, pressure)
+             : 0;
+}
+
+double PressureCoulombLaw::slope(double pressure, const Vector& fields) const {
+  const double h = 1e-3 * pressure;
+  const auto difference = [&](double step) {
+    return (bound(pressure + step, fields) - bound(pressure - step, fields)) / (2 * step);
+  };
+  const double slope = (4 * difference(h) - difference(2 * h)) / 3;
+  const double mean = bound(pressure, fields) / pressure;
+  if (slope < -1e-9 * mean)
+    throw bem::InputError("at a pressure of ", pressure, ", (x, y) = (", fields[0], ", ",
+                          fields[1], "), pressure times Coefficient = ", mean * pressure,
+                          " decreases; it must not at any pressure: keep the pressure in "
+                          "it below where that "
+                          "begins, as in exp(-min(pressure, 100)/100)");
+  return std::max(slope, 0.0);
+}
+
 double PointLaw::bound(double pressure) const {
   return factor_ *
          (law_ == nullptr
@@ -52,6 +82,11 @@ double PointLaw::steepest() const {
 
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields) {
   return {makeLaw(frictionLaws(), "friction law", law, std::move(fields), {})};
+}
+
+Friction makePressureFriction(PressureCoefficient coefficient) {
+  return {{std::make_shared<const PressureCoulombLaw>(std::move(coefficient)),
+           PressureCoulombLaw::fields()}};
 }
 
 Friction parseFriction(const Teuchos::ParameterList& list, const FieldOf& field) {

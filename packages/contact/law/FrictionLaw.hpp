@@ -22,6 +22,9 @@ class FrictionLaw {
 
   virtual bool dependsOnPressure() const { return true; }
 
+  /// Are the fields the place, x, y and the normal's components, of any sign?
+  virtual bool knowsPlace() const { return false; }
+
   /// Are the sides bonded?  Then the bound is infinite, the normal stress has any sign,
   /// and the gap of the condition is a given jump of the displacement.
   virtual bool ties() const { return false; }
@@ -80,6 +83,13 @@ struct Friction : LawOnBoundary<FrictionLaw> {
 /// A law whose keys are all fields.
 /// \throws bem::InputError for an unknown name, or another number of fields.
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
+
+/// A friction coefficient F(x, λₙ) >= 0 at a pressure >= 0, in the user's units.
+using PressureCoefficient =
+    std::function<double(const bem::SurfacePoint&, double pressure)>;
+
+/// Coulomb's law with this coefficient.
+Friction makePressureFriction(PressureCoefficient coefficient);
 
 /// From a list that frictionRows() has checked; `field` makes the function of a key.
 Friction parseFriction(const Teuchos::ParameterList& list, const FieldOf& field);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -27,9 +28,11 @@ class TrescaLaw final : public FrictionLaw {
 class CoulombLaw final : public FrictionLaw {
  public:
   static bem::SchemaRows rows() {
-    return {bem::Row("Coefficient", bem::Kind::Expression, "1",
-                     "friction coefficient: shear up to coefficient times pressure")
-                .required()};
+    return {
+        bem::Row("Coefficient", bem::Kind::Expression, "1",
+                 "friction coefficient: shear up to coefficient times pressure; under "
+                 "Coulomb it may use `pressure`")
+            .required()};
   }
 
   double bound(double pressure, const Vector& fields) const override {
@@ -38,6 +41,23 @@ class CoulombLaw final : public FrictionLaw {
   double slope(double /*pressure*/, const Vector& fields) const override {
     return fields[0];
   }
+};
+
+/// s = F(x, λₙ) λₙ, increasing in λₙ.
+class PressureCoulombLaw final : public FrictionLaw {
+ public:
+  explicit PressureCoulombLaw(PressureCoefficient coefficient)
+      : coefficient_(std::move(coefficient)) {}
+  static std::vector<bem::Function> fields();
+
+  double bound(double pressure, const Vector& fields) const override;
+  /// By central differences, to 1e-11 where F is smooth.
+  /// \throws bem::InputError where s decreases
+  double slope(double pressure, const Vector& fields) const override;
+  bool knowsPlace() const override { return true; }
+
+ private:
+  PressureCoefficient coefficient_;
 };
 
 /// s = min(F λₙ, C): Coulomb's law up to a cap, the shear at which the surface itself

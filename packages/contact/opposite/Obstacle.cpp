@@ -91,6 +91,15 @@ void addSurface(const SidePoint& point, const bem::SurfacePoint& x, bem::Units u
   surface.places.push_back({contact.normalOf(point.number), point.weight, law});
 }
 
+/// \throws bem::InputError where the bound is found to decrease with the pressure
+void checkIncreases(const PointLaw& law, const ContactElement& contact) {
+  try {
+    law.steepest();
+  } catch (const bem::InputError& error) {
+    throw bem::InputError(placeOf(contact), "->Friction->Coefficient: ", error.what());
+  }
+}
+
 void addBodyLoads(const Obstacle& obstacle, Vector& r) {
   const MultiplierSpace& multiplier = obstacle.multiplier;
   const auto insideOf = [&](int body) -> const BodyLoadSolution& {
@@ -131,16 +140,21 @@ void setFriction(const ContactElement& contact, bem::Units units, Obstacle& obst
   std::vector<Index> normals;
   for (int i = 0; i <= contact.degree; ++i)
     normals.push_back(contact.normalOf(i));
+  const Friction& friction = contact.condition->friction;
   std::vector<Tangential> tangentials = elementTangentials(
-      multiplier.basis(), normals, contact.condition->friction.law,
+      multiplier.basis(), normals, friction.law,
       [&](double t) {
-        return fieldsAt(contact.condition->friction, "friction", contact,
-                        contact.mesh->physicalPoint(contact.element, t));
+        const bem::SurfacePoint x = contact.mesh->physicalPoint(contact.element, t);
+        return friction.law->knowsPlace() ? friction.fieldsAt(x)
+                                          : fieldsAt(friction, "friction", contact, x);
       },
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
-    if (contact.tangential.isOwn(i))
+    if (contact.tangential.isOwn(i)) {
+      if (friction.law->knowsPlace())
+        checkIncreases(tangentials[i], contact);
       tangential(contact.tangentialOf(i)) = std::move(tangentials[i]);
+    }
 }
 
 }  // namespace

@@ -53,6 +53,24 @@ def joined(shown):
     return columns, np.concatenate(weights)
 
 
+def means_of_unresolved(columns, stress):
+    """Where elements do not resolve a singular stress, and go beyond all others by that: their means; else
+    nan.  The polynomial dips beside the singular point as far as it goes beyond at it."""
+    values, means = columns[stress], np.full(len(columns[stress]), math.nan)
+    if stress + "_error" not in columns:  # of an older run
+        return means
+    element = np.char.add(columns["body"].astype(str), columns["element"].astype(str))
+    starts = np.flatnonzero(np.concatenate([[True], element[1:] != element[:-1]]))
+    ends = np.append(starts[1:], len(element))
+    doubtful = [columns[stress + "_error"][a] > 0.3 * abs(values[a:b].mean()) for a, b in zip(starts, ends)]
+    sizes = [np.abs(values[a:b]).max() for a, b in zip(starts, ends)]
+    most = max((size for size, doubt in zip(sizes, doubtful) if not doubt), default=math.inf)
+    for a, b, doubt, size in zip(starts, ends, doubtful, sizes):
+        if doubt and size > most:
+            means[a:b] = values[a:b].mean()
+    return means
+
+
 def line(axes, laid, values, text, **style):
     _, s, _, parts = laid
     breaks = [a for a, _ in parts[1:]]
@@ -62,8 +80,12 @@ def line(axes, laid, values, text, **style):
 
 def draw_stresses(axes, laid):
     contact, *_ = laid
-    line(axes, laid, contact["pressure"], "pressure", color=COLOURS[0])
-    line(axes, laid, contact["shear"], "shear", color=COLOURS[1])
+    for stress, colour in zip(("pressure", "shear"), COLOURS):
+        means = means_of_unresolved(contact, stress)
+        line(axes, laid, np.where(np.isnan(means), contact[stress], math.nan), stress, color=colour)
+        if not np.isnan(means).all():
+            line(axes, laid, means, "%s, mean of elements\nthat do not resolve it" % stress, color=colour,
+                 ls=":", lw=2.5)
     signs = signs_of(contact)
     for sign in signs:
         line(axes, laid, sign * contact["bound"], "friction bound" if sign == signs[0] else "_",
@@ -177,6 +199,9 @@ def draw(contact, title, pictures):
         for axes in (stress, shift):
             shade(axes, s, columns, parts)
     everything, weights = joined(shown)
+    for stress in ("pressure", "shear"):
+        means = means_of_unresolved(everything, stress)
+        everything[stress] = np.where(np.isnan(means), everything[stress], means)
     cut(rows[0, 0], [(everything["pressure"], weights), (everything["shear"], weights)])
     frame(rows[1, 0], everything)
     rows[0, 0].set_ylabel(pictures.looks.label("contact stress", "stress"))

@@ -111,9 +111,15 @@ def draw(folder, steps, title, pictures):
 def draw_path(folder, rows, t, files, title, pictures):
     contacts, label = contacts_of(rows), pictures.looks.label
     turning = torsion(folder, rows, contacts, files[-1]) if files else None
-    figure, axes = pictures.subplots(1, 3 if files else 2, figsize=(13 if files else 9, 4))
-    shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
     force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
+    # without friction two of the panels would be empty
+    rubs = max(np.abs(rows[name + ".force_tangential"]).max() for name in contacts) > 1e-9 * force or \
+        np.abs(rows["energy_dissipated"]).max() > 1e-9 * np.abs(rows["energy_strain"]).max()
+    files = files if rubs else []
+    panels = 1 + rubs + bool(files)
+    figure, axes = pictures.subplots(1, panels, figsize=(0.5 + 4.2 * panels, 4))
+    axes = np.ravel(axes)
+    shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
 
     def along(panel, name, label, ls="-", **style):  # markers would hide dashes
         panel.plot(t, np.append(0, rows[name]), label=label, ls=ls,
@@ -121,16 +127,19 @@ def draw_path(folder, rows, t, files, title, pictures):
 
     for k, name in enumerate(shown):
         along(axes[0], name + ".force_normal", short(name), color=COLOURS[k])
-        along(axes[0], name + ".force_tangential", "_", color=COLOURS[k], ls="--")
-    axes[0].plot([], [], color="grey", ls="--", label="dashed: tangential")
+        if rubs:
+            along(axes[0], name + ".force_tangential", "_", color=COLOURS[k], ls="--")
+    if rubs:
+        axes[0].plot([], [], color="grey", ls="--", label="dashed: tangential")
     tell_rest(axes[0], contacts, shown)
     axes[0].set_ylabel(label("contact force", "force"))
     settle(axes[0], force)
-    along(axes[1], "energy_dissipated", "friction's work", color="black")
-    along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", color="black",
-          ls="--")
-    axes[1].set_ylabel(label("friction's work so far", "energy"))
-    settle(axes[1], np.abs(rows["energy_strain"]).max())
+    if rubs:
+        along(axes[1], "energy_dissipated", "friction's work", color="black")
+        along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", color="black",
+              ls="--")
+        axes[1].set_ylabel(label("friction's work so far", "energy"))
+        settle(axes[1], np.abs(rows["energy_strain"]).max())
     for panel in axes[:2]:
         panel.set_xlabel("t")
         pictures.legend(panel)
