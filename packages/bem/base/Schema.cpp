@@ -5,6 +5,7 @@
 #include "bem/base/Written.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
@@ -276,7 +277,7 @@ class Level {
     }
     if (!entry.isList())
       throw InputError(join(path_, name), ": is ", describe(entry),
-                       ", wanted: a sublist (ParameterList)");
+                       ", wanted: a list (ParameterList)", keysOf(row));
     const auto& sublist = getValue<ParameterList>(entry);
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
@@ -284,6 +285,14 @@ class Level {
       Level(table_, constant_, sublist, row.path, join(path_, name),
             isAnyName(row.name()) ? nearlyNamed(name) : "")
           .complete(result.sublist(name));
+  }
+
+  /// " with 'Law', 'Threshold' or 'Coefficient'", of a list with own names ""
+  std::string keysOf(const SchemaRow& row) const {
+    std::vector<std::string> keys;
+    for (const SchemaRow* child : childrenOf(table_, row.path))
+      keys.push_back(example(child->name()));
+    return keys.empty() || isAnyName(keys.front()) ? "" : " with " + quotedList(keys);
   }
 
   std::string nearlyNamed(const std::string& name) const {
@@ -296,6 +305,11 @@ class Level {
   }
 
   void fill(const SchemaRow& row, ParameterList& result) const {
+    if (row.required)
+      for (const auto& item : given_)  // it may stand there under another name
+        if (const SchemaRow* key = selector();
+            key != nullptr && result.isParameter(key->name()))
+          checkActive(item.first, result);
     if (row.required)
       throw InputError(join(path_, row.name()), ": missing; ", row.meaning,
                        row.range().empty() ? "" : ", " + row.range(),
@@ -337,6 +351,55 @@ ParameterList complete(const SchemaRows& table, const ParameterList& given,
   ParameterList result(title);
   Level(table, constant, given, "", "").complete(result);
   return result;
+}
+
+void complete(const SchemaRows& table, ParameterList& list) {
+  const std::string name = list.name();
+  list = within(name + arrow, [&] { return complete(table, list, name); });
+}
+
+namespace {
+
+Teuchos::RCP<const Teuchos::ParameterEntryValidator> validatorOf(const SchemaRow& row) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto& [low, high, lowOpen, highOpen] = row.interval;
+  if (row.kind == Kind::Real)  // these bounds are admissible
+    return Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(
+        lowOpen ? std::nextafter(low, infinity) : low,
+        highOpen ? std::nextafter(high, -infinity) : high));
+  if (row.kind == Kind::Whole) {
+    const auto whole = [](double bound) {
+      return static_cast<int>(std::clamp<double>(bound, std::numeric_limits<int>::min(),
+                                                 std::numeric_limits<int>::max()));
+    };
+    return Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(
+        whole(row.interval.low), whole(row.interval.high)));
+  }
+  if (row.allowed.empty())
+    return {};
+  return Teuchos::rcp(
+      new Teuchos::StringValidator(Teuchos::Array<std::string>(row.allowed)));
+}
+
+}  // namespace
+
+void addValidParameters(const SchemaRows& table, ParameterList& result) {
+  for (const SchemaRow& row : table) {
+    ParameterList* list = &result;
+    std::vector<std::string> names = namesOf(row.path);
+    names.pop_back();
+    for (const std::string& name : names)
+      list = &list->sublist(name);
+    if (row.kind == Kind::List || row.kind == Kind::Free) {
+      list->sublist(row.name(), false, row.meaning);
+    } else if (!row.defaultValue.empty()) {
+      ParameterEntry entry = defaultOf(row);
+      entry.setDocString(message(row.meaning, row.unit.empty() ? "" : ", in ", row.unit,
+                                 row.range().empty() ? "" : "; ", row.range()));
+      entry.setValidator(validatorOf(row));
+      list->setEntry(row.name(), entry);
+    }
+  }
 }
 
 std::vector<Vec2> pointsIn(const ParameterList& list, const std::string& key) {
