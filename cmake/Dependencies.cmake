@@ -35,8 +35,8 @@ endfunction()
 add_trilinos(Teuchos trilinos_teuchosparameterlist trilinos_teuchosparser
   trilinos_teuchoscore trilinos_teuchosnumerics trilinos_teuchoscomm MPI::MPI_CXX)
 add_trilinos(Tpetra trilinos_tpetra trilinos_belostpetra trilinos_teuchosparameterlist MPI::MPI_CXX)
-add_trilinos(NOX trilinos_locathyra trilinos_loca trilinos_nox trilinos_thyratpetra trilinos_tpetra
-  trilinos_teuchosparameterlist MPI::MPI_CXX)
+add_trilinos(NOX trilinos_locathyra trilinos_loca trilinos_nox trilinos_stratimikosbelos
+  trilinos_thyratpetra trilinos_tpetra trilinos_teuchosparameterlist MPI::MPI_CXX)
 
 # Where Debian's Python looks for packages that do not come from Debian, seen from the prefix.
 execute_process(COMMAND /usr/bin/python3 -c "import sys; print('%d.%d' % sys.version_info[:2])"

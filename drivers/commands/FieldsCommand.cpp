@@ -37,11 +37,6 @@ class SavedRun {
       : folder_(std::move(folder)),
         checkpoint_(read(folder_)),
         scene_(sceneOf(checkpoint_.used, folder_ + "/used.xml", {})) {
-    if (scene_.isAxisymmetric)
-      throw InputError("'", folder_,
-                       "': fields inside solids of revolution (Geometry->Type = "
-                       "Axisymmetric) are not possible yet; boundary.csv and contact.csv "
-                       "have those on their surfaces");
     within("'" + fileIn(folder_) + "' ", [&] { checkLevel(checkpoint_.level, scene_); });
   }
 

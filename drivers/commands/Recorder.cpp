@@ -102,8 +102,8 @@ void Recorder::take(const SolvedLevel& level) {
     files_.emplace_back("bodies.csv", made(tables_.bodies));
   times_.clear();
   contact_ = {};
-  stages_ +=
-      bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
+  stages_ += bem::message("level ", row.level, ": ", contact::told(row.report.stages),
+                          "\n", contact::meritsTold(row.report.stages));
   pressure_ = pressureLine(level);
   warnings_ = warningsOf(level);
   if (row.operators == denseInstead)

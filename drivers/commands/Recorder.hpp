@@ -74,7 +74,8 @@ class Recorder {
   std::string contactOfStep_;  ///< contact.csv
   ContactTable contact_;
 
-  std::string stages_ = "\nSolver stages, steps, how they ended\n";
+  std::string stages_ =
+      "\nSolver stages, steps, how they ended; the merit before and after each step\n";
   std::vector<File> files_;  ///< of the last level, until they are written
   std::string restored_;     ///< folder whose solution.hdf stands for that of tables_
   bool isTaken_ = false;     ///< has that of tables_ to be written?

@@ -28,37 +28,42 @@ enum {
   Along,
   VonMises,
   Pressure,
-  Shear
+  Shear,
+  Hoop  ///< of solids of revolution
 };
 enum { Element, Degree, Boundary, OfBody, Edge };
 
-VtkGrid emptyGrid() {
+VtkGrid emptyGrid(bool isAxisymmetric) {
   const std::vector<double> real;
   const std::vector<int> whole;
-  return {2,
-          "Vectors=\"displacement\"",
-          {{"displacement", real, 3},
-           {"traction", real, 3},
-           {"lambda_n", real},
-           {"lambda_t", real},
-           {"gap", real},
-           {"contact", whole},
-           {"friction", whole},
-           {"stress_t", real},
-           {"von_mises", real},
-           {"pressure", real},
-           {"shear", real}},
-          {{"element", whole},
-           {"degree", whole},
-           {"boundary", whole},
-           {"body", whole},
-           {"edge", whole}}};
+  VtkGrid grid{2,
+               "Vectors=\"displacement\"",
+               {{"displacement", real, 3},
+                {"traction", real, 3},
+                {"lambda_n", real},
+                {"lambda_t", real},
+                {"gap", real},
+                {"contact", whole},
+                {"friction", whole},
+                {"stress_t", real},
+                {"von_mises", real},
+                {"pressure", real},
+                {"shear", real}},
+               {{"element", whole},
+                {"degree", whole},
+                {"boundary", whole},
+                {"body", whole},
+                {"edge", whole}}};
+  if (isAxisymmetric)
+    grid.pointData.push_back({hoop, real});
+  return grid;
 }
 
 /// Stress at the surface of a body.
 struct Surface {
   double along = std::numeric_limits<double>::quiet_NaN();  ///< normal stress along it
   double vonMises = along;
+  double hoop = along;
 };
 
 /// What is told of contact at a point.
@@ -85,6 +90,8 @@ void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
   fields[Shear].add(touch ? touch->shown.tangential : nothing);
   fields[Along].add(surface.along);
   fields[VonMises].add(surface.vonMises);
+  if (fields.size() > Hoop)
+    fields[Hoop].add(surface.hoop);
 }
 
 /// Adds a curve as segments: at least `lines`, and one for every 5 degrees.
@@ -135,14 +142,16 @@ void addElastic(const SolvedStep& step, std::size_t b, const Numbers& numbers,
                bem::Vec2 traction = solved.space.densityAt(step.densities[b], e, t);
                if (solved.conditions.inside)
                  traction = traction + solved.conditions.inside->traction(mesh, e, t);
-               const InsideValue stress = stressOf(
-                   surface.at(e, t), scene.bodies[b].material, solved.units,
-                   solved.conditions.inside,
-                   placeOfInside(mesh, e, t, scene.bodies[b].conditions.heat != nullptr));
-               addPoint(mesh.physicalPoint(e, t),
-                        solved.units.length * solved.displacementAt(e, t),
-                        solved.units.stress * traction, touch,
-                        {stress.along(element.curve.tangent(t)), stress.vonMises}, grid);
+               const InsideValue stress =
+                   stressAt(surface.at(e, t), scene.bodies[b].material, solved.units,
+                            solved.conditions.inside, mesh, e, t);
+               addPoint(
+                   mesh.physicalPoint(e, t),
+                   mesh.isAxis(e) ? stress.displacement
+                                  : solved.units.length * solved.displacementAt(e, t),
+                   solved.units.stress * traction, touch,
+                   {stress.along(element.curve.tangent(t)), stress.vonMises, stress.zz},
+                   grid);
              });
   }
 }
@@ -170,7 +179,7 @@ VtkGrid boundaryLines(const SolvedStep& solved) {
   Numbers numbers;
   for (const std::string& name : namesOfBoundaries(scene))
     numbers.emplace(name, static_cast<int>(numbers.size()));
-  VtkGrid grid = emptyGrid();
+  VtkGrid grid = emptyGrid(scene.isAxisymmetric);
   for (std::size_t b = 0; b < solved.bodies.size(); ++b)
     addElastic(solved, b, numbers, grid);
   for (std::size_t k = 0; k < scene.rigid.size(); ++k)
@@ -293,20 +302,22 @@ std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
     const auto at = [&](const DataArray& field, int component, int components = 3) {
       return exactly(field.at<double>(components * point + component));
     };
-    addRow({{"x", at(grid.points, 0)},
-            {"y", at(grid.points, 1)},
-            {"ux", at(fields[Displacement], 0)},
-            {"uy", at(fields[Displacement], 1)},
-            {"tx", at(fields[Traction], 0)},
-            {"ty", at(fields[Traction], 1)},
-            {"boundary", names[of(line, Boundary)]},
-            {"element", number(of(line, Element))},
-            {"degree", number(of(line, Degree))},
-            {"body", scene.bodies[of(line, OfBody)].name},
-            {"edge", number(of(line, Edge))},
-            {"stress_t", at(fields[Along], 0, 1)},
-            {"von_mises", at(fields[VonMises], 0, 1)}},
-           csv);
+    CsvRow row = {{"x", at(grid.points, 0)},
+                  {"y", at(grid.points, 1)},
+                  {"ux", at(fields[Displacement], 0)},
+                  {"uy", at(fields[Displacement], 1)},
+                  {"tx", at(fields[Traction], 0)},
+                  {"ty", at(fields[Traction], 1)},
+                  {"boundary", names[of(line, Boundary)]},
+                  {"element", number(of(line, Element))},
+                  {"degree", number(of(line, Degree))},
+                  {"body", scene.bodies[of(line, OfBody)].name},
+                  {"edge", number(of(line, Edge))},
+                  {"stress_t", at(fields[Along], 0, 1)},
+                  {"von_mises", at(fields[VonMises], 0, 1)}};
+    if (fields.size() > Hoop)
+      row.emplace_back(hoop, at(fields[Hoop], 0, 1));
+    addRow(row, csv);
   };
   const std::size_t lines = grid.corners.size() / 2;
   const auto deforms = [&](std::size_t line) {

@@ -5,6 +5,7 @@
 #include "contact/results/Resolution.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/Inside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +18,26 @@ namespace {
 using contact::ContactPoint;
 using Element = contact::ContactFields::Element;
 
-double stressAlong(const contact::Solved& solved, const bem::Material& material,
-                   int element, double t, double pressure) {
+/// Normal stress along the surface, and around an axis of revolution.
+struct SurfaceStress {
+  double along;
+  double around;
+};
+
+SurfaceStress stressAt(const contact::Solved& solved, const bem::Material& material,
+                       int element, double t, double pressure) {
   const bem::Element& on = solved.space.mesh()[element];
   const bem::LocalField field = bem::localField(
       solved.space, solved.displacement,
       bem::Vector(static_cast<std::size_t>(solved.space.densities())), element);
   const bem::Complex slope = bem::evaluate(field.slope, on.degree - 1, t);
   const double nu = material.poissonsRatio;
-  double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
+  const double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
+  double around = 0;
   if (solved.units.isAxisymmetric) {
     const double radius = solved.space.mesh().scaledPoint(element, t).x;
-    const double around =
+    around =
         radius > 0 ? bem::evaluate(field.value, on.degree, t).real() / radius : strain;
-    strain += nu * around;
   }
   const double e = material.youngsModulus;
   double ofInside = 0;
@@ -41,9 +48,12 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
     pressure +=
         solved.units.stress * dot(stress.on(on.curve.normal(t)), on.curve.normal(t));
   }
-  return ofInside + (material.planeStress
-                         ? e * strain - nu * pressure
-                         : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure);
+  if (material.planeStress)
+    return {ofInside + e * strain - nu * pressure, 0};
+  const double stiffness = e / (1 - nu * nu);
+  const double across = nu / (1 - nu) * pressure;
+  return {ofInside + stiffness * (strain + nu * around) - across,
+          stiffness * (around + nu * strain) - across};
 }
 
 /// Arc length at the start of each element of contacts, from 0 at the start of each side, or of a
@@ -73,7 +83,8 @@ bem::Vector startsOf(const contact::ContactFields& fields, const bem::Mesh& mesh
 CsvRow ContactTable::pathCells(const contact::Solved& solved,
                                const bem::Material& material, const bem::Vector& work,
                                const Element& element, double t, const ContactPoint& p) {
-  const double stress = stressAlong(solved, material, element.element, t, p.pressure);
+  const auto [stress, around] =
+      stressAt(solved, material, element.element, t, p.pressure);
   const double slip = p.tangential - p.sliding;
   if (point_ == traces_.size())
     traces_.push_back({slip, slip, slip});
@@ -83,15 +94,19 @@ CsvRow ContactTable::pathCells(const contact::Solved& solved,
   here.shear = std::max(here.shear, std::abs(p.shear));
   here.tension = std::max(here.tension, stress);
   const double amplitude = (here.most - here.least) / 2;
-  return {{"slip", exactly(slip - here.first)},
-          {"work", exactly(solved.units.stress * solved.units.length *
-                           solved.problem.multiplier().at(work, element, t).tangential)},
-          {"slip_amplitude", exactly(amplitude)},
-          {"stress_t", exactly(stress)},
-          {"ruiz_1", exactly(here.shear * amplitude)},
-          {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
-          {"worn_depth", exactly(p.worn)},
-          {"slip_distance", exactly(p.distance)}};
+  CsvRow row = {
+      {"slip", exactly(slip - here.first)},
+      {"work", exactly(solved.units.stress * solved.units.length *
+                       solved.problem.multiplier().at(work, element, t).tangential)},
+      {"slip_amplitude", exactly(amplitude)},
+      {"stress_t", exactly(stress)},
+      {"ruiz_1", exactly(here.shear * amplitude)},
+      {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
+      {"worn_depth", exactly(p.worn)},
+      {"slip_distance", exactly(p.distance)}};
+  if (solved.units.isAxisymmetric)
+    row.emplace_back(hoop, exactly(around));
+  return row;
 }
 
 std::string ContactTable::next(const SolvedStep& step) {

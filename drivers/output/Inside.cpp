@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
+#include "contact/conditions/ConductedHeat.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/ChildProgram.hpp"
@@ -53,7 +54,9 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
     value.yy += units.stress * stress.yy;
     value.xy += units.stress * stress.xy;
   }
-  value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
+  value.zz = units.isAxisymmetric   ? units.stress * field.zz
+             : material.planeStress ? 0
+                                    : material.poissonsRatio * (value.xx + value.yy);
   if (inside) {
     value.zz += units.stress * inside->stressAcross(particular.temperature);
     value.temperature = particular.temperature;
@@ -70,34 +73,28 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
 
 }  // namespace
 
-InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+// Conducted heat has its own temperature there, which no integral has to give.
+InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
-                     bem::Vec2 scaled) {
+                     const bem::Mesh& mesh, int e, double t) {
+  const bem::Vec2 place = mesh.scaledPoint(e, t);
   contact::ParticularSolution::Value particular;
-  if (inside)
-    particular = inside->at({scaled}).front();
-  return inUnits(field, material, units, inside, scaled, particular);
+  if (inside) {
+    const contact::ConductedHeat* heat = inside->conducted();
+    particular = {inside->displacement(mesh, e, t),
+                  heat != nullptr ? heat->temperature(e, t) : inside->temperature(place)};
+  }
+  return inUnits(field, material, units, inside, place, particular);
 }
 
-bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts) {
-  constexpr double skin = 1e-3;  // over half the element's length
-  constexpr double end = 0.05;   // likewise
-  if (!conducts)
-    return mesh.scaledPoint(e, t);
-  const double place = std::clamp(t, -1 + end, 1 - end);
-  return mesh.scaledPoint(e, place) - (skin * mesh[e].half) * mesh[e].curve.normal(place);
+std::string nameOf(const InsideField& field, bool isAxisymmetric) {
+  InsideValue value;
+  return isAxisymmetric && &field.of(value) == &value.zz ? hoop : field.name;
 }
 
 InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
-  const bem::InteriorValue own = surfaces_[b].at(e, t);
-  const bool conducts = scene_.bodies[b].conditions.heat != nullptr;
-  InsideValue value = stressOf(own, scene_.bodies[b].material, scene_.units(), inside_[b],
-                               placeOfInside(mesh(b), e, t, conducts));
-  bem::Vec2 u = own.displacement;
-  if (inside_[b])
-    u = u + inside_[b]->displacement(mesh(b), e, t);
-  value.displacement = scene_.units().length * u;
-  return value;
+  return stressAt(surfaces_[b].at(e, t), scene_.bodies[b].material, scene_.units(),
+                  inside_[b], mesh(b), e, t);
 }
 
 double BodyInsides::workAtPoint(std::size_t b) const {
@@ -110,14 +107,15 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
   for (std::size_t b = 0; b < size(); ++b) {
     std::vector<std::size_t> own;
     std::vector<bem::Vec2> places;
-    std::vector<bool> isImage;
+    std::vector<bem::Vec2> there;
     for (std::size_t k = 0; k < points.size(); ++k)
       if (points[k].body == b) {
         own.push_back(k);
         bem::Vec2 x = points[k].x;
         bem::Vec2 drawn = scene_.drawn(x);
-        isImage.push_back(scene_.symmetry &&
-                          scene_.symmetry.across(x) * scene_.symmetry.across(drawn) < 0);
+        there.push_back(drawn);
+        if (scene_.isAxisymmetric)  // beside the axis by nothing
+          drawn.x = std::abs(x.x);
         places.push_back(mesh(b).outline().scaled(drawn));
       }
     const std::vector<bem::InteriorValue> fields = fields_[b].at(places);
@@ -128,9 +126,12 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
       InsideValue& value = values[own[k]];
       value = inUnits(fields[k], scene_.bodies[b].material, scene_.units(), inside_[b],
                       places[k], particular[k]);
-      if (isImage[k]) {
-        value.displacement = scene_.symmetry.mirrored(value.displacement);
-        value.xy = -value.xy;
+      for (const Symmetry& line : scene_.mirrors()) {
+        bem::Vec2 x = points[own[k]].x;
+        if (line.across(x) * line.across(there[k]) < 0) {
+          value.displacement = line.mirrored(value.displacement);
+          value.xy = -value.xy;
+        }
       }
     }
   }
@@ -145,7 +146,8 @@ std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
     InsideValue value = values[i];
     CsvRow row = {{"x", exactly(points[i].x.x)}, {"y", exactly(points[i].x.y)}};
     for (const InsideField& field : insideFields) {
-      row.emplace_back(field.name, outside ? "" : exactly(field.of(value)));
+      row.emplace_back(nameOf(field, scene_.isAxisymmetric),
+                       outside ? "" : exactly(field.of(value)));
       if (&field.of(value) == &value.vonMises)
         row.emplace_back("body", outside ? "" : scene_.bodies[points[i].body].name);
     }
@@ -300,10 +302,16 @@ InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
   const bem::Mesh& mesh = insides.mesh(point.body);
   const Foot foot = nearestFoot(mesh, point.x);
   const InsideValue own = insides.atBoundary(point.body, foot.element, foot.t);
+  const auto withEndOf = [&](int other, double end) {
+    const InsideValue there = insides.atBoundary(point.body, other, end);
+    return mesh.isAxis(foot.element) ? there
+           : mesh.isAxis(other)      ? own
+                                     : mean(own, there);
+  };
   if (foot.t > node)
-    return mean(own, insides.atBoundary(point.body, mesh[foot.element].next, -1));
+    return withEndOf(mesh[foot.element].next, -1);
   if (foot.t < -node)
-    return mean(own, insides.atBoundary(point.body, mesh[foot.element].previous, 1));
+    return withEndOf(mesh[foot.element].previous, 1);
   return own;
 }
 
@@ -311,6 +319,7 @@ InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
 
 FilledBodies fill(const BodyInsides& insides) {
   FilledBodies all;
+  all.isAxisymmetric = insides.scene().isAxisymmetric;
   for (std::size_t b = 0; b < insides.size(); ++b) {
     const Triangulation own = triangulate(insides.mesh(b));
     std::vector<InsidePoint> points;
@@ -349,7 +358,8 @@ std::string vtuFile(const FilledBodies& bodies) {
                R"(Scalars="von_mises" Vectors="displacement")",
                {{"displacement", std::vector<double>(), 3}}};
   for (const InsideField& field : insideFields)
-    grid.pointData.push_back({field.name, std::vector<double>()});
+    grid.pointData.push_back(
+        {nameOf(field, bodies.isAxisymmetric), std::vector<double>()});
   grid.pointData.push_back({"body", std::vector<int>()});
   for (std::size_t i = 0; i < bodies.points.size(); ++i) {
     InsideValue value = bodies.values[i];
@@ -369,6 +379,7 @@ std::vector<std::string> fieldNames() {
   std::vector<std::string> names;
   for (const InsideField& field : insideFields)
     names.emplace_back(field.name);
+  names.emplace_back(hoop);
   return names;
 }
 

@@ -17,7 +17,9 @@ struct InsideValue {
   double xx = 0;
   double yy = 0;
   double xy = 0;
-  double zz = 0;  ///< normal to the plane: ν (σxx + σyy) - E α T, or 0 in plane stress
+  /// Normal to the plane: ν (σxx + σyy) - E α T, or 0 in plane stress; of solids of revolution the hoop
+  /// stress.
+  double zz = 0;
   double vonMises = 0;    ///< √(½ Σ (normal stress differences)² + 3 σxy²)
   double principal1 = 0;  ///< the larger principal stress in the plane
   double principal2 = 0;
@@ -29,18 +31,14 @@ struct InsideValue {
   }
 };
 
-/// With body loads and heat, in the user's units.
-/// \param field of the rest, at a point in scaled coordinates
-InsideValue stressOf(const bem::InteriorValue& field, const bem::Material& material,
+/// At a point of the boundary, with body loads and heat, in the user's units.
+/// \param field of the rest
+InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
-                     bem::Vec2 scaled);
-
-/// Where the particular solution's stress is taken for a point of the boundary: there, but that of
-/// conducted heat, an integral over the boundary, just inside and away from the ends of elements.
-bem::Vec2 placeOfInside(const bem::Mesh& mesh, int e, double t, bool conducts);
+                     const bem::Mesh& mesh, int e, double t);
 
 /// The numbers of a value by their names in files: the scalar fields of fields.vtu, and in
-/// this order the columns of fields.csv and interior.csv.
+/// this order the columns of fields.csv and interior.csv.  Names: nameOf.
 struct InsideField {
   const char* name;
   double& (*of)(InsideValue& value);
@@ -57,6 +55,10 @@ inline constexpr InsideField insideFields[] = {
     {"principal_2", [](InsideValue& v) -> double& { return v.principal2; }},
     {"temperature", [](InsideValue& v) -> double& { return v.temperature; }},
 };
+
+/// The name of szz of solids of revolution.
+constexpr const char* hoop = "hoop";
+std::string nameOf(const InsideField& field, bool isAxisymmetric);
 
 /// A point inside a body, in the user's coordinates.  Bodies may overlap in the
 /// undeformed state, so that the point alone does not determine its body.
@@ -101,6 +103,7 @@ class BodyInsides {
 /// All bodies as triangles with the values at their corners.  At a node of the boundary
 /// the value is the mean over the two elements that meet there.
 struct FilledBodies {
+  bool isAxisymmetric = false;
   std::vector<InsidePoint> points;
   std::vector<InsideValue> values;          ///< of each point
   std::vector<std::array<int, 3>> corners;  ///< of each triangle, counter-clockwise

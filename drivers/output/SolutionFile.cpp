@@ -16,7 +16,7 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 8;  // formats 1 to 7 were never released
+constexpr int format = 9;  // formats 1 to 8 were never released
 const std::string group = "/Epafi";
 
 /// The numbers of a level in the order of the checksum: body by body, the multiplier as solvers number

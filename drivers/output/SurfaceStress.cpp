@@ -3,6 +3,7 @@
 #include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace epafi::drivers {
@@ -27,6 +28,8 @@ SurfaceField::SurfaceField(const bem::Space& space, const bem::Lame& lame,
   for (int e = 0; e < mesh.size(); ++e)
     for (const bool next : {false, true})
       addNeighbour(e, next, all_[e]);
+  if (mesh.outline().isAxisymmetric())
+    inside_.emplace(space, lame, u, psi_);
 }
 
 void SurfaceField::addNeighbour(int element, bool next, Samples& samples) const {
@@ -61,24 +64,41 @@ double SurfaceField::strainAlong(int element, double t) const {
   return sum;
 }
 
+double SurfaceField::strainAround(int element, double t) const {
+  const bem::Mesh& mesh = space_.mesh();
+  if (!mesh.outline().isAxisymmetric())
+    return 0;
+  const double radius = mesh.scaledPoint(element, t).x;
+  return radius > 0 ? u_.at(element, t).x / radius : strainAlong(element, t);
+}
+
 bem::InteriorValue SurfaceField::at(int element, double t) const {
-  const bem::Curve& curve = space_.mesh()[element].curve;
+  const bem::Mesh& mesh = space_.mesh();
+  if (mesh.isAxis(element)) {
+    if (std::abs(t) < 1)
+      return inside_->at(mesh.scaledPoint(element, t));
+    return t < 0 ? at(mesh[element].previous, 1) : at(mesh[element].next, -1);
+  }
+  const bem::Curve& curve = mesh[element].curve;
   const Vec2 n = curve.normal(t);
-  const Vec2 along = curve.tangent(t);
+  const Vec2 tangent = curve.tangent(t);
   const Vec2 traction = space_.densityAt(psi_, element, t);
   const double normal = dot(traction, n);
-  const double shear = dot(traction, along);
+  const double shear = dot(traction, tangent);
   const double nu = lame_.nu;
+  const double along = strainAlong(element, t);
+  const double around = strainAround(element, t);
   const double tangential =
-      (2 * lame_.mu * strainAlong(element, t) + nu * normal) / (1 - nu);
+      (2 * lame_.mu * (along + nu * around) + nu * normal) / (1 - nu);
   bem::InteriorValue value;
+  value.zz = (2 * lame_.mu * (around + nu * along) + nu * normal) / (1 - nu);
   value.displacement = u_.at(element, t);
-  value.xx =
-      normal * n.x * n.x + 2 * shear * n.x * along.x + tangential * along.x * along.x;
-  value.yy =
-      normal * n.y * n.y + 2 * shear * n.y * along.y + tangential * along.y * along.y;
-  value.xy = normal * n.x * n.y + shear * (n.x * along.y + n.y * along.x) +
-             tangential * along.x * along.y;
+  value.xx = normal * n.x * n.x + 2 * shear * n.x * tangent.x +
+             tangential * tangent.x * tangent.x;
+  value.yy = normal * n.y * n.y + 2 * shear * n.y * tangent.y +
+             tangential * tangent.y * tangent.y;
+  value.xy = normal * n.x * n.y + shear * (n.x * tangent.y + n.y * tangent.x) +
+             tangential * tangent.x * tangent.y;
   return value;
 }
 

@@ -49,8 +49,7 @@ contact::OppositeSide BodySpaces::oppositeSide(const ContactPair& pair) const {
     const double unit = length / body.outline->scaling().length;
     const std::vector<bem::Continuations> beyond = bem::continuations(*body.outline);
     for (const int e : edges.edges)
-      opposite.beyond.push_back({beyond[bem::at(e)].before.inUnits(unit),
-                                 beyond[bem::at(e)].after.inUnits(unit)});
+      opposite.beyond.push_back(beyond[bem::at(e)].inUnits(unit));
     opposite.rigid = static_cast<int>(pair.opposite.body);
     opposite.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
     return opposite;

@@ -11,6 +11,7 @@
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/ContactEstimate.hpp"
+#include "drivers/run/MatchedSides.hpp"
 #include "drivers/run/Room.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/scene/Text.hpp"
@@ -46,6 +47,7 @@ std::vector<bem::Piece> halvedAtEnds(const bem::Mesh& mesh,
 
 Level firstLevel(const Scene& scene) {
   Level first = firstMeshes(scene);
+  first.meshes = matchedAtBonds(scene, std::move(first.meshes));
   constexpr int most = 12;
   Level finer = first;
   const std::vector<double> times =
@@ -319,6 +321,10 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
     worst = withFacing(scene, meshes, std::move(worst));
+  std::vector<const bem::Mesh*> all;
+  for (const SingularMesh& mesh : meshes)
+    all.push_back(&mesh.mesh);
+  shareMarked(scene, all, worst);
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
@@ -333,6 +339,7 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
         if (!adaptivity::isShort(meshes[b].mesh, e))
           marks[b][e] = adaptivity::Mark::Bisect;
   }
+  shareMarks(scene, all, marks);
   return marks;
 }
 

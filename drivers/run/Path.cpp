@@ -39,7 +39,8 @@ double cyclesOf(const std::vector<contact::Conditions>& conditions) {
 class Remainder {
  public:
   /// Of the last one: d/(r - 1), d the difference, r their ratio: 2 in first order, 4 in second.
-  /// r is the smaller of the last two, for one may be large by chance; below 3 first order.
+  /// r is the smaller of the last two, for one may be large by chance; below 3 first order.  The
+  /// first, of one, two and four steps, tells no order.
   /// Both solutions may miss what happens in between: d is at least the one before over r.
   /// Differences of both signs show no order: the number is within what it went through.
   double behind(double difference) {
@@ -47,7 +48,8 @@ class Remainder {
     const double before = std::abs(last);
     const double now = std::abs(difference);
     const double falls = before > 0 ? before / std::max(now, 0.25 * before) : 0;
-    const double least = std::min(falls, std::exchange(fell_, falls));
+    const double least =
+        std::min(falls, std::exchange(fell_, ++differences_ > 2 ? falls : 0));
     if (last * difference < 0)
       return before + now;
     const double ratio = least < 3 ? 2 : least;
@@ -57,6 +59,7 @@ class Remainder {
  private:
   double last_ = 0;  ///< difference
   double fell_ = 0;  ///< by which it fell
+  int differences_ = 0;
 };
 
 class Follower {

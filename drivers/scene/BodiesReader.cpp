@@ -38,7 +38,7 @@ Body readBody(const Part& part, const std::string& name, const Scene& scene,
       throw InputError(motion.path(item.first),
                        ": belongs to a body with Material->Rigid = true; others "
                        "have Boundary Conditions and Rigid Motions");
-  body.outline = makeOutline(loops, length, scene.isAxisymmetric, part.path("Geometry"));
+  body.outline = makeOutline(loops, length, scene, part.path("Geometry"));
   body.conditions = readConditions(part, *body.outline, scene.symmetry);
   readMesh(part.sub("Mesh"), scene.root().sub("Discretization"), body);
   return body;
@@ -83,7 +83,7 @@ RigidBody readRigid(const Part& part, const std::string& name, const Scene& scen
   refuseElasticity(part);
   RigidBody body;
   body.name = name;
-  body.outline = makeOutline(loops, 0, scene.isAxisymmetric, part.path("Geometry"));
+  body.outline = makeOutline(loops, 0, scene, part.path("Geometry"));
   const Part motion = part.sub("Motion");
   body.pole = motion.has("Reference Point") ? motion.point("Reference Point")
                                             : centroidOf(*body.outline, scene.symmetry);

@@ -1,5 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "bem/geometry/Continuation.hpp"
 #include "bem/geometry/NormalRay.hpp"
 #include "drivers/scene/Readers.hpp"
 
@@ -131,6 +132,24 @@ bool isClosed(const bem::Curve& own, const bem::Facing& stretch, const bem::Curv
   return std::max(-least, most) <= adjust && most - least <= 0.1 * adjust;
 }
 
+/// Does the curvature jump where a side stops seeing an edge and begins to see another one?  The slope
+/// of the pressure is unbounded there.
+bool isUneven(const bem::Outline& outline, int edge, int next) {
+  const bem::Curve& arriving =
+      outline.edge(next).curve;  // outlines run against each other
+  const bem::Curve& leaving = outline.edge(edge).curve;
+  return outline.edge(next).next == edge && bem::joinSmoothly(arriving, leaving) &&
+         !bem::haveOneCurvature(arriving, leaving);
+}
+
+/// Is a slot of one body wide for its length?  Nothing but the term of one side in the stabilisation
+/// tells apart what acts on faces that are nearer.
+bool isWide(const bem::Curve& own, double t, const bem::Curve& other) {
+  constexpr double ofLength = 1e-3;
+  const auto across = bem::crossing(own.point(t), own.normal(t), other);
+  return across && std::abs(across->distance) > ofLength * own.length();
+}
+
 /// The parts of the first side that face the second; adds nodes at their ends on both.
 /// \param adjust  gaps as drawn up to this count as zero, scaled
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adjust,
@@ -146,8 +165,15 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
     if (edge.boundary != pair.side.boundary)
       continue;
     const double half = edge.curve.half();
-    for (const bem::Facing& stretch :
-         bem::facing(edge.curve.moved(shift), opposite.curves, visibility)) {
+    const std::vector<bem::Facing> stretches =
+        bem::facing(edge.curve.moved(shift), opposite.curves, visibility);
+    for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
+      if (stretches[s].end == stretches[s + 1].begin &&
+          isUneven(other, opposite.edges[stretches[s].curve],
+                   opposite.edges[stretches[s + 1].curve]))
+        addNode(own, static_cast<int>(e), half * (1 + stretches[s].end),
+                scene.bodies[pair.side.body].nodes);
+    for (const bem::Facing& stretch : stretches) {
       const bem::Curve& faced = opposite.curves.curves()[bem::at(stretch.curve)];
       addPart({static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
                adjust > 0 && isClosed(edge.curve.moved(shift), stretch, faced, adjust)},
@@ -156,15 +182,27 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
         continue;
       // the opposite side may get a node at the ends of a stretch
       const std::size_t k = stretch.curve;
-      for (const double t : {stretch.begin, stretch.end}) {
-        const bem::Curve& curve = opposite.curves.curves()[k];
-        const auto there =
-            bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), curve);
-        if (there)
-          addNode(other, opposite.edges[k],
-                  curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)),
-                  scene.bodies[pair.opposite.body].nodes);
-      }
+      Body& body = scene.bodies[pair.opposite.body];
+      bem::Vector places;
+      const double middle = 0.5 * (stretch.begin + stretch.end);
+      for (const double end : {stretch.begin, stretch.end})
+        // a normal that touches an arc meets it beside that place
+        for (const double inwards : {0.0, 1e-7, 1.0}) {
+          const double t = end + inwards * (middle - end);
+          const auto there =
+              bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), faced);
+          if (!there)
+            continue;
+          places.push_back(faced.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
+          if (inwards == 0)
+            addNode(other, opposite.edges[k], places.back(), body.nodes);
+          break;
+        }
+      if (!pair.side.isOnBodyOf(pair.opposite) ||
+          isWide(edge.curve.moved(shift), middle, faced))
+        body.conditions.facing.push_back({opposite.edges[k],
+                                          std::min(places[0], places[1]),
+                                          std::max(places[0], places[1])});
     }
   }
   for (const contact::Conditions::Part& part : parts)

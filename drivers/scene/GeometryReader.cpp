@@ -141,11 +141,13 @@ bem::Loops readLoops(ParameterList& geometry, const std::string& file,
 }
 
 std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
-                                                bool isAxisymmetric,
+                                                const Scene& scene,
                                                 const std::string& path) {
   return within(path + ": ", [&] {
-    bem::Scaling scaling = bem::scalingOf(loops.outer, isAxisymmetric);
+    bem::Scaling scaling = bem::scalingOf(loops.outer, scene.isAxisymmetric);
     scaling.length = std::max(scaling.length, length);
+    if (scene.symmetry)
+      scaling.mirror = Symmetry::boundary;
     return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);
   });
 }

@@ -45,10 +45,10 @@ bem::Loops readLoops(Teuchos::ParameterList& geometry, const std::string& file,
                      const std::string& path);
 
 /// \param length  diameter of the largest body, by which all bodies are scaled
-/// \param isAxisymmetric  see bem::Scaling
+/// \param scene  of which Geometry is read
 /// \throws bem::InputError for closed lines that cross or have the wrong orientation.
 std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
-                                                bool isAxisymmetric,
+                                                const Scene& scene,
                                                 const std::string& path);
 
 /// The key of a hole 1, 2, ...: "Hole 1 Vertices".

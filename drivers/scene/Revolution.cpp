@@ -177,9 +177,6 @@ void checkRevolution(const Scene& scene) {
         "Solver->Linear->Method: ", type,
         ": operators of solids of revolution cannot be compressed yet; Dense, "
         "Belos and Automatic are possible");
-  if (!scene.output.interiorPoints.empty())
-    throw InputError("Output->Interior Points: ", type,
-                     ": fields inside are not possible yet; remove this key");
 }
 
 }  // namespace epafi::drivers

@@ -77,21 +77,32 @@ std::vector<SideOfBody> Scene::everyBody() const {
   return all;
 }
 
+std::vector<Symmetry> Scene::mirrors() const {
+  std::vector<Symmetry> lines;
+  if (symmetry)
+    lines.push_back(symmetry);
+  if (isAxisymmetric)
+    lines.push_back({0});
+  return lines;
+}
+
 bem::Vec2 Scene::drawn(bem::Vec2 point) const {
-  const auto isInside = [&](bem::Vec2 x) { return bodyAt(x) < bodies.size(); };
-  if (!symmetry || isInside(point))
-    return point;
   const double beside = 1e-9 * units().length;
-  bem::Vec2 there = symmetry.mirrored(point);
-  if (isInside(there))
-    return there;
-  if (std::abs(symmetry.across(there)) < beside)
-    for (const double side : {beside, -beside}) {
-      symmetry.across(there) = side;
-      if (isInside(there))
-        return there;
+  std::vector<bem::Vec2> images = {point};
+  for (const Symmetry& line : mirrors()) {
+    const std::vector<bem::Vec2> known = images;
+    for (bem::Vec2 there : known) {
+      images.push_back(line.mirrored(there));
+      if (std::abs(line.across(there)) < beside)
+        for (const double side : {beside, -beside}) {
+          line.across(there) = side;
+          images.push_back(there);
+        }
     }
-  return point;
+  }
+  const auto found = std::find_if(images.begin(), images.end(),
+                                  [&](bem::Vec2 x) { return bodyAt(x) < bodies.size(); });
+  return found == images.end() ? point : *found;
 }
 
 std::vector<std::string> boundaryNames(const bem::Outline& outline) {

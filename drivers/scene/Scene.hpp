@@ -135,8 +135,10 @@ struct Scene {
       ++b;
     return b;
   }
-  /// The point or its mirror image, whichever lies in a drawn body.  A point on the line
-  /// of symmetry is moved to a point beside it.
+  /// About which what is drawn has images: the line of symmetry, the axis of revolution.
+  std::vector<Symmetry> mirrors() const;
+  /// The point or its mirror image, whichever lies in a drawn body.  A point on such a line is moved to
+  /// a point beside it.
   bem::Vec2 drawn(bem::Vec2 point) const;
   /// All bodies, the elastic ones first: sides without boundary.
   std::vector<SideOfBody> everyBody() const;

@@ -64,7 +64,10 @@ void pinIncompressible(std::size_t b, Scene& scene) {
     int pin = -1;
     for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
       seen[i] = true;
-      held = held || conditions.contact.count(edges[i].boundary) != 0;
+      held =
+          held || conditions.contact.count(edges[i].boundary) != 0 ||
+          std::any_of(conditions.facing.begin(), conditions.facing.end(),
+                      [&](const auto& part) { return part.edge == static_cast<int>(i); });
       if (edges[i].curve.length() > (1 + 1e-9) * longest &&
           isFree(scene, b, edges[i].boundary)) {
         longest = edges[i].curve.length();
@@ -194,6 +197,7 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
       all.push_back(
           readConditions(now.sub("Bodies").sub(body.name), *body.outline, symmetry));
       all.back().pins = body.conditions.pins;
+      all.back().facing = body.conditions.facing;
       const BodyLoadsReader reader(now, body.name);
       all.back().inside = reader.inside(*body.outline, body.material, stress);
       all.back().heat = reader.heat(*body.outline);

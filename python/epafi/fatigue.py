@@ -139,8 +139,8 @@ def inside(run: Run, steps: Sequence[int], points: Optional[np.ndarray], along: 
     """Points inside, or along a boundary, and stresses of shape (steps, points, 4), in x and y."""
     tables = [run.fields(points, along=along, depth=depth, step=int(step)) for step in steps]
     return ({column: tables[0][column] for column in ("x", "y", "body")},
-            np.array([np.column_stack([table[column] for column in ("sxx", "syy", "sxy", "szz")])
-                      for table in tables]))
+            np.array([np.column_stack([table[column] for column in (
+                "sxx", "syy", "sxy", "hoop" if "hoop" in table else "szz")]) for table in tables]))
 
 
 def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *,

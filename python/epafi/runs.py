@@ -122,8 +122,8 @@ class Run:
         """Displacement [length] and stress [stress] inside: at points, shape (n, 2), NaN where
         one is outside; on the middles of grid = (nx, ny) cells of a window (x0, y0, x1, y1), or
         of the bodies' box, that lie in a body; or along a boundary "body:boundary" at a depth.
-        At a step of a path, else the last one.  Columns x, y, ux, uy, sxx, syy, sxy, szz,
-        von_mises, principal_1, principal_2."""
+        At a step of a path, else the last one.  Columns x, y, ux, uy, sxx, syy, sxy, szz (hoop of
+        solids of revolution), von_mises, principal_1, principal_2."""
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "fields.csv")
             arguments = ["fields", self.folder, "--output", file, *_chosen(window, step)]

@@ -5,6 +5,9 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi {
 
 using adaptivity::Singularity;
@@ -23,6 +26,31 @@ SingularPoints points(const Places& first, const Places& second = {},
 }
 
 }  // namespace
+
+/// Straight sides between half circles, and a circle of four parts.
+TEUCHOS_UNIT_TEST(SingularPoints, areWhereTheCurvatureOfASideInContactJumps) {
+  bem::Loop loop = test::rectangle({-1, -1}, 2, 2);
+  loop.edges = {"side", "side", "side", "side"};
+  const double quarter = std::tan(std::acos(-1.0) / 8);
+  for (const bool isCircle : {false, true}) {
+    loop.bulges =
+        isCircle ? std::vector<double>(4, quarter) : std::vector<double>{0, 1, 0, 1};
+    const bem::Mesh mesh = bem::makeMesh(test::outlineOf(loop), {2, 2, 2, 2}, 1);
+    contact::Conditions touches;
+    touches.contact["side"] = {[](bem::Vec2) { return 0.0; },
+                               contact::makeFriction("None", {})};
+    contact::Conditions isSeen;
+    for (int edge = 0; edge < 4; ++edge)
+      isSeen.facing.push_back({edge, 0, mesh.outline().edge(edge).curve.length()});
+    const auto strongWith = [&](const contact::Conditions& conditions) {
+      const auto nodes = adaptivity::findSingularPoints(mesh, conditions).nodes;
+      return std::count(nodes.begin(), nodes.end(), Singularity::Strong);
+    };
+    TEST_EQUALITY(strongWith({}), 0);
+    TEST_EQUALITY(strongWith(touches), isCircle ? 0 : 4);
+    TEST_EQUALITY(strongWith(isSeen), isCircle ? 0 : 4);
+  }
+}
 
 TEUCHOS_UNIT_TEST(United, ofOneStateAreItsOwnHoweverCloseTheyAre) {
   const SingularPoints one =

@@ -3,6 +3,7 @@
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/fields/BoundaryFields.hpp"
+#include "bem/fields/Interior.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/operators/RingBlocks.hpp"
@@ -86,8 +87,9 @@ std::vector<Sample> curvedSamples() {
       {"lens", uniform(arcs({{3, 0}, {1, 0}}, {third, third}), 3, 12)}};
 }
 
-/// ψ of a uniform stress with the radial part a and the axial part b.
-Vector tractionOf(const bem::Space& space, double a, double b) {
+/// ψ of a traction, by scaled place and normal.
+template <class Traction>
+Vector densityOf(const bem::Space& space, const Traction& traction) {
   Vector psi(space.densities(), 0.0);
   const Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
@@ -97,15 +99,20 @@ Vector tractionOf(const bem::Space& space, double a, double b) {
       const double t = rule.points[q];
       std::vector<double> legendre(static_cast<std::size_t>(count) + 1);
       bem::legendreValues(count, t, legendre.data());
-      const Vec2 n = mesh[e].curve.normal(t);
+      const Vec2 force = traction(mesh.scaledPoint(e, t), mesh[e].curve.normal(t));
       for (int i = 0; i < count; ++i) {
         const double weight = (i + 0.5) * rule.weights[q] * legendre[i];
-        psi[space.density(e, i, 0)] += weight * a * n.x;
-        psi[space.density(e, i, 1)] += weight * b * n.y;
+        psi[space.density(e, i, 0)] += weight * force.x;
+        psi[space.density(e, i, 1)] += weight * force.y;
       }
     }
   }
   return psi;
+}
+
+/// Of a uniform stress with the radial part a and the axial part b.
+Vector tractionOf(const bem::Space& space, double a, double b) {
+  return densityOf(space, [&](Vec2, Vec2 n) { return Vec2{a * n.x, b * n.y}; });
 }
 
 /// Largest entry of a vector, or of what the first nodes on the axis do not take along: u_r is zero
@@ -304,6 +311,87 @@ TEUCHOS_UNIT_TEST(Rings, haveTheEnergyNormAndFieldsOfExactData) {
       TEST_COMPARE(norm(value.mismatch), <, 1e-7);
     }
   }
+}
+
+/// Places below the surface, at a depth over half the element, and on the axis.
+std::vector<Vec2> placesInside(const Mesh& mesh, double depth) {
+  std::vector<Vec2> places;
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const double t : {-0.9, 0.1, 0.6})
+      if (mesh.isAxis(e))
+        places.push_back(mesh.scaledPoint(e, t));
+      else
+        places.push_back(mesh.scaledPoint(e, t) -
+                         depth * mesh[e].half * mesh[e].curve.normal(t));
+  return places;
+}
+
+/// The largest error of displacement and stress, all four, over the largest displacement.
+template <class Exact>
+double errorInside(const bem::Space& space, const bem::Lame& lame, const Vector& u,
+                   const Vector& psi, double depth, const Exact& exact) {
+  const std::vector<Vec2> places = placesInside(space.mesh(), depth);
+  const std::vector<bem::InteriorValue> values =
+      bem::Interior(space, lame, u, psi).at(places);
+  test::Largest error;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bem::InteriorValue is = exact(places[k]);
+    error.take(norm(values[k].displacement - is.displacement));
+    error.take(values[k].xx - is.xx);
+    error.take(values[k].yy - is.yy);
+    error.take(values[k].xy - is.xy);
+    error.take(values[k].zz - is.zz);
+  }
+  return error.size() / test::largest(u);
+}
+
+// u = grad (z³ - 3/2 r² z)
+TEUCHOS_UNIT_TEST(Rings, giveQuadraticDisplacementsInside) {
+  for (const Sample& sample : straightSamples())
+    for (const double nu : {0.3, 0.5}) {
+      if (sample.mesh[0].degree < 2)
+        continue;
+      const bem::Lame lame({1, nu, false});
+      const bem::Space space(sample.mesh);
+      const double mu = lame.mu;
+      const auto exact = [&](Vec2 x) {
+        return bem::InteriorValue{{-3 * x.x * x.y, 3 * x.y * x.y - 1.5 * x.x * x.x},
+                                  -6 * mu * x.y,
+                                  12 * mu * x.y,
+                                  -6 * mu * x.x,
+                                  -6 * mu * x.y};
+      };
+      const Vector u = space.interpolate([&](Vec2 x) { return exact(x).displacement; });
+      const Vector psi = densityOf(space, [&](Vec2 x, Vec2 n) {
+        const bem::InteriorValue is = exact(x);
+        return Vec2{is.xx * n.x + is.xy * n.y, is.xy * n.x + is.yy * n.y};
+      });
+      out << sample.name << ", p = " << sample.mesh[0].degree << ", nu = " << nu << ": ";
+      TEST_COMPARE(errorInside(space, lame, u, psi, 0.1, exact), <, 1e-12);
+      TEST_COMPARE(errorInside(space, lame, u, psi, 1e-3, exact), <, 2e-12);
+      TEST_COMPARE(errorInside(space, lame, u, psi, 1e-6, exact), <, 1e-9);
+    }
+}
+
+// Lame's solution: hoop stress, too
+TEUCHOS_UNIT_TEST(Rings, giveTheHollowSpheresStressInside) {
+  const HollowSphere exact;
+  const bem::Space space(uniform(hollowSphere(), 2, 12));
+  const bem::SteklovPoincare s(bem::assembleOperators(space, exact.lame));
+  const Vector u = space.interpolate([&](Vec2 x) { return exact.displacement(x); });
+  const Vector psi = s.density(u);
+  const auto field = [&](Vec2 x) {
+    const double radius = norm(x);
+    const Vec2 away = (1 / radius) * x;
+    const double along = exact.stress(radius);
+    const double around = along + 6 * exact.lame.mu * exact.b / std::pow(radius, 3);
+    return bem::InteriorValue{exact.displacement(x),
+                              along * away.x * away.x + around * away.y * away.y,
+                              along * away.y * away.y + around * away.x * away.x,
+                              (along - around) * away.x * away.y, around};
+  };
+  TEST_COMPARE(errorInside(space, exact.lame, u, psi, 0.3, field), <, 1e-11);
+  TEST_COMPARE(errorInside(space, exact.lame, u, psi, 1e-3, field), <, 1e-11);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "bem/base/Schema.hpp"
 
-#include "bem/base/Keys.hpp"
+#include "Message.hpp"
+#include "bem/base/Acceptor.hpp"
 #include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -105,6 +106,43 @@ TEUCHOS_UNIT_TEST(Schema, aKeyDeclaredOnceHasItsMembersDefaultAndSetsIt) {
   TEST_EQUALITY(given.points.size(), 3u);
   TEST_EQUALITY(given.points[2].y, 7);
   TEST_THROW(bem::complete(rows, with("Count", 10), ""), bem::InputError);
+}
+
+/// As a class of Trilinos: what a list does not say stays, and the list then has it.
+TEUCHOS_UNIT_TEST(Schema, whatAcceptsListsHasValidParameters) {
+  class Widget final : public bem::Acceptor<Options> {
+   public:
+    using Acceptor::Acceptor;
+  };
+  Options start;
+  start.count = 5;
+  Widget widget(start);
+  const auto valid = widget.getValidParameters();
+  TEST_EQUALITY(valid->get<int>("Count"), 5);
+  TEST_EQUALITY(valid->sublist("Part").get<double>("Size"), 0.25);
+  TEST_ASSERT(test::contains(valid->getEntry("Count").docString(), "of parts"));
+
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList("Widget"));
+  list->set<std::string>("Color", "Blue");
+  list->validateParameters(*valid);
+  widget.setParameterList(list);
+  TEST_ASSERT(widget.getParameterList() == list);
+  TEST_EQUALITY(widget.options().color, "Blue");
+  TEST_EQUALITY(widget.options().count, 5);
+  TEST_EQUALITY(list->get<int>("Count"), 5);
+  TEST_ASSERT(!widget.options().weight);
+  list->validateParameters(*valid);
+
+  for (const auto& [wrong, told] :
+       {std::pair(with("Count", 10), "List->Count = 10; allowed"),
+        std::pair(with("Cuont", 4), "List->Cuont: unknown")}) {
+    const auto refused = Teuchos::rcp(new Teuchos::ParameterList(wrong));
+    refused->setName("List");
+    TEST_THROW(refused->validateParameters(*valid), std::logic_error);
+    TEST_ASSERT(
+        test::contains(test::messageOf([&] { widget.setParameterList(refused); }), told));
+    TEST_EQUALITY(widget.options().count, 5);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Schema, textsInPlaceOfNumbersAreConstants) {

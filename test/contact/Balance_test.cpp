@@ -50,8 +50,8 @@ test::BodyScene body(double length, double nu, const std::vector<int>& elements,
 
 std::shared_ptr<const contact::DenseBody> coupled(const test::BodyScene& scene,
                                                   const bem::SteklovPoincare& stiffness) {
-  const auto plain = contact::makeCouplings({&scene.space}, scene.multiplier,
-                                            contact::Opposite(scene.units.length));
+  const contact::Opposite none(scene.units.length);
+  const auto plain = contact::makeCouplings({&scene.space}, scene.multiplier, none);
   return contact::makeDenseBody(scene.input(stiffness), scene.multiplier, 0,
                                 std::make_shared<const contact::Holding>(
                                     makeHolding(scene.space, scene.conditions)),

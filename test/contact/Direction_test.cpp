@@ -168,4 +168,21 @@ TEUCHOS_UNIT_TEST(Direction, KnowsHowTheBoundaryGoesOn) {
   TEST_FLOATING_EQUALITY(shape.beyond.after.length, 0.25 / unit, 1e-14);
 }
 
+// At an axis of revolution or a line of symmetry it goes on as its image: a plane up to its corner
+// beyond, a cone not at all.
+TEUCHOS_UNIT_TEST(Direction, KnowsImagesOfTheBoundary) {
+  const bem::Loop loop{{{0, 0}, {2, 0}, {2, 1}, {0, 3}}, {"a", "b", "c", "line"}};
+  bem::Scaling revolved = bem::scalingOf(loop, true);
+  bem::Scaling mirrored = bem::scalingOf(loop);
+  mirrored.mirror = "line";
+  for (const bem::Scaling& scaling : {revolved, mirrored}) {
+    const std::vector<Continuations> all = bem::continuations({loop, {}, scaling});
+    TEST_FLOATING_EQUALITY(all[0].before.length, 2 / scaling.length, 1e-14);
+    TEST_EQUALITY_CONST(all[0].before.curvature, corner);
+    TEST_EQUALITY_CONST(all[2].after.length, 0);
+    TEST_EQUALITY_CONST(all[2].after.curvature, corner);
+  }
+  TEST_EQUALITY_CONST(bem::continuations(bem::Outline(loop))[0].before.length, 0);
+}
+
 }  // namespace epafi

@@ -32,7 +32,7 @@ bem::Loop circle(double radius, double turn) {
   return loop;
 }
 
-constexpr bem::Scaling tenth{{0, 0}, 10};
+const bem::Scaling tenth{{0, 0}, 10};
 
 /// A square with a round hole of radius 1.25, a disc of radius 1 in it whose nodes are
 /// elsewhere, and a condition that takes 0.01 off the gap.
@@ -126,6 +126,37 @@ TEUCHOS_UNIT_TEST(Opposite, sourcesLeadBack) {
       TEST_COMPARE(std::abs(back.t - t), <, 1e-13);
     }
   TEST_EQUALITY(fit.facing.sources(2, 0, 0).size(), 0u);
+}
+
+/// The density of what a side sees takes part if the conditions of that body say so, and no system
+/// is without it.
+TEUCHOS_UNIT_TEST(Opposite, densitiesOfBothBodiesNeedTheFacingParts) {
+  const Fit fit;
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  contact::OppositeSide side = fit.oppositeSide();
+  side.body = 1;
+  for (const bool said : {false, true}) {
+    contact::Conditions seen;
+    for (int edge = 0; edge < 4 && said; ++edge)
+      seen.facing.push_back({edge, 0, 1});
+    const contact::MultiplierSpace multiplier(
+        {{fit.ring, fit.conditions}, {fit.disc, seen}}, basis);
+    const contact::Opposite facing(multiplier, tenth.length, {{"fit", side}});
+    const bem::Space ring(fit.ring);
+    const bem::Space disc = makeSpace(fit.disc, seen, {});
+    const auto plain = contact::makeCouplings({&ring, &disc}, multiplier, facing);
+    const auto make = [&] {
+      return contact::stabilised(plain[1], disc, multiplier, 1, {}, bem::Lame({1, 0.3}),
+                                 {tenth.length, 1});
+    };
+    if (said) {
+      const contact::Coupling own = make();
+      TEST_EQUALITY(own.elements.size(), static_cast<std::size_t>(fit.disc.size()));
+      TEST_ASSERT(!own.weights.empty() && !own.mass.empty());
+    } else {
+      TEST_THROW(make(), bem::InputError);
+    }
+  }
 }
 
 /// What a coefficient does to one body on a translation it takes from the other one.

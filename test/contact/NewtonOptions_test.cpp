@@ -231,6 +231,91 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
       }
 }
 
+/// Each step lessens the merit, from far away.
+TEUCHOS_UNIT_TEST(NewtonOptions, theMeritFallsAlongASearch) {
+  std::mt19937 random(25);
+  for (const char* law : {"Tresca", "Coulomb"})
+    for (int k = 0; k < 20; ++k) {
+      const Problem problem = randomProblem(test::Recipe::of(law, 3), random);
+      const Equation equation = test::equationOf(problem);
+      Vector start = randomVector(equation.size(), random);
+      for (double& x : start)
+        x *= 10 * problem.stress;
+      const contact::NewtonRun run =
+          contact::NoxNewton(lineSearch("Method", "Backtrack")).run(equation, start, 50);
+      TEST_EQUALITY(run.merits.size(), run.setChanges.size() + 1);
+      for (std::size_t i = 1; i < run.merits.size(); ++i)
+        TEST_COMPARE(run.merits[i], <=, run.merits[i - 1]);
+      TEST_FLOATING_EQUALITY(
+          run.merits.front(),
+          std::sqrt(2 * merit(equation, equation.at(start))) / problem.stress, 1e-12);
+    }
+}
+
+/// A looser test of the user's ends a run; one that forbids all steps fails it.
+TEUCHOS_UNIT_TEST(NewtonOptions, statusTestsOfTheUserCount) {
+  const Problem problem = someProblem("Coulomb", 0);
+  const Equation equation = test::equationOf(problem);
+  const Vector zero(bem::at(equation.size()), 0.0);
+  const contact::NewtonRun full = contact::NoxNewton().run(equation, zero, 50);
+  const auto list = std::make_shared<Teuchos::ParameterList>("NOX");
+  Teuchos::ParameterList& tests = list->sublist("Status Tests");
+  tests.set("Test Type", "NormF").set("Tolerance", 0.5 * problem.stress);
+  const contact::NewtonRun loose = contact::NoxNewton(list).run(equation, zero, 50);
+  TEST_ASSERT(loose.end == contact::End::Converged);
+  TEST_COMPARE(loose.iterations, <, full.iterations);
+  TEST_COMPARE(loose.residual, >, full.residual);
+  TEST_EQUALITY(loose.tolerance, loose.residual);
+  tests = Teuchos::ParameterList("Status Tests");
+  tests.set("Test Type", "MaxIters").set("Maximum Iterations", 1);
+  const contact::NewtonRun one = contact::NoxNewton(list).run(equation, zero, 50);
+  TEST_EQUALITY(one.iterations, 1);
+  TEST_ASSERT(one.end == contact::End::Stalled);
+  tests.set("Toleranz", 1.0);
+  const std::string told =
+      test::messageOf([&] { contact::NoxNewton(list).run(equation, zero, 50); });
+  out << told << "\n";
+  TEST_ASSERT(test::contains(told, "Toleranz") &&
+              test::contains(told, "NOX->Status Tests") &&
+              !test::contains(told, "Throw"));
+}
+
+/// Newton's systems by Belos on products with the Jacobian.
+TEUCHOS_UNIT_TEST(NewtonOptions, belosSolvesNewtonsSystems) {
+  const auto list = std::make_shared<Teuchos::ParameterList>("NOX");
+  Teuchos::ParameterList& newton = list->sublist("Direction").sublist("Newton");
+  newton.sublist("Linear Solver").set("Tolerance", 1e-13);
+  Teuchos::ParameterList& stratimikos =
+      newton.sublist("Stratimikos Linear Solver").sublist("Stratimikos");
+  stratimikos.set("Linear Solver Type", "Belos");
+  stratimikos.sublist("Linear Solver Types")
+      .sublist("Belos")
+      .set("Solver Type", "Block GMRES")
+      .sublist("Solver Types")
+      .sublist("Block GMRES")
+      .set("Maximum Iterations", 500)
+      .set("Num Blocks", 500);
+  for (const char* law : {"None", "Tresca", "Coulomb"}) {
+    const Problem problem = someProblem(law, 0);
+    SolverOptions options;
+    options.nox = list;
+    const auto byProducts = solve(problem, {}, options);
+    const auto direct = solve(problem);
+    TEST_ASSERT(byProducts.report.converged());
+    TEST_EQUALITY(byProducts.report.stages.size(), direct.report.stages.size());
+    TEST_COMPARE(
+        largest(combined(byProducts.state.multiplier, -1, direct.state.multiplier)), <,
+        1e-9 * problem.stress);
+  }
+  stratimikos.set("Linear Solver Type", "Amesos");
+  TEST_ASSERT(test::contains(test::messageOf([&] {
+                               SolverOptions options;
+                               options.nox = list;
+                               solve(someProblem("Tresca", 0), {}, options);
+                             }),
+                             "Linear Solver Type = 'Amesos'; allowed: 'Belos'"));
+}
+
 /// A step that goes a part of the way leaves most of the residual, which is no rounding then.
 TEUCHOS_UNIT_TEST(NewtonOptions, shortStepsDoNotLeaveRounding) {
   const Problem problem = someProblem("Tresca", 0);

@@ -1,7 +1,7 @@
 """Solves random scenes, each made from its seed alone.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]...
-                  [--bodies 2|3|pairs|rings|odd|products|surfaces|slots|one_step] [--set KEY=VALUE]...
+                  [--bodies 2|3|pairs|rings|odd|products|surfaces|revolution|slots|one_step] [--set KEY=VALUE]...
 
 Claimed is that all scenes are solved, that no level takes more than MOST steps, that no energy is
 negative and that friction takes energy; of one_step that a path of one step is the solve without a
@@ -24,13 +24,14 @@ from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
 from oddities import Oddities  # noqa: E402
 from pairs import Pairs  # noqa: E402
 from products import Products  # noqa: E402
+from revolutions import Revolutions  # noqa: E402
 from scenes import Scene  # noqa: E402
 from slots import Slots  # noqa: E402
 from surfaces import Surfaces  # noqa: E402
 
 FEW, MOST = 30, 100
 KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "pairs": Pairs, "rings": Rings, "odd": Oddities,
-         "products": Products, "surfaces": Surfaces, "slots": Slots,
+         "products": Products, "surfaces": Surfaces, "revolution": Revolutions, "slots": Slots,
          "one_step": functools.partial(Products, paths=False)}
 PATIENCE = 600
 SAME, NOTHING = 1e-10, 1e-30  # what is below the latter of E times size^2 is rounding of no load

@@ -165,7 +165,7 @@ PUNCH = "Bodies->punch->Motion={Force Y=%s, Moment=%s}"
 SHORT = ("History->Times={1}", "History->Steps={1}", "History->Minimum Step=1")
 for file, settings, code, words in (
         ("two-blocks", [PAD % (0, 1)], 2, "drives Bodies->pad in the direction (0, 1)"),
-        ("two-blocks", [PAD % (1, -1)], 2, "drives Bodies->pad in the direction (0.928, 0.371)"),
+        ("two-blocks", [PAD % (1, -1)], 2, "slides Bodies->pad in the direction (1, 0)"),
         ("two-blocks", [PAD.replace("%g}", "-0.01*(1+20*x)}") % 0], 2, "turns Bodies->pad about ("),
         ("tilting-punch", [PUNCH % (1, 0), *SHORT], 3, "drives Bodies->punch in the direction (0, 1)"),
         ("tilting-punch", [PUNCH % (-1, 3), *SHORT], 3, "turns Bodies->punch")):

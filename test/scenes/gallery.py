@@ -63,6 +63,11 @@ def amplitude(folder):
     return (max(pressures) - min(pressures)) / 2
 
 
+def sticking(folder):
+    at, slips = (steps("indent." + column, 1)(folder) for column in ("contact_length", "slip_length"))
+    return 1 - slips / at
+
+
 def creep(folder):
     last, before = (rows(folder, "steps.csv")[k] for k in (-1, -5))
     speed = (last["slab.motion_x"] - before["slab.motion_x"]) / (last["t"] - before["t"])
@@ -82,9 +87,12 @@ case("gasket", "largest pressure", peak)
 case("heap", "length that slips", history("slip_length"), None, "deformed")
 case("hertz", "largest pressure", peak, 5.4945054945)
 case("hot-tube", "hoop stress inside", inside("syy"), -220.314893, "von_mises")
+case("hub-on-shaft", "force_normal", history("force_normal"), 101289.43104, "hoop")
 case("incline", "force over weight", lambda folder: abs(rows(
     folder, "bodies.csv")[-1]["reaction_x"]) / 0.01, 0.4 / 0.97)
+case("indenter", "radius that sticks over that of contact", sticking, 0.6983, "von_mises", False)
 case("lap-joint", "friction's work", history("energy_friction"), None, "slip", False)
+case("o-ring", "largest pressure", peak, None, "von_mises", False)
 case("patch", "pressure", peak, 1)
 case("press-fit", "pressure", peak, 6.15234375, "von_mises")
 case("punch", "pressure in the middle", pressure_at(0), 1 / math.pi)
@@ -94,6 +102,7 @@ case("rotating-fit", "pressure at 3000/s", peak, 13.6807031, "path")
 case("rough", "mean pressure", mean_pressure)
 case("rounded-punch", "pressure in the middle", pressure_at(0), 1.359703)
 case("shrink-fit", "mean pressure, cold", mean_pressure, 49.21875, "von_mises")
+case("spheres", "largest pressure", peak, 699.5821675, "von_mises")
 case("there-and-back", "friction's work", history("energy_friction"), None, "steps")
 case("tilting-punch", "length in contact", history("contact_length"), 1.2)
 case("tresca", "strain energy", history("energy_strain"), None, "von_mises")
@@ -111,7 +120,9 @@ FORMS = {
     "dovetail": ("balance of forces", "2N, N (cos 50° + f sin 50°) = 300", ""),
     "hertz": ("Hertz", "p₀ = E*/(2R)", "a half-plane; the block is 20 a wide"),
     "hot-tube": ("Timoshenko", "T = 100 ln(20/r)/ln 2", "just below the surface"),
+    "hub-on-shaft": ("extrapolated", "an independent program's 2.41165312e-3, times E size²", ""),
     "incline": ("balance of forces", "(tan α + f)/(1 - f tan α)", ""),
+    "indenter": ("Spence", "c/a of growing loads, by f and ν", "a half-space; the steps of the path"),
     "patch": ("uniform stress", "q", ""),
     "press-fit": ("Lamé", "δE/(2r) (r² - rᵢ²)(rₒ² - r²)/(r² (rₒ² - rᵢ²))", ""),
     "punch": ("Sadowsky", "P/(π √(a² - x²))", "a half-plane; the block is 40 a wide"),
@@ -120,6 +131,7 @@ FORMS = {
     "rotating-fit": ("Lamé", "(δ - S ω²)/C", ""),
     "rounded-punch": ("Ciavarella, Hills, Monno", "0.8058354 P/(2a)", "a half-plane; the block is 40 a wide"),
     "shrink-fit": ("Lamé", "δ/C", ""),
+    "spheres": ("Hertz", "p₀ = (6 P E*²/(π³ R²))^(1/3)", "half-spaces"),
     "tilting-punch": ("Sadowsky", "2c = 4 (a - e)", "ends at a node"),
     "two-cylinders": ("Hertz", "p₀ = 2P/(πa)", "half-planes, a/R = 0.0075"),
 }

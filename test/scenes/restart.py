@@ -182,7 +182,7 @@ not_read("somebody else's HDF5 file", foreign, "/Epafi")
 other_format = copy(base, "format")
 with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
-not_read("another format", other_format, "format 4", "reads format 8", SOLUTION)
+not_read("another format", other_format, "format 4", "reads format 9", SOLUTION)
 
 # a file whose checksum is right, but not its meaning
 def seal(group):

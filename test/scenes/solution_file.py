@@ -81,7 +81,7 @@ def check_numbers(name, file, vtk, folder):
           epafi["history"][()].decode() == text(folder, "history.csv"),
           name + ": used.xml and history.csv are inside")
     row = table(os.path.join(folder, "history.csv"))[-1]
-    claim(epafi.attrs["level"] == row["level"] and epafi.attrs["format"] == 8 and
+    claim(epafi.attrs["level"] == row["level"] and epafi.attrs["format"] == 9 and
           len(epafi["multiplier"]) == row["dof_multiplier"] and
           len(epafi["edge"]) == row["elements"], name + ": /Epafi is the last level")
     claim(abs(math.sqrt(epafi["indicators"][:].sum()) - row["estimate"]) <

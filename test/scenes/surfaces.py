@@ -258,6 +258,18 @@ for aside in (0.07, 0.1, 0.12):
         contact("pair", "disc:rim", "block:top", friction(0.3), normal(
             "Power", Length=0.01, Pressure=1, Exponent=3)), "Projected", 0.3))
 
+# laws of infinite slope at zero: on the way residuals grow by any factor, and end small
+for exponent, pressure, gap in ((0.15, 1e-4, 0.05), (0.15, 1e-6, 0.05), (0.15, 1e-6, 0.3), (0.3, 1e-6, 0.05)):
+    name = "steep %g, %g, %g" % (exponent, pressure, gap)
+    folder, _ = solved(name, written("steep", [
+        body("block", [(-1, 0), (1, 0), (1, 2), (-1, 2)], 1,
+             condition("top", "Neumann", Traction_Y=-3e-4) +
+             condition("bottom", "Contact", normal(
+                 "Power", Length=0.4, Pressure=pressure, Exponent=exponent), Gap="%g*x^2" % gap),
+             fix="X, Rotation")], NONE, "Density", 0.5, 6))
+    off = differ(rows(folder, "history.csv")[0]["force_normal"], 6e-4)
+    claim(off < 1e-10, "%s: presses as much as it is pressed, to %.1e" % (name, off))
+
 # pressures of smaller exponents underflow
 FLAT = normal("Power", Length=1, Pressure=0.01, Exponent=0.09)
 refused("an exponent of 0.09", confined("flat", FLAT, -0.1), "Exponent", "0.09", "0.1")

@@ -333,6 +333,28 @@ claim(len(tips) == 2 and differ(*tips) < 1e-6 and all(exact < tip < 1.02 * exact
       "K_I %s of half a crack, %.4f in a long strip" % (list(tips), exact))
 
 # singular corners and the ends of contact, level by level
+# a disc on a plane that is a body of its own: beside the line the plane has no corner
+def disc(whole):
+    quarter = math.tan(math.pi / 8)
+    curve = {"Vertices": [[0, -1], [1, 0], [0, 0]], "Edges": ["round", "equator", "any"],
+             "Bulges": [quarter, 0, 0]}
+    if whole:
+        curve = {"Vertices": [[-1, 0], [0, -1], [1, 0]], "Edges": ["round", "round", "equator"],
+                 "Bulges": [quarter, quarter, 0]}
+    plane = block(-2, -1, whole, width=3)["Geometry"]
+    return {"disc": {"Material": STEEL, "Geometry": curve, "Boundary Conditions": {
+        "equator": {"Type": "Dirichlet", "Displacement X": 0, "Displacement Y": -0.01}}},
+            "plane": {"Material": {"Rigid": True}, "Geometry": plane}}
+
+
+ROLLS = {"Contacts": {"c": {"Between": ["disc:round", "plane:top"]}},
+         "Discretization": {"Mesh Size": 0.25, "Degree": 2},
+         "Adaptivity": {"Strategy": "Graded hp", "Maximum Levels": 40, "Tolerance": 1e-4}}
+halves = [rows(solved("disc %d" % w, file_of("disc", disc(w), w, **ROLLS))[0], "history.csv")[-1]
+          for w in (False, True)]
+claim(differ(*(row["force_normal"] for row in halves)) < 1e-6, "half a disc on a plane: force within %.1e" % (
+    differ(*(row["force_normal"] for row in halves))))
+
 GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=8",
           "Discretization->Degree=2", "Bodies->block->Boundary Conditions->bottom->Gap=0.05*x^2",
           "Bodies->block->Boundary Conditions->top->Displacement X=0"]

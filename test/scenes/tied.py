@@ -29,12 +29,13 @@ for form in ("None", "Projected", "Exact", "Density"):
 
 # cut in two and tied again
 LOAD = condition("right", "Neumann", Traction_X="0.1", Traction_Y="0.02*y")
-whole = run(written("whole", [body("w", block(0, -1, 2, 1), 1.0, CLAMP + LOAD,
-                                   mesh=mesh(8, 8, 3))], form="Density"), "whole")[0][0]
-end = boundary("whole", "right")
 for form in ("Projected", "Density"):
-    for above, below, bound in ((mesh(8, 4, 3), mesh(8, 4, 3), 2e-8),
-                                (mesh(10, 4, 2), mesh(7, 4, 4), 2e-5)):
+    for all_of_it, above, below, bound in (
+            (mesh(10, 10, 3), mesh(10, 5, 3), mesh(10, 5, 3), 2e-8),
+            (mesh(8, 8, 3), mesh(10, 4, 2), mesh(7, 4, 4), 2e-5)):
+        whole = run(written("whole", [body("w", block(0, -1, 2, 1), 1.0, CLAMP + LOAD,
+                                           mesh=all_of_it)], form="Density"), "whole")[0][0]
+        end = boundary("whole", "right")
         energies = []
         for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
             file = written("halves", [

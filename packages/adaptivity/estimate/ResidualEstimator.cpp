@@ -328,6 +328,14 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
   }
+  const std::vector<int>& stabilised = solved.problem.coupling().elements;
+  for (std::size_t k = touching.size(); k < stabilised.size(); ++k) {
+    const int e = stabilised[k];
+    if (!fields[static_cast<std::size_t>(e)].empty())
+      of(squares[static_cast<std::size_t>(e)], Source::Density) +=
+          factors[static_cast<std::size_t>(Source::Density)] * dot(means[k], means[k]) *
+          (mesh.measure(e, 0) / mesh[e].half);
+  }
   return gathered(squares, processes);
 }
 

@@ -1,5 +1,7 @@
 #include "adaptivity/singular/SingularPoints.hpp"
 
+#include "bem/geometry/Continuation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +20,12 @@ bool isSupport(const bem::Mesh& mesh, int e, const contact::Conditions& conditio
 bool isHeld(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
   return conditions.dirichlet.count(mesh.boundary(e)) > 0 ||
          isSupport(mesh, e, conditions);
+}
+
+bool touches(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  const bem::Piece& piece = mesh[e].piece;
+  return contactOn(mesh, e, conditions) != nullptr ||
+         conditions.faces(piece.edge, piece.start.fromStart, piece.end.fromStart);
 }
 
 Singularity fromConditions(const bem::Mesh& mesh, int e,
@@ -44,7 +52,13 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
   // where what is opposite ends, the pressure does
   if (differs(contact::contactOn))
     return Singularity::Strong;
-  return isSmooth ? Singularity::None : Singularity::Weak;
+  if (!isSmooth)
+    return Singularity::Weak;
+  // the slope of the pressure is unbounded
+  return touches(mesh, e, conditions) &&
+                 !bem::haveOneCurvature(mesh[before].curve, mesh[e].curve)
+             ? Singularity::Strong
+             : Singularity::None;
 }
 
 /// States of coefficient i of an element, of pressure and shear.  If the slip bound depends on the

@@ -11,8 +11,9 @@ namespace epafi::adaptivity {
 /// Strength of the singularity of the solution at a node.
 enum class Singularity {
   None,
-  Weak,   ///< a corner, or where two boundaries or two kinds of condition meet
-  Strong  ///< where a clamp ends, or where contact or friction changes its state
+  Weak,  ///< a corner, or where two boundaries or two kinds of condition meet
+  Strong  ///< where a clamp ends, where contact or friction changes its state, and where the
+          ///< curvature does within a contact
 };
 
 /// Known points between which the solution is analytic.

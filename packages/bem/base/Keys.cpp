@@ -1,7 +1,5 @@
 #include "bem/base/Keys.hpp"
 
-#include "bem/base/Schema.hpp"
-
 #include <Teuchos_ParameterList.hpp>
 
 namespace epafi::bem {
@@ -10,18 +8,23 @@ namespace {
 
 using Teuchos::ParameterList;
 using Optional = std::optional<double>;
+using OptionalCount = std::optional<int>;
 using Points = std::vector<Vec2>;
 
 Kind kindOf(bool) { return Kind::Flag; }
 Kind kindOf(int) { return Kind::Whole; }
 Kind kindOf(double) { return Kind::Real; }
 Kind kindOf(const Optional&) { return Kind::Real; }
+Kind kindOf(const OptionalCount&) { return Kind::Whole; }
 Kind kindOf(const Points&) { return Kind::Points; }
 
 std::string defaultOf(bool value) { return value ? "true" : "false"; }
 std::string defaultOf(int value) { return shortest(value); }
 std::string defaultOf(double value) { return shortest(value); }
-std::string defaultOf(const Optional&) { return ""; }
+std::string defaultOf(const Optional& value) { return value ? shortest(*value) : ""; }
+std::string defaultOf(const OptionalCount& value) {
+  return value ? shortest(*value) : "";
+}
 std::string defaultOf(const Points&) { return ""; }
 
 template <class Value>
@@ -29,9 +32,11 @@ void read(const ParameterList& list, const std::string& name, Value& value) {
   value = list.get<Value>(name);
 }
 
-void read(const ParameterList& list, const std::string& name, Optional& value) {
+template <class Value>
+void read(const ParameterList& list, const std::string& name,
+          std::optional<Value>& value) {
   if (!list.getEntry(name).isDefault())
-    value = list.get<double>(name);
+    value = list.get<Value>(name);
 }
 
 void read(const ParameterList& list, const std::string& name, Points& value) {

@@ -2,7 +2,7 @@
 
 #include "bem/base/Family.hpp"
 #include "bem/base/Named.hpp"
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Schema.hpp"
 #include "bem/base/Vec2.hpp"
 
 #include <optional>
@@ -22,8 +22,8 @@ class Keys {
   explicit Keys(const Teuchos::ParameterList* list = nullptr) : list_(list) {}
 
   /// An optional number has no default, and stays empty where one is told that depends on others.
-  using Value =
-      std::variant<double*, int*, bool*, std::optional<double>*, std::vector<Vec2>*>;
+  using Value = std::variant<double*, int*, bool*, std::optional<double>*,
+                             std::optional<int>*, std::vector<Vec2>*>;
   void add(Value value, const std::string& name, const std::string& unit,
            const Interval& range, const std::string& meaning,
            const std::string& told = "");
@@ -75,6 +75,17 @@ Options parsed(const Teuchos::ParameterList& list) {
   Keys keys(&list);
   options.keys(keys);
   return options;
+}
+
+/// Sets options as a list says, and completes it by what they were.
+/// \throws InputError as complete(); the path begins with the list's name
+template <class Options>
+void accept(Options& options, Teuchos::ParameterList& list) {
+  Keys declared;
+  options.keys(declared);
+  complete(declared.rows, list);
+  Keys keys(&list);
+  options.keys(keys);
 }
 
 }  // namespace epafi::bem

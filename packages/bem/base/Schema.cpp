@@ -5,6 +5,7 @@
 #include "bem/base/Written.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
@@ -350,6 +351,55 @@ ParameterList complete(const SchemaRows& table, const ParameterList& given,
   ParameterList result(title);
   Level(table, constant, given, "", "").complete(result);
   return result;
+}
+
+void complete(const SchemaRows& table, ParameterList& list) {
+  const std::string name = list.name();
+  list = within(name + arrow, [&] { return complete(table, list, name); });
+}
+
+namespace {
+
+Teuchos::RCP<const Teuchos::ParameterEntryValidator> validatorOf(const SchemaRow& row) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto& [low, high, lowOpen, highOpen] = row.interval;
+  if (row.kind == Kind::Real)  // these bounds are admissible
+    return Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(
+        lowOpen ? std::nextafter(low, infinity) : low,
+        highOpen ? std::nextafter(high, -infinity) : high));
+  if (row.kind == Kind::Whole) {
+    const auto whole = [](double bound) {
+      return static_cast<int>(std::clamp<double>(bound, std::numeric_limits<int>::min(),
+                                                 std::numeric_limits<int>::max()));
+    };
+    return Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(
+        whole(row.interval.low), whole(row.interval.high)));
+  }
+  if (row.allowed.empty())
+    return {};
+  return Teuchos::rcp(
+      new Teuchos::StringValidator(Teuchos::Array<std::string>(row.allowed)));
+}
+
+}  // namespace
+
+void addValidParameters(const SchemaRows& table, ParameterList& result) {
+  for (const SchemaRow& row : table) {
+    ParameterList* list = &result;
+    std::vector<std::string> names = namesOf(row.path);
+    names.pop_back();
+    for (const std::string& name : names)
+      list = &list->sublist(name);
+    if (row.kind == Kind::List || row.kind == Kind::Free) {
+      list->sublist(row.name(), false, row.meaning);
+    } else if (!row.defaultValue.empty()) {
+      ParameterEntry entry = defaultOf(row);
+      entry.setDocString(message(row.meaning, row.unit.empty() ? "" : ", in ", row.unit,
+                                 row.range().empty() ? "" : "; ", row.range()));
+      entry.setValidator(validatorOf(row));
+      list->setEntry(row.name(), entry);
+    }
+  }
 }
 
 std::vector<Vec2> pointsIn(const ParameterList& list, const std::string& key) {

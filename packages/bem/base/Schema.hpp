@@ -22,6 +22,12 @@ Teuchos::ParameterList complete(const SchemaRows& table,
                                 const Teuchos::ParameterList& given,
                                 const std::string& title, const Constant& constant = {});
 
+/// Likewise, in place; the path begins with the list's name.
+void complete(const SchemaRows& table, Teuchos::ParameterList& list);
+
+/// The rows as valid parameters of Teuchos, with validators; without those that have no default.
+void addValidParameters(const SchemaRows& table, Teuchos::ParameterList& list);
+
 /// The rows of a table of coordinates in a list as points, and the contrary.
 std::vector<Vec2> pointsIn(const Teuchos::ParameterList& list, const std::string& key);
 void setPoints(Teuchos::ParameterList& list, const std::string& key,

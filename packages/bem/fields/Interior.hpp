@@ -3,6 +3,7 @@
 #include "bem/base/Material.hpp"
 #include "bem/space/LocalField.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace epafi::bem {
@@ -13,10 +14,14 @@ struct InteriorValue {
   double xx = 0;
   double yy = 0;
   double xy = 0;
+  double zz = 0;  ///< hoop stress of a solid of revolution; else not set
 };
 
-/// Evaluates u = V ψ - K u and σ n = K' ψ + W u, n = e₁, e₂, inside the body in closed form;
-/// accuracy does not decrease near the boundary.          [doc/theory/operators.md]
+class RingInterior;
+
+/// Evaluates u = V ψ - K u and σ n = K' ψ + W u, n = e₁, e₂, inside the body in closed form, of solids
+/// of revolution as RingInterior; accuracy does not decrease near the boundary.
+///                                                        [doc/theory/operators.md]
 class Interior {
  public:
   /// Refers to the space.
@@ -32,6 +37,7 @@ class Interior {
   Lame lame_;
   double rotation_ = 0;  ///< ω(u) of Rotation
   std::vector<LocalField> fields_;
+  std::shared_ptr<const RingInterior> rings_;  ///< of solids of revolution
 };
 
 }  // namespace epafi::bem

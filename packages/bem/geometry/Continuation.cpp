@@ -8,12 +8,6 @@ namespace epafi::bem {
 
 namespace {
 
-bool haveOneCurvature(const Curve& a, const Curve& b) {
-  constexpr double oneCircle = 1e-9;
-  return std::abs(a.curvature() - b.curvature()) <=
-         oneCircle * std::abs(a.curvature() + b.curvature());
-}
-
 /// Beyond the common end of two curves, of which `other` lies there and goes on as `further`.
 Continuation across(const Curve& arriving, const Curve& leaving, const Curve& other,
                     const Continuation& further) {
@@ -26,22 +20,51 @@ Continuation across(const Curve& arriving, const Curve& leaving, const Curve& ot
   return {other.length() + further.length, further.curvature};
 }
 
+/// The image of a curve behind a line, so that the body lies to its left.
+Curve mirrored(const Curve& curve, const Curve& line) {
+  const Vec2 along = line.tangent(0);
+  const auto image = [&](Vec2 x) {
+    const Vec2 off = x - line.from();
+    return line.from() + 2 * dot(off, along) * along - off;
+  };
+  return {image(curve.to()), image(curve.from()), std::tan(0.25 * curve.angle())};
+}
+
 }  // namespace
+
+bool haveOneCurvature(const Curve& a, const Curve& b) {
+  constexpr double oneCircle = 1e-9;
+  return std::abs(a.curvature() - b.curvature()) <=
+         oneCircle * std::abs(a.curvature() + b.curvature());
+}
 
 std::vector<Continuations> continuations(const Outline& outline) {
   const std::vector<Edge>& edges = outline.edges();
   const auto count = static_cast<int>(edges.size());
   std::vector<Continuations> result(edges.size());
+  bool hasImage = false;
+  for (int e = 0; e < count; ++e)
+    hasImage = hasImage || outline.isMirror(e);
+  for (Continuations& beyond : result)
+    beyond.turns = !hasImage;
   // once more around each line for what goes on across its first vertex
   for (int k = 0; k < 2 * count; ++k) {
     const int e = k % count;
     const int previous = edges[e].previous;
-    const Curve& behind = edges[previous].curve;
-    result[e].before = across(behind, edges[e].curve, behind, result[previous].before);
+    const Curve& own = edges[e].curve;
+    const bool isImage = outline.isMirror(previous);
+    const Curve behind =
+        isImage ? mirrored(own, edges[previous].curve) : edges[previous].curve;
+    result[e].before =
+        across(behind, own, behind, isImage ? result[e].after : result[previous].before);
     const int from = count - 1 - e;
     const int next = edges[from].next;
-    const Curve& ahead = edges[next].curve;
-    result[from].after = across(edges[from].curve, ahead, ahead, result[next].after);
+    const Curve& last = edges[from].curve;
+    const bool goesOnAsImage = outline.isMirror(next);
+    const Curve ahead =
+        goesOnAsImage ? mirrored(last, edges[next].curve) : edges[next].curve;
+    result[from].after = across(last, ahead, ahead,
+                                goesOnAsImage ? result[from].before : result[next].after);
   }
   return result;
 }

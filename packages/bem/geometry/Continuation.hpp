@@ -19,15 +19,23 @@ struct Continuation {
 struct Continuations {
   Continuation before{};
   Continuation after{};
+  bool turns = true;  ///< may the body turn?  Not if it goes on as its image.
 
   /// Those of a part of the curve.
   Continuations ofPart(Position start, Position end) const {
     return {{before.length + start.fromStart, before.curvature},
-            {after.length + end.toEnd, after.curvature}};
+            {after.length + end.toEnd, after.curvature},
+            turns};
+  }
+  Continuations inUnits(double unit) const {
+    return {before.inUnits(unit), after.inUnits(unit), turns};
   }
 };
 
-/// By edge of an outline.
+/// Are both parts of one line, or of circles of one size that bend to one side, up to rounding?
+bool haveOneCurvature(const Curve& a, const Curve& b);
+
+/// By edge of an outline; at an axis of revolution or a line of symmetry it goes on as its image.
 std::vector<Continuations> continuations(const Outline& outline);
 
 }  // namespace epafi::bem

@@ -43,6 +43,8 @@ struct Scaling {
   double length = 1;  ///< in the user's unit
   /// Are bodies solids of revolution about x = 0, drawn for x >= 0?  Then origin.x = 0.
   bool isAxisymmetric = false;
+  /// Boundary on a line about which the body is mirrored; empty: none.
+  std::string mirror = {};
 };
 
 /// Length: the diameter of the polygon (arcs by 32 points); origin: centre of its bounding box,
@@ -86,6 +88,10 @@ class Outline {
   /// Is this edge a part of the axis of revolution?
   bool isAxis(int e) const {
     return isAxisymmetric() && edge(e).curve.from().x == 0 && edge(e).curve.to().x == 0;
+  }
+  /// Does the body go on behind this edge as its image?
+  bool isMirror(int e) const {
+    return isAxis(e) || (!scaling_.mirror.empty() && edge(e).boundary == scaling_.mirror);
   }
 
   Vec2 physical(Vec2 scaled) const { return scaling_.origin + scaling_.length * scaled; }

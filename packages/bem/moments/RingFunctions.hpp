@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/simd/Pack.hpp"
+#include "bem/moments/RingJet.hpp"
 
 namespace epafi::bem {
 
@@ -18,18 +18,20 @@ namespace epafi::bem {
 ///   g1 = 4 B/(q |w|²),  g2 = 4 D/q³,  g3 = 4 (D - S)/q³.
 ///
 /// Nothing cancels: on the axis m = 0, and where rings coincide only g1 is infinite, with
-/// B = 1 + O(m₁ log m₁).
-struct RingFunctions {
-  Pack e0;
-  Pack e1;
-  Pack es;
-  Pack g1;
-  Pack g2;
-  Pack g3;
+/// B = 1 + O(m₁ log m₁).  Number: Pack, or RingJet with the derivatives by x.
+template <class Number>
+struct RingFunctionsOf {
+  Number e0;
+  Number e1;
+  Number es;
+  Number g1;
+  Number g2;
+  Number g3;
 };
+using RingFunctions = RingFunctionsOf<Pack>;
 
-/// B, D and S as p(m₁) - pLog(m₁) log m₁ on (0, 1]: least squares in 60 digits, errors 2e-18, 2e-17
-/// and 3e-16.
+/// B, D, S and T = (D - 4S)/m as p(m₁) - pLog(m₁) log m₁ on (0, 1]: least squares in 60 digits, errors
+/// 2e-18, 2e-17, 3e-16 and 2e-16.
 struct RingPolynomials {
   static constexpr int degree = 11;
   static constexpr double b[] = {1.0,
@@ -76,22 +78,29 @@ struct RingPolynomials {
       2.392575499649328935,  3.027839029629227698,  3.654602385553827892,
       4.165527502658095493,  4.060999701834388918,  2.726669989355684923,
       0.9605853432852464888, 0.1286560980379627223, 0.003553042355315412404};
+  static constexpr int degreeOfT = 12;
+  static constexpr double t[] = {
+      2.8411169166403279588,  5.4041884373803743076,  7.9544746468060562732,
+      10.502336157385663749,  13.046573951257942083,  15.480975802244984381,
+      16.314647170803272705,  7.9833520907844666722,  -17.321019523587190794,
+      -35.860610324406793652, -22.065394148397930204, -4.3890178928155316708,
+      -0.18614759536968491029};
+  static constexpr double tLog[] = {
+      -1.4999999999999999887, -5.6249999999978338909, -12.304687491597109841,
+      -21.533198491925709431, -33.308508064763544307, -47.59870766512432091,
+      -63.807404666025546624, -77.248556562945839238, -73.667165834119100893,
+      -44.714908333642903289, -13.659638809521485307, -1.5689254189854499669,
+      -0.03730508119854785115};
 };
 
-/// \param distance2 |w|² > 0  \param product 4ρr >= 0
-template <Division How>
-EPAFI_INLINE void ringFunctions(const Pack& distance2, const Pack& product,
-                                RingFunctions& to) {
+/// B, D and S.  \param m1 |w|²/q², in (0, 1]
+EPAFI_INLINE void ringIntegrals(const Pack& m1, const Pack& log, Pack& b, Pack& d,
+                                Pack& s) {
   using P = RingPolynomials;
-  Pack inverse2;  // 1/q²
-  reciprocal<How>(distance2 + product, inverse2);
-  const Pack m1 = distance2 * inverse2;
-  Pack log;
-  logarithm(m1, log);
   const Pack zero{};
-  Pack b = zero + P::b[P::degree];
-  Pack d = zero + P::d[P::degree];
-  Pack s = zero + P::s[P::degree];
+  b = zero + P::b[P::degree];
+  d = zero + P::d[P::degree];
+  s = zero + P::s[P::degree];
   Pack bLog = zero + P::bLog[P::degree];
   Pack dLog = zero + P::dLog[P::degree];
   Pack sLog = zero + P::sLog[P::degree];
@@ -107,11 +116,56 @@ EPAFI_INLINE void ringFunctions(const Pack& distance2, const Pack& product,
   b -= bLog * log;
   d -= dLog * log;
   s -= sLog * log;
+}
+
+template <Division>
+EPAFI_INLINE void ringIntegrals(const Pack& m1, Pack& b, Pack& d, Pack& s) {
+  Pack log;
+  logarithm(m1, log);
+  ringIntegrals(m1, log, b, d, s);
+}
+
+/// dB/dm₁ = -S/2, dD/dm₁ = -(D - S)/2m₁, dS/dm₁ = -(T + 3S)/2m₁
+template <Division How>
+EPAFI_INLINE void ringIntegrals(const RingJet& m1, RingJet& b, RingJet& d, RingJet& s) {
+  using P = RingPolynomials;
+  Pack log;
+  logarithm(m1.value, log);
+  ringIntegrals(m1.value, log, b.value, d.value, s.value);
+  Pack t = Pack{} + P::t[P::degreeOfT];
+  Pack tLog = Pack{} + P::tLog[P::degreeOfT];
+#pragma GCC unroll 12
+  for (int k = P::degreeOfT - 1; k >= 0; --k) {
+    t = t * m1.value + P::t[k];
+    tLog = tLog * m1.value + P::tLog[k];
+  }
+  t -= tLog * log;
   Pack inverse;
+  reciprocal<How>(m1.value, inverse);
+  const Pack half = -0.5 * inverse;
+  const Pack ofB = -0.5 * s.value;
+  const Pack ofD = half * (d.value - s.value);
+  const Pack ofS = half * (t + 3.0 * s.value);
+  b = {b.value, ofB * m1.r, ofB * m1.z};
+  d = {d.value, ofD * m1.r, ofD * m1.z};
+  s = {s.value, ofS * m1.r, ofS * m1.z};
+}
+
+/// \param distance2 |w|² > 0  \param product 4ρr >= 0
+template <Division How, class Number>
+EPAFI_INLINE void ringFunctions(const Number& distance2, const Number& product,
+                                RingFunctionsOf<Number>& to) {
+  Number inverse2;  // 1/q²
+  reciprocal<How>(distance2 + product, inverse2);
+  Number b;
+  Number d;
+  Number s;
+  ringIntegrals<How>(distance2 * inverse2, b, d, s);
+  Number inverse;
   squareRoot(inverse2, inverse);
-  const Pack fourth = 4.0 * inverse;
-  const Pack cubic = fourth * inverse2;
-  Pack near;
+  const Number fourth = 4.0 * inverse;
+  const Number cubic = fourth * inverse2;
+  Number near;
   reciprocal<How>(distance2, near);
   to.e0 = fourth * (b + d);
   to.e1 = fourth * (product * inverse2) * s;

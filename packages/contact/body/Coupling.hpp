@@ -21,7 +21,10 @@ using BoundaryTraction = std::function<bem::Vec2(int element, double t)>;
 /// so that B need not be kept beside R.
 ///
 /// Form Density is the same with R = K' (V + G)⁻¹ E, N = <γ P_i, χ_j> in G's place,
-/// M - Nᵀ X N in M's, X = Eᵀ (V + G)⁻¹ E, and no S^ (doc/theory/contact.md).
+/// M - Nᵀ X N in M's, X = Eᵀ (V + G)⁻¹ E, and no S^ (doc/theory/contact.md).  On elements f that sides
+/// A of other bodies see, the residual is ψ - λ∘P⁻¹ ds_A/ds_f with P from A to f:
+///
+///   N_(f,l)i = -<γ_f χ_i d_i, P_l∘P>_A,   M_ij = <γ_f χ_i d_i, χ_j d_j ds_A/ds_f>_A
 struct Coupling {
   const Opposite* opposite = nullptr;  ///< what directions depend on
   TraceCoupling trace;                 ///< C: <χ_i, φ_j>
@@ -32,7 +35,9 @@ struct Coupling {
   std::vector<bem::Entry> mass;     ///< M: multiplier x multiplier
   Stabilization stabilization;
   double gamma0 = 0;  ///< see Stabilization::gamma0; zero without stabilisation
-  Vector gamma;       ///< γ per contact element, dimensionless
+  /// See stabilisedElements, and γ on each, dimensionless.
+  std::vector<int> elements;
+  Vector gamma;
   bem::LocalCompliance compliance;  ///< of the densities in X's order
   std::vector<Index> start;         ///< of an element's columns in R
 
@@ -60,7 +65,7 @@ struct Coupling {
   /// pinned ones by their means.
   Vector complianceOf(const bem::Space& space, const Vector& onContacts,
                       const BoundaryTraction& traction) const;
-  /// γ (λ + ψ) of each contact element, averaged along it, under Form Density; else zero.
+  /// γ (λ + ψ) of each of the elements, averaged along it, under Form Density; else zero.
   /// `ofInside`: the compliance of Loads::OfInside.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
                                     const Vector& ofInside) const;
@@ -75,6 +80,8 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
                                     const Opposite& opposite);
 
 /// The same of one body with its stabilisation.
+/// \throws bem::InputError with Form Density for an element that others see but Conditions::facing
+/// does not hold
 /// \param start of the elements' columns in R; empty: those of the densities, as without columns
 Coupling stabilised(Coupling plain, const bem::Space& space,
                     const MultiplierSpace& multiplier, std::size_t body,

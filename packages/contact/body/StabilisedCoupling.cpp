@@ -1,5 +1,6 @@
 // G and M of a body, and what a traction in λ's place does.
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/opposite/SidePoints.hpp"
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace epafi::contact {
@@ -158,6 +160,113 @@ class ElementCoupling {
   Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
 };
 
+/// What sides of other bodies have of G and M on an element that they see, with Form Density.
+class FacingCoupling {
+ public:
+  FacingCoupling(const MultiplierSpace& multiplier, const Opposite& opposite,
+                 std::size_t body, int number)
+      : basis_(multiplier.basis()),
+        mesh_(multiplier.mesh(body)),
+        number_(number),
+        element_(mesh_[number]),
+        seen_(opposite.seen(static_cast<int>(body), number)) {}
+
+  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+    for (const Opposite::Seen& seen : seen_) {
+      const ContactElement& side = *seen.by;
+      const int size = side.coefficients();
+      Matrix parts(rows(), size);
+      Matrix mass(size, size);
+      const Opposite::Point middle = seen.stretch.opposite->at(side, seen.stretch.middle);
+      forEachPointOf(
+          seen, basis_, ruleOfForces(side, middle), [&](const SidePoint& point) {
+            const auto legendre = legendreAt(point.opposite.t);
+            const double weight = point.stabilisingOpposite(mesh_);
+            for (int i = 0; i < size; ++i) {
+              const double value = weight * point.chiOf(i);
+              addForce(-value * point.directionOf(i).unit, legendre.data(),
+                       parts.column(i), rows());
+              for (int k = 0; k < size; ++k)
+                if (side.isTangential(k) == side.isTangential(i))
+                  mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
+            }
+          });
+      for (int i = 0; i < size; ++i) {
+        if (holdsNothing(side, i))
+          continue;
+        for (Index row = 0; row < rows(); ++row)
+          coupling.weights.push_back(
+              {firstRow + row, side.numberOf(i), gamma * parts(row, i)});
+        for (int k = 0; k < size; ++k)
+          if (mass(i, k) != 0 && !holdsNothing(side, k))
+            coupling.mass.push_back(
+                {side.numberOf(i), side.numberOf(k), gamma * mass(i, k)});
+      }
+    }
+  }
+
+  /// A traction t in the residual t + ψ - λ∘P⁻¹ ds_A/ds_f.
+  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
+                  const std::vector<BoundaryTraction>& tested,
+                  Loads::InResidual& moments) const {
+    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[at(q)];
+      const Vec2 force =
+          gamma * mesh_.measure(number_, 0) * rule.weights[at(q)] * traction(number_, t);
+      addForce(force, legendreAt(t).data(), moments.weights.data() + firstRow, rows());
+      for (std::size_t k = 0; k < tested.size(); ++k)
+        moments.means[k] += dot(force, tested[k](number_, t));
+    }
+    for (const Opposite::Seen& seen : seen_)
+      forEachPointOf(seen, basis_, bem::gaussForGiven(seen.by->degree),
+                     [&](const SidePoint& point) {
+                       const Vec2 force = gamma * point.stabilisingOpposite(mesh_) *
+                                          traction(number_, point.opposite.t);
+                       point.forEachCoefficient(
+                           [&](Index i, double chi, const Direction& direction) {
+                             moments.terms[at(i)] += chi * dot(force, direction.unit);
+                           });
+                     });
+  }
+
+ private:
+  Index rows() const { return 2 * static_cast<Index>(element_.densities); }
+  std::array<double, bem::largestDegree + 2> legendreAt(double t) const {
+    std::array<double, bem::largestDegree + 2> legendre{};
+    bem::legendreValues(element_.densities - 1, t, legendre.data());
+    return legendre;
+  }
+  static bool holdsNothing(const ContactElement& side, int i) {
+    return side.of(i).holdsNothing(side.functionOf(i));
+  }
+
+  const MultiplierBasis& basis_;
+  const bem::Mesh& mesh_;
+  int number_;
+  const bem::Element& element_;
+  std::vector<Opposite::Seen> seen_;
+};
+
+/// The space and the stiffness, made by Conditions::facing, precede what lies opposite.
+void checkFacing(const bem::Mesh& mesh, std::size_t body, const Coupling& coupling) {
+  std::set<int> edges;
+  for (const int e : coupling.elements)
+    edges.insert(mesh[e].piece.edge);
+  const auto isSeen = [&](int e) {
+    const auto sources = coupling.opposite->sources(static_cast<int>(body), e, 0);
+    return std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
+      return source.element->body != static_cast<int>(body);
+    });
+  };
+  for (int e = 0; e < mesh.size(); ++e)
+    if (const int edge = mesh[e].piece.edge; edges.count(edge) == 0 && isSeen(e))
+      throw bem::InputError("a side in contact sees edge ", edge, " ('", mesh.boundary(e),
+                            "') of body ", body,
+                            ", which Conditions::facing of that body lacks; the "
+                            "stabilisation's form Density needs it");
+}
+
 }  // namespace
 
 Coupling stabilised(Coupling plain, const bem::Space& space,
@@ -172,15 +281,25 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
       densityCompliance(space, multiplier.conditions(body), stabilization, lame, units);
   const bool ofDensities = start.empty();
   coupling.start = ofDensities ? std::vector<Index>{0} : std::move(start);
-  for (const ContactElement& contact : multiplier.elements(body)) {
-    const double gamma =
-        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units);
-    const Index first = coupling.start[coupling.gamma.size()];
+  const std::vector<ContactElement>& contacts = multiplier.elements(body);
+  coupling.elements =
+      stabilisedElements(space.mesh(), multiplier.conditions(body), stabilization);
+  if (stabilization.byDensity())
+    checkFacing(space.mesh(), body, coupling);
+  for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
+    const int e = coupling.elements[k];
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame, units);
+    const Index first = coupling.start[k];
     if (ofDensities)
-      coupling.start.push_back(first + 2 * contact.geometry().densities);
+      coupling.start.push_back(first + 2 * Index{space.mesh()[e].densities});
     coupling.gamma.push_back(gamma);
-    if (gamma != 0)
-      ElementCoupling(multiplier.basis(), *coupling.opposite, stabilization, contact)
+    if (gamma == 0)
+      continue;
+    if (k < contacts.size())
+      ElementCoupling(multiplier.basis(), *coupling.opposite, stabilization, contacts[k])
+          .addTo(gamma, first, coupling);
+    else
+      FacingCoupling(multiplier, *coupling.opposite, body, e)
           .addTo(gamma, first, coupling);
   }
   return coupling;
@@ -194,11 +313,19 @@ Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t
   moments.weights.assign(at(coupling.start.back()), 0.0);
   moments.terms.assign(at(multiplier.size()), 0.0);
   moments.means.assign(tested.size(), 0.0);
-  for (std::size_t k = 0; k < multiplier.elements(body).size(); ++k)
-    if (coupling.gamma[k] != 0)
+  const std::vector<ContactElement>& contacts = multiplier.elements(body);
+  for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
+    const double gamma = coupling.gamma[k];
+    if (gamma == 0)
+      continue;
+    if (k < contacts.size())
       ElementCoupling(multiplier.basis(), *coupling.opposite, coupling.stabilization,
-                      multiplier.elements(body)[k])
-          .addMoments(coupling.gamma[k], coupling.start[k], traction, tested, moments);
+                      contacts[k])
+          .addMoments(gamma, coupling.start[k], traction, tested, moments);
+    else
+      FacingCoupling(multiplier, *coupling.opposite, body, coupling.elements[k])
+          .addMoments(gamma, coupling.start[k], traction, tested, moments);
+  }
   return moments;
 }
 

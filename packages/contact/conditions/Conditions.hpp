@@ -46,6 +46,10 @@ struct Conditions {
     double from = 0;
     double to = 0;
     bool closed = false;  ///< the gap as drawn counts as zero
+
+    bool holds(int onEdge, double place) const {
+      return edge == onEdge && from <= place && place <= to;
+    }
   };
   /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal, or
   /// with the outline of another body, where `gap` is added to the distance; or a support, which
@@ -71,15 +75,25 @@ struct Conditions {
 
     bool holds(int edge, double place) const {
       return name.empty() ||
-             std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
-               return part.edge == edge && part.from <= place && place <= part.to;
-             });
+             std::any_of(parts.begin(), parts.end(),
+                         [&](const Part& part) { return part.holds(edge, place); });
     }
   };
 
   std::map<std::string, Dirichlet> dirichlet;
   std::map<std::string, Neumann> neumann;
   std::map<std::string, Contact> contact;
+
+  /// Parts of the boundary that sides in contact of other elastic bodies see; no load, support or
+  /// contact of its own acts there.
+  std::vector<Part> facing{};
+  /// Does half of the interval belong to a part, or the middle of a part to the interval?
+  bool faces(int edge, double from, double to) const {
+    return std::any_of(facing.begin(), facing.end(), [&](const Part& part) {
+      return part.holds(edge, 0.5 * (from + to)) ||
+             Part{edge, from, to}.holds(part.edge, 0.5 * (part.from + part.to));
+    });
+  }
 
   /// Of `dirichlet` those on a line of symmetry, where a body goes on as its mirror image: they
   /// bound what is drawn, not the body.

@@ -11,7 +11,7 @@ namespace epafi::contact {
 enum class End {
   Converged,
   Iterations,  ///< no convergence within the allowed steps
-  Cycling,     ///< an active set recurred without a smaller residual, or no progress
+  Cycling,     ///< an active set recurred without a smaller merit, or no progress
   Growth,      ///< the residual grew by a factor of a million
   NotFinite,
   Stalled,    ///< no step length decreases the merit function
@@ -27,10 +27,11 @@ struct NewtonRun {
   End end = End::Iterations;
   int iterations = 0;           ///< linear systems solved
   Vector last;                  ///< last iterate x
-  Vector best;                  ///< the iterate with the least residual
+  Vector best;                  ///< the iterate with the least merit
   double residual = 0;          ///< Evaluation::scaled of `last`
   double tolerance = 0;         ///< Evaluation::tolerance of `last`
   std::vector<int> setChanges;  ///< coefficients that changed state, one entry per step
+  Vector merits;  ///< √(2Ψ) / Problem::stress of the start and after each step
   std::vector<Index> changing;  ///< coefficients that changed in the last steps
   std::string message;          ///< of a singular Jacobian
 };

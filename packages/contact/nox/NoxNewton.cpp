@@ -9,10 +9,13 @@
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_StatusTest_Combo.H>
+#include <NOX_StatusTest_Factory.H>
 #include <NOX_StatusTest_MaxIters.H>
 #include <NOX_Thyra_Group.H>
 #include <NOX_Thyra_Vector.H>
+#include <NOX_Utils.H>
 #include <Teuchos_ParameterList.hpp>
+#include <Thyra_BelosLinearOpWithSolveFactory.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -66,11 +69,16 @@ class Merit final : public NOX::MeritFunction::Generic {
   std::string name_ = "half the squared Fischer-Burmeister residual";
 };
 
+constexpr char statusTests[] = "Status Tests";
+constexpr char linearSolver[] = "Stratimikos Linear Solver";
+
 // The first key of the user that NOX did not read, as A->B->Key.
 std::string firstUnused(const ParameterList& user, const ParameterList& run,
                         const std::string& path) {
   for (auto it = user.begin(); it != user.end(); ++it) {
     const std::string& key = user.name(it);
+    if (key == linearSolver)
+      continue;  // Stratimikos checks its list by itself
     if (user.isSublist(key) && run.isSublist(key)) {
       std::string inner =
           firstUnused(user.sublist(key), run.sublist(key), bem::message(path, "->", key));
@@ -109,9 +117,10 @@ void forgetUse(ParameterList& list) {
   list = fresh;
 }
 
-// A key that NOX has more values for than go with Epafi's model.
+// A key that NOX has more values for than go with Epafi's model, and why.
 void requireOneOf(const ParameterList& list, const std::string& sublist,
-                  const std::string& key, const std::vector<std::string>& allowed) {
+                  const std::string& key, const std::vector<std::string>& allowed,
+                  const char* because) {
   if (!sublist.empty() && !list.isSublist(sublist))
     return;
   const ParameterList& holder = sublist.empty() ? list : list.sublist(sublist);
@@ -124,12 +133,13 @@ void requireOneOf(const ParameterList& list, const std::string& sublist,
   for (const std::string& name : allowed)
     names += (names.empty() ? "'" : ", '") + name + "'";
   throw bem::InputError(list.name(), sublist.empty() ? "" : "->", sublist, "->", key,
-                        " = '", value, "'; allowed: ", names);
+                        " = '", value, "'; allowed: ", names, "; ", because);
 }
 
 // What Teuchos says, without the place in its sources and the condition.
 std::string saidBy(const std::logic_error& error) {
-  const std::string text = error.what();
+  const std::string what = error.what();
+  const std::string text = what.substr(0, what.find("\n\nThrow number"));
   const auto condition = text.find("Throw test that evaluated to true");
   const auto end =
       condition == std::string::npos ? condition : text.find("\n\n", condition);
@@ -144,10 +154,12 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
     list->setParameters(*user);
     forgetUse(*list);
   }
-  requireOneOf(*list, "", "Nonlinear Solver", {"Line Search Based"});
-  // the slopes of More'-Thuente are those of another merit function, by a Jacobian that has gone
+  requireOneOf(*list, "", "Nonlinear Solver", {"Line Search Based"},
+               "trust regions measure a step by one norm, but its parts are stresses and "
+               "motions, and they predict it by a smooth Jacobian");
   requireOneOf(*list, "Line Search", "Method",
-               {"Full Step", "Backtrack", "Polynomial", "NonlinearCG", "User Defined"});
+               {"Full Step", "Backtrack", "Polynomial", "NonlinearCG", "User Defined"},
+               "other methods take slopes from the residual, which has kinks");
   list->sublist("Solver Options")
       .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
                                              rcp(new Merit(model)));
@@ -163,12 +175,36 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
   return list;
 }
 
+/// Newton's systems by products with the Jacobian, if the list asks for it.
+RCP<NOX::Abstract::Group> makeGroup(const RCP<ContactModel>& model, const Vector& start,
+                                    ParameterList& list) {
+  const NOX::Thyra::Vector x(*model->vector(start));
+  ParameterList& newton = list.sublist("Direction").sublist("Newton");
+  if (!newton.isSublist(linearSolver))
+    return rcp(new NOX::Thyra::Group(x, model));
+  ParameterList stratimikos = newton.sublist(linearSolver).sublist("Stratimikos");
+  stratimikos.setName(
+      bem::message(list.name(), "->Direction->Newton->", linearSolver, "->Stratimikos"));
+  requireOneOf(stratimikos, "", "Linear Solver Type", {"Belos"},
+               "others need the entries of the Jacobian");
+  const auto factory = rcp(new Thyra::BelosLinearOpWithSolveFactory<double>);
+  factory->setParameterList(rcp(
+      new ParameterList(stratimikos.sublist("Linear Solver Types").sublist("Belos"))));
+  const RCP<Thyra::PreconditionerBase<double>> none;
+  const RCP<Thyra::PreconditionerFactoryBase<double>> noFactory;
+  return rcp(
+      new NOX::Thyra::Group(x, model, model->create_W_op(), factory, none, noFactory));
+}
+
 RCP<NOX::Solver::Generic> build(const RCP<NOX::Abstract::Group>& group,
                                 const RCP<StepTest>& test, int maximumIterations,
                                 const RCP<ParameterList>& list) {
   const auto limit = rcp(new NOX::StatusTest::MaxIters(std::max(maximumIterations, 1)));
   const auto tests =
       rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR, test, limit));
+  if (list->isSublist(statusTests))
+    tests->addStatusTest(NOX::StatusTest::buildStatusTests(
+        list->sublist(statusTests), NOX::Utils(list->sublist("Printing"))));
   return NOX::Solver::buildSolver(group, tests, list);
 }
 
@@ -199,8 +235,6 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const auto log = rcp(new std::ostringstream);
   const auto model = rcp(new ContactModel(equation));
   const auto list = runList(list_.get(), model, log);
-  const RCP<NOX::Abstract::Group> group =
-      rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
   // With a lagged bound the residual may grow for a step while the bound converges.  A load comes
   // from body to body, a step for each, before the residual falls.
   constexpr Index fewest = 12;
@@ -208,8 +242,9 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
       equation.bound() == Equation::Bound::Lagged ? 5 : 1,
       static_cast<std::size_t>(std::max(fewest, equation.problem().rigidMotions()))};
   const auto test = rcp(new StepTest(model, patience));
-  const RCP<NOX::Solver::Generic> solver = withNoxErrors(
-      list->name(), *log, [&] { return build(group, test, maximumIterations, list); });
+  const RCP<NOX::Solver::Generic> solver = withNoxErrors(list->name(), *log, [&] {
+    return build(makeGroup(model, start, *list), test, maximumIterations, list);
+  });
 
   NewtonRun result;
   const auto status = withNoxErrors(list->name(), *log, [&] {
@@ -236,6 +271,9 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   result.iterations = solver->getNumIterations();
   if (!message.empty())
     result.end = unbalanced ? End::NoBalance : End::Singular;
+  else if (status == NOX::StatusTest::Converged && result.end != End::Converged)
+    result.end = End::Converged,
+    result.tolerance = result.residual;  // by the user's tests
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
     result.end = End::Stalled;

@@ -14,7 +14,7 @@ namespace epafi::contact {
 /// Schema row of the list for NOX.
 bem::SchemaRow noxRow();
 
-/// Newton's method by NOX.
+/// Newton's method by NOX; the merit of its line searches is that of the smooth equation, merit().
 class NoxNewton final : public Newton {
  public:
   /// \param list Direction, Line Search and Printing for every run; not modified; null: full steps,

@@ -16,7 +16,7 @@ constexpr double growthLimit = 1e6;
 constexpr double mostRounding =
     1e-8;                       // of products with the compressed D of slender bodies
 constexpr double isLeft = 0.9;  // of the residual after a step without effect
-constexpr double hasFallen = 0.999;  // a cycle repeats its residual up to rounding
+constexpr double hasFallen = 0.999;  // a cycle repeats its merit up to rounding
 constexpr int many = 16;             // set changes; while they halve, that is progress
 constexpr std::size_t memory = 4;    // steps in which a coefficient must have changed
 
@@ -34,16 +34,15 @@ std::vector<Index> changing(const std::vector<ContactStates>& sets) {
 
 }  // namespace
 
-void StepTest::record(const Evaluation& e) {
+void StepTest::record(const Evaluation& e, Measured measured) {
   run_.last = e.unknowns;
   run_.residual = e.scaled;
   run_.tolerance = e.tolerance;
-  if (sets_.empty()) {
-    first_ = least_ = e.scaled;
-    run_.best = e.unknowns;
-  } else {
+  run_.merits.push_back(measured.merit);
+  if (sets_.empty())
+    first_ = e.scaled;
+  else
     run_.setChanges.push_back(differences(sets_.back(), e.states));
-  }
   if (sets_.empty() || e.scaled < 0.5 * improved_) {
     improved_ = e.scaled;
     progress_ = sets_.size();
@@ -53,8 +52,8 @@ void StepTest::record(const Evaluation& e) {
     if (settling_ >= many)
       progress_ = sets_.size();
   }
-  if (e.scaled < least_) {
-    least_ = e.scaled;
+  if (sets_.empty() || measured.merit < least_) {
+    least_ = measured.merit;
     run_.best = e.unknowns;
   }
   sets_.push_back(e.states);
@@ -65,7 +64,10 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
                                                   NOX::StatusTest::CheckType) {
   const auto point = model_->at(solver.getSolutionGroup());
   const Evaluation& e = point->evaluation();
-  record(e);
+  const Equation& equation = point->equation();
+  const Measured measured{e.scaled,
+                          std::sqrt(2 * merit(equation, e)) / equation.problem().stress};
+  record(e, measured);
 
   status_ = NOX::StatusTest::Unconverged;
   const auto fail = [&](End end) {
@@ -79,22 +81,25 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     status_ = NOX::StatusTest::Converged;
   } else {
     const auto& newton = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver);
-    if (point->equation().bound() == Equation::Bound::Differentiated &&
+    if (equation.bound() == Equation::Bound::Differentiated &&
         newton.getStepSize() == 1 && isRounding(e.states, e.scaled)) {
       run_.end = End::Converged;
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;
     }
-    // the same set twice in a row is no cycle: a law that is not piecewise linear bends
+    // the same set twice in a row is no cycle: a law that is not piecewise linear bends, and where
+    // its slope begins infinite residuals are any number on the way
+    const bool bends = !point->equation().problem().surface.places.empty();
     const bool isNew = e.states != std::exchange(last_, e.states);
     const auto before = seen_.find(e.states);
     const bool cycles = isNew && before != seen_.end() &&
-                        e.scaled >= hasFallen * before->second && --patience_.cycles <= 0;
+                        measured.merit >= hasFallen * before->second.merit &&
+                        --patience_.cycles <= 0;
     if (cycles || sets_.size() > progress_ + patience_.steps)
       fail(End::Cycling);
-    else if (e.scaled > growthLimit * std::max(first_, 1.0))
+    else if (!bends && e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);
-    seen_[e.states] = e.scaled;
+    seen_[e.states] = measured;
   }
   return status_;
 }
@@ -102,7 +107,7 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
 bool StepTest::isRounding(const ContactStates& set, double scaled) const {
   const auto before = seen_.find(set);
   return before != seen_.end() && set == last_ && scaled <= mostRounding &&
-         scaled >= isLeft * before->second;
+         scaled >= isLeft * before->second.residual;
 }
 
 std::ostream& StepTest::print(std::ostream& stream, int indent) const {

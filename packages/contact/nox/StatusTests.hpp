@@ -16,8 +16,9 @@ namespace epafi::contact {
 /// Converged: the scaled residual is below the tolerance; or it is at most 1e-8 and a
 /// full step with the same active set, which solves a linear problem, leaves 0.9 of it,
 /// so that it is the rounding error of D. Failed: an active set recurs behind others
-/// without a smaller residual (a cycle of active sets), too many steps make no progress, the
-/// residual grew by a factor of a million, or it is not a number.
+/// without a smaller merit (a cycle of active sets), too many steps make no progress, the
+/// residual grew by a factor of a million although no surface yields by a curve, or it is not
+/// a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// What ends the run.
@@ -37,7 +38,12 @@ class StepTest final : public NOX::StatusTest::Generic {
   const NewtonRun& history() const { return run_; }
 
  private:
-  void record(const Evaluation& e);
+  /// Of a step.
+  struct Measured {
+    double residual = 0;  ///< Evaluation::scaled
+    double merit = 0;     ///< √(2Ψ) / Problem::stress
+  };
+  void record(const Evaluation& e, Measured measured);
 
   Teuchos::RCP<const ContactModel> model_;
   Patience patience_;
@@ -46,10 +52,10 @@ class StepTest final : public NOX::StatusTest::Generic {
   bool isRounding(const ContactStates& set, double scaled) const;
 
   std::vector<ContactStates> sets_;
-  ContactStates last_;                    ///< of the previous step
-  std::map<ContactStates, double> seen_;  // residual of the last step with this set
+  ContactStates last_;                      ///< of the previous step
+  std::map<ContactStates, Measured> seen_;  ///< the last step with this set
   double first_ = 0;
-  double least_ = 0;
+  double least_ = 0;          // merit
   double improved_ = 0;       // residual at the last progress: half of the one before
   std::size_t progress_ = 0;  // step of the last progress
   int settling_ = std::numeric_limits<int>::max();  // fewest changes of a step

@@ -30,11 +30,14 @@ double apparentCurvature(const SideShape& side, double angle) {
                     : curvature;
 }
 
-/// Of an arc of more than a radian: others leave their place when they turn about their centres.
+/// Of an arc of more than a radian: others leave their place when they turn about their centres; of
+/// half a body 0, whose whole does not turn.
 double turnAlong(const SideShape& side, Vec2 direction) {
   const double angle =
       std::abs(side.curvature) * (side.beyond.before.length + side.beyond.after.length);
-  return angle < 1 ? 0 : dot(turnLeft(side.normal), direction) / side.curvature;
+  return angle < 1 || !side.beyond.turns
+             ? 0
+             : dot(turnLeft(side.normal), direction) / side.curvature;
 }
 
 }  // namespace

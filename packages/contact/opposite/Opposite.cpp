@@ -24,6 +24,23 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
+/// Measure of a side over that of what it sees along its normal: the foot runs along the side with the
+/// part of the way that is along it, which an arc draws in or out by the distance from its centre.
+/// Zero where its normals meet: so far away nothing comes into contact.
+double stretching(const ContactElement& side, double t, const bem::Curve& other,
+                  double there, double distance) {
+  constexpr double narrowest = 0.1;
+  const bem::Curve& own = side.geometry().curve;
+  const double width = 1 + own.curvature() * distance;
+  if (width < narrowest)
+    return 0;
+  const double ofLines = std::abs(dot(other.tangent(there), own.tangent(t))) / width;
+  if (!side.mesh->outline().isAxisymmetric())
+    return ofLines;
+  const double radius = other.point(there).x;
+  return ofLines * (radius > 0 ? own.point(t).x / radius : ofLines);
+}
+
 /// Does the gap as drawn count as zero on a stretch of an element?
 bool isClosed(const ContactElement& element, const bem::Facing& stretch) {
   const bem::Element& side = element.geometry();
@@ -125,6 +142,7 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   }
   assert(found);
   point.t = std::clamp(found->t, -1.0, 1.0);
+  point.stretching = stretching(element, t, other, point.t, found->distance);
   point.turning = std::max(point.turning, other.pointsOfTurning());
   if (!element.ties()) {
     point.direction = directionBetween(
@@ -179,13 +197,10 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
     for (const double foot : feetOn(own, other.point(t) - here.side->shift)) {
       if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
         continue;
-      // the foot runs along the side with the part of the way that is along it, which an arc
-      // draws in or out by the distance from its centre
       const double distance =
           dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-      const double along = std::abs(dot(other.tangent(t), own.tangent(foot))) /
-                           std::abs(1 + own.curvature() * distance);
-      result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+      result.push_back({here.element, std::clamp(foot, -1.0, 1.0),
+                        stretching(*here.element, foot, other, t, distance)});
     }
   });
   return result;
@@ -199,6 +214,15 @@ Vector Opposite::sourceBreaks(int body, int element) const {
       if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
                                     here.side->curves.curves()[stretch.curve]))
         result.push_back(std::clamp(hit->t, -1.0, 1.0));
+  });
+  return result;
+}
+
+std::vector<Opposite::Seen> Opposite::seen(int body, int element) const {
+  std::vector<Seen> result;
+  forEachFacing(body, element, [&](const Sight& here, const bem::Facing& part) {
+    const Stretch all{(part.begin + part.end) / 2, (part.end - part.begin) / 2, this};
+    result.push_back({here.element, all, element});
   });
   return result;
 }

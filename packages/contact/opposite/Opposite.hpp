@@ -39,6 +39,15 @@ struct OppositeSide {
   bem::Vec2 pole{};              ///< reference point of what does not deform
 };
 
+class Opposite;
+
+/// A part of an element, t = middle + half s, |s| <= 1, on which Opposite::at is smooth.
+struct Stretch {
+  double middle = 0;
+  double half = 1;
+  const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
+};
+
 /// The opposite side as a function of points of the sides that carry the multiplier, of all bodies:
 /// outlines of other bodies for contacts with a name, found along the normals of the contact side;
 /// fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
@@ -63,12 +72,14 @@ class Opposite {
     double gap = 0;  ///< along it, dimensionless
     int turning =
         0;  ///< Gauss points, beyond those for polynomials, for what turns there
-    int element = -1;  ///< of the opposite body; -1: not deformable
-    int degree = 0;    ///< of that element
-    double t = 0;      ///< parameter on that element
-    int body = 0;      ///< index of the deformable body
-    int rigid = -1;    ///< index of the rigid body; -1: none, or fixed
-    bem::Vec2 arm{};   ///< from its reference point, dimensionless
+    int element = -1;       ///< of the opposite body; -1: not deformable
+    int degree = 0;         ///< of that element
+    double t = 0;           ///< parameter on that element
+    int body = 0;           ///< index of the deformable body
+    int rigid = -1;         ///< index of the rigid body; -1: none, or fixed
+    bem::Vec2 arm{};        ///< from its reference point, dimensionless
+    double stretching = 1;  ///< measure of the side over that of the opposite one; 0: too
+                            ///< far away to be pressed on
   };
   /// \pre -1 <= t <= 1.
   Point at(const MultiplierSpace::ContactElement& element, double t) const;
@@ -79,8 +90,8 @@ class Opposite {
   /// The largest degree of the elements opposite to an element; 0 if none is deformable.
   int degree(const MultiplierSpace::ContactElement& element) const;
 
-  /// A point of the side opposite to a point of a deformable body; stretching: ds of the side over
-  /// ds of the body.
+  /// A point of the side opposite to a point of a deformable body; stretching: measure of the side
+  /// over that of the body.
   struct Source {
     const MultiplierSpace::ContactElement* element;
     double t;
@@ -89,6 +100,14 @@ class Opposite {
   std::vector<Source> sources(int body, int element, double t) const;
   /// Where these bend or jump inside that element, within [-1, 1], in any order.
   Vector sourceBreaks(int body, int element) const;
+
+  /// The parts of contact elements that see an element of a deformable body.
+  struct Seen {
+    const MultiplierSpace::ContactElement* by;
+    Stretch stretch;
+    int element;  ///< that is seen
+  };
+  std::vector<Seen> seen(int body, int element) const;
 
   /// Does nothing opposite move at all?
   bool isStill() const { return sides_.empty(); }
@@ -118,17 +137,12 @@ class Opposite {
       facing_{};
 };
 
-/// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.
-struct Stretch {
-  double middle = 0;
-  double half = 1;
-  const Opposite* opposite = nullptr;  ///< null: points on it have nothing opposite
-};
 /// The rule for forces on a stretch, by its middle, the same wherever they are summed, so that they
 /// balance: exact where sides are straight and parallel, up to rounding where directions turn.
 const bem::Rule& ruleOfForces(const MultiplierSpace::ContactElement& element,
                               const Opposite::Point& middle);
 
+/// All of an element.
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);
 

@@ -25,6 +25,11 @@ struct SidePoint {
     const bem::Mesh& mesh = *contact.mesh;
     return weight * (mesh.measure(contact.element, 0) / mesh.measure(contact.element, t));
   }
+  /// Likewise of the element that it sees, by the measure of the side.
+  double stabilisingOpposite(const bem::Mesh& seen) const {
+    return weight * (seen.measure(opposite.element, 0) /
+                     seen.measure(opposite.element, opposite.t));
+  }
 
   /// χ_i(t) and d of its coefficient i in a row.
   double chiOf(int i) const { return chi[at(contact.functionOf(i))]; }
@@ -61,6 +66,20 @@ void forEachPointOf(const MultiplierSpace::ContactElement& contact,
         stretch.half * rule.weights[at(q)] * contact.mesh->measure(contact.element, t);
     visit(SidePoint{contact, q, t, weight, basis.values(contact.degree, t), opposite});
   }
+}
+
+/// The same on a part that sees an element of a deformable body, where something presses on it.
+template <class Visit>
+void forEachPointOf(const Opposite::Seen& seen, const MultiplierBasis& basis,
+                    const bem::Rule& rule, const Visit& visit) {
+  forEachPointOf(
+      *seen.by, basis, rule,
+      [&](const SidePoint& point) {
+        // a grazing normal may miss it
+        if (point.opposite.element == seen.element && point.opposite.stretching > 0)
+          visit(point);
+      },
+      seen.stretch);
 }
 
 /// The same on all contact elements, by the p + 1 Gauss points of each, which integrate χ_i χ_j

@@ -32,7 +32,8 @@ double ofMotions(double compressibility, bool isFormed) {
 
 /// The same of work, μ |u|²: without compression V is regular, and so is what it solves for.
 double ofWork(double compressibility, bool isFormed) {
-  return ofMotions(isIncompressible(compressibility) ? 1 : compressibility, isFormed);
+  return ofMotions(isFormed && isIncompressible(compressibility) ? 1 : compressibility,
+                   isFormed);
 }
 
 /// A force that free motions may miss, dimensionless.

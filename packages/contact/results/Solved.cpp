@@ -14,17 +14,7 @@ ForeignPressure::ForeignPressure(const Solved& solved)
     : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
 
 Vec2 ForeignPressure::at(int element, double t) const {
-  Vec2 sum;
-  if (body_ == nullptr)
-    return sum;
-  for (const auto& source :
-       body_->opposite().sources(static_cast<int>(body_->number()), element, t)) {
-    const auto stress = body_->multiplier().at(*multiplier_, *source.element, source.t);
-    const Vec2 across = body_->opposite().at(*source.element, source.t).direction.unit;
-    sum = sum + source.stretching *
-                    (stress.normal * across + stress.tangential * turnLeft(across));
-  }
-  return sum;
+  return body_ == nullptr ? Vec2() : body_->foreignTraction(*multiplier_, element, t);
 }
 
 Vector ForeignPressure::breaks(int element) const {

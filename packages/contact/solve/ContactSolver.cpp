@@ -157,7 +157,7 @@ Solution ContactSolver::inStages(const Problem& problem, const State& start,
 
 Solution ContactSolver::solveSound(const Problem& problem, const State& start) const {
   return inStages(problem, start, Equation::Bound::Differentiated,
-                  options_.maximumIterations);
+                  options().maximumIterations);
 }
 
 }  // namespace epafi::contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Keys.hpp"
+#include "bem/base/Acceptor.hpp"
 #include "contact/newton/Newton.hpp"
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/solve/Report.hpp"
@@ -36,7 +36,8 @@ struct ContactSolverOptions {
 
 /// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend on the
 /// pressure; its inStages() is also used by solvers for Coulomb friction.
-class ContactSolver final : public NonlinearSolver {
+class ContactSolver final : public NonlinearSolver,
+                            public bem::Acceptor<ContactSolverOptions> {
  public:
   /// If D is not formed, the offset is followed for at most this many coefficients: more need a
   /// tableau of more than half a gigabyte and many minutes.
@@ -45,10 +46,9 @@ class ContactSolver final : public NonlinearSolver {
   /// Refers to `newton`.  \param watch receives the progress of a path of offsets
   explicit ContactSolver(const Newton& newton, ContactSolverOptions options = {},
                          OffsetWatch watch = {})
-      : newton_(newton), options_(options), watch_(std::move(watch)) {}
+      : Acceptor(options), newton_(newton), watch_(std::move(watch)) {}
 
   const Newton& newton() const { return newton_; }
-  const ContactSolverOptions& options() const { return options_; }
   const OffsetWatch& watch() const { return watch_; }
 
   /// inStages() with the derivative of the bound in the Jacobian.
@@ -65,7 +65,6 @@ class ContactSolver final : public NonlinearSolver {
 
  private:
   const Newton& newton_;
-  ContactSolverOptions options_;
   OffsetWatch watch_;
 };
 

@@ -1,5 +1,7 @@
 #include "contact/solve/CoulombIteration.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +20,8 @@ class CoulombFixedPoint final : public CoulombSolver {
   Solution solveSound(const Problem& problem, const State& start) const override;
   Solution updates(const Problem& problem, const State& start) const;
   Solution firstBound(const Problem& problem, const State& start) const;
-  Solution update(const Problem& problem, Solution before) const;
+  /// What solves the problem of an update.
+  ContactSolver tresca() const;
 };
 
 constexpr double smallestDamping = 1.0 / 64;
@@ -47,12 +50,20 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
 
+ContactSolver CoulombFixedPoint::tresca() const {
+  const TrescaOptions& own = options().tresca;
+  ContactSolverOptions inner = solver_.options();
+  inner.tolerance = own.tolerance.value_or(inner.tolerance);
+  inner.maximumIterations = own.maximumIterations.value_or(inner.maximumIterations);
+  return ContactSolver(solver_.newton(), inner, solver_.watch());
+}
+
 // One update of the bound: Tresca's problem, its report added to what came before.
-Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const {
+Solution updated(const ContactSolver& solver, const Problem& tresca, Solution before) {
   Report& report = before.report;
   report.coulombIterations += 1;
   try {
-    Solution next = solver_.solveSound(tresca, before.state);
+    Solution next = solver.solveSound(tresca, before.state);
     next.report = joined(std::move(next.report), report);
     return next;
   } catch (const bem::NumericalError& error) {
@@ -65,14 +76,15 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
 }
 
 Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
-  const double tolerance = std::max(solver_.options().tolerance, options_.tolerance);
+  const ContactSolver solver = tresca();
+  const double tolerance = std::max(solver.options().tolerance, options().tolerance);
   const Equation coulomb(problem, Equation::Bound::Lagged, tolerance);
   Solution solution = firstBound(problem, start);
   Vector bounds = problem.slipBounds(solution.state.multiplier);
   double damping = 1;
   double change = 0;
-  for (int k = 1; k <= options_.maximumIterations; ++k) {
-    solution = update(withSlipBounds(problem, bounds), std::move(solution));
+  for (int k = 1; k <= options().maximumIterations; ++k) {
+    solution = updated(solver, withSlipBounds(problem, bounds), std::move(solution));
 
     const Evaluation e = coulomb.at(pack(problem, solution.state));
     const double previous =
@@ -119,13 +131,13 @@ class CoulombOneStep final : public CoulombSolver {
   Solution solveSound(const Problem& problem, const State& start) const override {
     return solver_.inStages(
         problem, start, Equation::Bound::Lagged,
-        std::max(solver_.options().maximumIterations, options_.maximumIterations));
+        std::max(solver_.options().maximumIterations, options().maximumIterations));
   }
 };
 
 template <class Solver>
-std::unique_ptr<NonlinearSolver> make(const ContactSolver& solver,
-                                      const CoulombOptions& options) {
+std::unique_ptr<CoulombSolver> make(const ContactSolver& solver,
+                                    const CoulombOptions& options) {
   return std::make_unique<Solver>(solver, options);
 }
 
@@ -143,9 +155,33 @@ bem::Family<CoulombIteration>& coulombIterations() {
   return family;
 }
 
-std::unique_ptr<NonlinearSolver> makeCoulomb(const ContactSolver& solver,
-                                             const CoulombOptions& options) {
+void CoulombSolver::setParameterList(const Teuchos::RCP<Teuchos::ParameterList>& list) {
+  const std::string iteration = options().iteration;
+  Acceptor::setParameterList(list);
+  if (options().iteration != iteration)
+    throw bem::InputError(list->name(), "->Coulomb Iteration = '", options().iteration,
+                          "', but the solver is made for '", iteration, "'");
+}
+
+std::unique_ptr<CoulombSolver> makeCoulomb(const ContactSolver& solver,
+                                           const CoulombOptions& options) {
   return coulombIterations().at(options.iteration).make(solver, options);
+}
+
+std::unique_ptr<CoulombSolver> coulombFromList(
+    const ContactSolver& solver, const Teuchos::RCP<Teuchos::ParameterList>& list) {
+  CoulombOptions options;
+  bem::accept(options, *list);
+  auto result = makeCoulomb(solver, options);
+  result->setParameterList(list);
+  return result;
+}
+
+void TrescaOptions::keys(bem::Keys& keys) {
+  keys.add(&tolerance, "Tolerance", "1", {0, 1, true, true},
+           "residual, relative to the load; without it, that of the whole");
+  keys.add(&maximumIterations, "Maximum Iterations", "1", bem::from(1),
+           "Newton steps of one run; without it, those of the whole");
 }
 
 void CoulombOptions::keys(bem::Keys& keys) {
@@ -155,6 +191,8 @@ void CoulombOptions::keys(bem::Keys& keys) {
            "change of the friction bound, relative to the load");
   keys.add(&maximumIterations, "Coulomb Maximum Iterations", "1", bem::from(1),
            "updates of the friction bound");
+  keys.add(&tresca, bem::Row("Tresca", bem::Kind::List,
+                             "how Fixed Point solves the problem of each update"));
 }
 
 }  // namespace epafi::contact

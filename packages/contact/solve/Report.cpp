@@ -1,5 +1,7 @@
 #include "contact/solve/Report.hpp"
 
+#include <sstream>
+
 namespace epafi::contact {
 
 namespace {
@@ -25,6 +27,20 @@ std::string told(const std::vector<StageRun>& runs) {
   return text;
 }
 
+std::string meritsTold(const std::vector<StageRun>& runs) {
+  std::ostringstream text;
+  text.precision(3);
+  for (const StageRun& run : runs) {
+    for (std::size_t k = 0; k < run.merits.size(); ++k) {
+      if (k == 0)
+        text << "  " << stages[static_cast<int>(run.stage)] << ": ";
+      text << run.merits[k] << (k + 1 < run.merits.size() ? ", " : "\n");
+    }
+    text << meritsTold(run.parts);
+  }
+  return text.str();
+}
+
 Report extended(Report report, Stage stage, const NewtonRun& run,
                 const Problem& problem) {
   if (run.end == End::NotFinite)
@@ -40,7 +56,7 @@ Report extended(Report report, Stage stage, const NewtonRun& run,
   report.setChanges.insert(report.setChanges.end(), run.setChanges.begin(),
                            run.setChanges.end());
   report.failure = run.message;
-  report.stages.push_back({stage, run.iterations, run.residual, run.end});
+  report.stages.push_back({stage, run.iterations, run.residual, run.end, {}, run.merits});
   report.changing.clear();
   if (run.end != End::Converged)
     report.changing = run.changing;
@@ -60,8 +76,12 @@ Report asOne(Report report, Stage stage) {
   const End end = report.converged()      ? End::Converged
                   : report.stages.empty() ? End::NoBalance
                                           : report.stages.back().end;
-  report.stages = {
-      {stage, report.newtonIterations, report.residual, end, std::move(report.stages)}};
+  report.stages = {{stage,
+                    report.newtonIterations,
+                    report.residual,
+                    end,
+                    std::move(report.stages),
+                    {}}};
   return report;
 }
 

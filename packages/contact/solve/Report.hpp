@@ -23,10 +23,13 @@ struct StageRun {
   double residual = 0;
   End end = End::Iterations;
   std::vector<StageRun> parts{};  ///< other methods that it ran
+  Vector merits{};                ///< NewtonRun::merits of its last run
 };
 
 /// "full steps 17 cycling, follow offset 5 converged"
 std::string told(const std::vector<StageRun>& stages);
+/// A line for each run of Newton's steps: "  full steps: 1.1, 0.3, 2e-3, 4e-14"
+std::string meritsTold(const std::vector<StageRun>& stages);
 
 enum class Status { Converged, NotConverged };
 

@@ -1,5 +1,6 @@
 #include "contact/stabilization/StabilisedStiffness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {
@@ -28,15 +29,28 @@ std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
 
 }  // namespace
 
+std::vector<int> stabilisedElements(const bem::Mesh& mesh, const Conditions& conditions,
+                                    const Stabilization& stabilization) {
+  std::vector<int> elements;
+  for (int e = 0; e < mesh.size(); ++e)
+    if (contactOn(mesh, e, conditions) != nullptr)
+      elements.push_back(e);
+  for (int e = 0; e < mesh.size() && stabilization.byDensity(); ++e)
+    if (const bem::Piece& piece = mesh[e].piece;
+        contactOn(mesh, e, conditions) == nullptr &&
+        conditions.faces(piece.edge, piece.start.fromStart, piece.end.fromStart))
+      elements.push_back(e);
+  return elements;
+}
+
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
                      const Stabilization& stabilization) {
   std::vector<int> densities;
-  for (int e = 0; e < mesh.size(); ++e) {
-    const bool raised = stabilization.byDensity() && stabilization.raised &&
-                        mesh[e].degree < bem::largestDegree &&
-                        contactOn(mesh, e, conditions) != nullptr;
-    densities.push_back(mesh[e].degree + (raised ? 1 : 0));
-  }
+  for (int e = 0; e < mesh.size(); ++e)
+    densities.push_back(mesh[e].degree);
+  if (stabilization.byDensity() && stabilization.raised)
+    for (const int e : stabilisedElements(mesh, conditions, stabilization))
+      densities[at(e)] = std::min(mesh[e].degree + 1, bem::largestDegree);
   return bem::Space(mesh.withDensities(densities));
 }
 
@@ -47,11 +61,9 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
   bem::LocalCompliance compliance;
   if (!stabilization.byDensity())
     return compliance;
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    if (contactOn(space.mesh(), e, conditions) == nullptr)
-      continue;
+  for (const int e : stabilisedElements(space.mesh(), conditions, stabilization)) {
     const Element& element = space.mesh()[e];
-    const double gamma = gammaOn(space.mesh(), e, stabilization, lame.nu, units);
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame, units);
     for (int i = 0; i < element.densities; ++i)
       for (int c = 0; c < 2; ++c) {
         compliance.densities.push_back(space.density(e, i, c));

@@ -9,12 +9,16 @@
 
 namespace epafi::contact {
 
-/// The space on a mesh, with the number of densities that the stabilisation needs on contact
+/// Elements with a stabilisation: those in contact, then, under Form Density, those that others face.
+std::vector<int> stabilisedElements(const bem::Mesh& mesh, const Conditions& conditions,
+                                    const Stabilization& stabilization);
+
+/// The space on a mesh, with the number of densities that the stabilisation needs on these
 /// elements.
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
                      const Stabilization& stabilization);
 
-/// Compliance γ <P_i, P_i> on contact elements that Form Density adds to V, for
+/// Compliance γ <P_i, P_i> on stabilised elements that Form Density adds to V, for
 /// bem::SteklovPoincare.  Empty for other forms.
 bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const Conditions& conditions,

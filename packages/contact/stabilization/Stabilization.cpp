@@ -51,8 +51,8 @@ std::optional<bem::TractionForm> Stabilization::tractions() const {
 }
 double Stabilization::firstGamma0() const { return gamma0.value_or(rowOf(form).gamma0); }
 
-double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
-               bem::Units units) {
+double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s,
+               const bem::Lame& lame, bem::Units units) {
   if (!s.isOn())
     return 0;
   const bem::Element& element = mesh[e];
@@ -65,9 +65,9 @@ double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
         s.firstGamma0() * std::pow(h * units.length, 1 + s.beta) * degrees;
     return physical * units.stress / units.length;
   }
-  const double nearlyIncompressible =
-      s.byDensity() ? 1 : std::min(1.0, 50 * (1 - 2 * nu));
-  return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
+  const double perStress = s.byDensity() ? 1 / (2 * lame.mu * (1 + lame.nu))
+                                         : std::min(1.0, 50 * (1 - 2 * lame.nu));
+  return s.firstGamma0() * perStress * std::pow(h, 1 + s.beta) * degrees;
 }
 
 void Stabilization::keys(bem::Keys& keys) {

@@ -44,9 +44,9 @@ struct Stabilization {
   double firstGamma0() const;
 };
 
-/// γ on an element, dimensionless; h is the smallest size of the element and its neighbours, as
+/// γ on an element, dimensionless, E of its body; h is the smallest size of the element and its neighbours, as
 /// the inverse inequality ||S u||_E <= c p h^(-1/2) requires.  Zero for Form::None.
 double gammaOn(const bem::Mesh& mesh, int element, const Stabilization& stabilization,
-               double nu, bem::Units units);
+               const bem::Lame& lame, bem::Units units);
 
 }  // namespace epafi::contact

@@ -184,6 +184,18 @@ Vector ContactBody::wholeForce(const Vector& contactForce) const {
              reactionsTo(forceAgainst(load_, contactForce)).force);
 }
 
+bem::Vec2 ContactBody::foreignTraction(const Vector& multiplier, int element,
+                                       double t) const {
+  bem::Vec2 sum;
+  for (const auto& source : opposite().sources(static_cast<int>(number_), element, t)) {
+    const auto stress = this->multiplier().at(multiplier, *source.element, source.t);
+    const bem::Vec2 across = opposite().at(*source.element, source.t).direction.unit;
+    sum = sum + source.stretching *
+                    (stress.normal * across + stress.tangential * turnLeft(across));
+  }
+  return sum;
+}
+
 Vector ContactBody::penetration(const Vector& displacement, const Vector& multiplier,
                                 const Vector& contactForce) const {
   Vector r = apply(displacement);

@@ -95,6 +95,9 @@ class ContactBody {
   double stabilisationEnergy(const State& state, const Vector& displacement,
                              const Vector& contactForce) const;
 
+  /// What sides that face it press on a point with, by its own arc length.
+  bem::Vec2 foreignTraction(const Vector& multiplier, int element, double t) const;
+
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
 

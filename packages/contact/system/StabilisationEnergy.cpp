@@ -7,8 +7,10 @@ namespace epafi::contact {
 
 using bem::dot;
 using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
 
-// With E = λ + ψ + t - Σ ρ r, on pins of their elements' means:
+// With E = λ + ψ + t - Σ ρ r, on elements that sides see what presses there in λ's place, on pins of
+// their elements' means:
 //   Σ ∫ γ E · (E - t),   and what t does through f, r and the means of what Fix holds,
 // λ + ψ by the rule of forces, all else, h = -Σ ρ r, by that of what is given, as in the equations:
 //   γ |λ + ψ|²,   γ (h · (2 (λ + ψ) + h) + t · (λ + ψ + h))
@@ -21,23 +23,30 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
   const BoundaryTraction known = knownTraction();
   const Vector psi = density(state, displacement, contactForce);
   const Vector rho = fixedReactions(contactForce);
+  const auto stressAt = [&](const SidePoint& point) {
+    const auto stress = multiplier().at(state.multiplier, point.contact, point.t);
+    return stress.normal * point.normal.unit + stress.tangential * point.tangent.unit;
+  };
+  const auto heldAt = [&](int e, double t) {
+    Vec2 held;
+    for (const int mode : holding().fixedModes)
+      held = held - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, t));
+    return held;
+  };
+  const auto ofGiven = [&](int e, double t, Vec2 own) {
+    const Vec2 held = heldAt(e, t);
+    const double ofHeld = dot(held, 2 * own + held);
+    return known ? ofHeld + dot(known(e, t), own + held) : ofHeld;
+  };
+  const bool isGiven = known || !holding().fixedModes.empty();
   double twice = 0;
   for (std::size_t k = 0; k < elements().size(); ++k) {
-    const auto& element = elements()[k];
+    const ContactElement& element = elements()[k];
     const int e = element.element;
-    const auto ownAt = [&](const SidePoint& point) {
-      const auto stress = multiplier().at(state.multiplier, element, point.t);
-      return stress.normal * point.normal.unit + stress.tangential * point.tangent.unit +
-             space_->densityAt(psi, e, point.t);
-    };
-    const auto heldAt = [&](const SidePoint& point) {
-      Vec2 held;
-      for (const int mode : holding().fixedModes)
-        held =
-            held - rho[at(mode)] * holding().modes.at(mode, mesh.scaledPoint(e, point.t));
-      return held;
-    };
     const double gamma = coupling().gamma[k];
+    const auto ownAt = [&](const SidePoint& point) {
+      return stressAt(point) + space_->densityAt(psi, e, point.t);
+    };
     for (const Stretch& stretch : stretches(opposite(), element)) {
       forEachPointOf(
           element, multiplier().basis(),
@@ -47,17 +56,43 @@ double ContactBody::stabilisationEnergy(const State& state, const Vector& displa
             twice += gamma * point.stabilising() * dot(own, own);
           },
           stretch);
-      if (known || holding().fixed() > 0)
+      if (isGiven)
         forEachPointOf(
             element, multiplier().basis(), bem::gaussForGiven(element.degree),
             [&](const SidePoint& point) {
-              const Vec2 own = ownAt(point);
-              const Vec2 held = heldAt(point);
-              const Vec2 given = known ? known(e, point.t) : Vec2{};
-              twice += gamma * point.stabilising() *
-                       (dot(held, 2 * own + held) + dot(given, own + held));
+              twice += gamma * point.stabilising() * ofGiven(e, point.t, ownAt(point));
             },
             stretch);
+    }
+  }
+  // |ψ - λ∘P⁻¹ J|² on what sides see: all that has λ is integrated over them
+  for (std::size_t k = elements().size(); k < coupling().elements.size(); ++k) {
+    const int e = coupling().elements[k];
+    const double gamma = coupling().gamma[k];
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[at(q)];
+      const Vec2 own = space_->densityAt(psi, e, t);
+      twice += gamma * mesh.measure(e, 0) * rule.weights[at(q)] *
+               (dot(own, own) + ofGiven(e, t, own));
+    }
+    for (const Opposite::Seen& seen : opposite().seen(static_cast<int>(number_), e)) {
+      const Opposite::Point middle = opposite().at(*seen.by, seen.stretch.middle);
+      forEachPointOf(seen, multiplier().basis(), ruleOfForces(*seen.by, middle),
+                     [&](const SidePoint& point) {
+                       const Vec2 stress = stressAt(point);
+                       const Vec2 own = space_->densityAt(psi, e, point.opposite.t);
+                       twice += gamma * point.stabilisingOpposite(mesh) *
+                                dot(point.opposite.stretching * stress - 2 * own, stress);
+                     });
+      if (isGiven)
+        forEachPointOf(seen, multiplier().basis(), bem::gaussForGiven(seen.by->degree),
+                       [&](const SidePoint& point) {
+                         const double t = point.opposite.t;
+                         const Vec2 held = 2 * heldAt(e, t);
+                         twice -= gamma * point.stabilisingOpposite(mesh) *
+                                  dot(known ? held + known(e, t) : held, stressAt(point));
+                       });
     }
   }
   const Loads::InResidual all = inResidual(contactForce);

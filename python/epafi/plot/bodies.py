@@ -27,6 +27,17 @@ def rigid_outlines(folder, elastic, moved=None):
             for lines in (ends[body == b] for b in range(elastic, body.max() + 1))]
 
 
+def revolves(columns, x):
+    """Are these solids of revolution whose pictures show the whole section?  Not of rings so far from
+    the axis that little could be seen of them."""
+    return "hoop" in columns and x.min() < 0.5 * x.max()
+
+
+def with_images(outlines):
+    """Of solids of revolution both halves of their sections."""
+    return [half for x, u in outlines for half in ((x, u), (x * [-1, 1], u * [-1, 1]))]
+
+
 def draw_rigid(axes, outlines, scale, view):
     """Fills them where they are in the view (x0, x1, y0, y1), moved by scale times their
     displacements; returns what the legend shows of them."""

@@ -5,6 +5,8 @@ import numpy as np
 from matplotlib.path import Path
 from numpy.polynomial.legendre import legfit, legval
 
+from epafi.plot.bodies import revolves
+
 
 def on_circle(element):
     """Of an element that is an arc, more points: its own are so few that one would see a polygon.
@@ -26,6 +28,7 @@ class Boundary:
 
     def __init__(self, table):
         self.elements = []
+        self.revolves = revolves(table, table["x"])
         number = table.numbers("element")
         names = table["boundary"].astype(str)
         starts = np.flatnonzero(np.diff(number, prepend=number[0] - 1))

@@ -4,7 +4,7 @@ import math
 import numpy as np
 from matplotlib.lines import Line2D
 
-from epafi.plot.bodies import draw_rigid, roomy
+from epafi.plot.bodies import draw_rigid, roomy, with_images
 from epafi.plot.figures import COLOURS, equal_axes, shape_of
 
 
@@ -38,14 +38,20 @@ def draw(boundary, rigid, contact, title, pictures):
     scale = scale_of(size, u[within(x, view)] if view else u, contact)
     low, high = (np.array(view[:2]), np.array(view[2:])) if view else (
         np.minimum(x, x + scale * u).min(axis=0), np.maximum(x, x + scale * u).max(axis=0))
+    if boundary.revolves:
+        rigid = with_images(rigid)
+        low = low if view else np.array([-high[0], low[1]])
     room = shape_of(*(high - low), 5.5)
     figure, axes = pictures.subplots(figsize=(room[0] + 1.3, room[1] + 1.9))
     for k, loop in enumerate(boundary.loops()):
         x = np.concatenate([element["x"] for element in loop])
         u = np.concatenate([element["u"] for element in loop])
-        axes.plot(*x.T, color="grey", lw=0.8, ls="--", label="undeformed" if not k else "_")
-        axes.plot(*(x + scale * u).T, color=COLOURS[0], lw=1.6,
-                  label="deformed, displacement x %g (gaps are not)" % scale if not k else "_")
+        for side in ([1, 1], [-1, 1])[:1 + boundary.revolves]:  # and its image behind the axis
+            first = not k and side == [1, 1]
+            axes.plot(*(side * x).T, color="grey", lw=0.8, ls="--",
+                      label="undeformed" if first else "_")
+            axes.plot(*(side * (x + scale * u)).T, color=COLOURS[0], lw=1.6,
+                      label="deformed, displacement x %g (gaps are not)" % scale if first else "_")
     arrow = arrows(axes, boundary, size, scale, pictures)
     shown = axes.dataLim
     if view:

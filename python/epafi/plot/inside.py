@@ -5,12 +5,12 @@ import xml.etree.ElementTree as xml
 import numpy as np
 from matplotlib.tri import Triangulation
 
-from epafi.plot.bodies import draw_rigid, roomy
+from epafi.plot.bodies import draw_rigid, revolves, roomy, with_images
 from epafi.plot.figures import equal_axes, shape_of
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",
-         "von_mises": "von Mises stress", "principal_1": "larger principal stress",
+         "hoop": "hoop stress", "von_mises": "von Mises stress", "principal_1": "larger principal stress",
          "principal_2": "smaller principal stress",
          "temperature": "temperature"}
 # Of the area, that may be beyond the ends of the colours: singular stresses are.
@@ -33,7 +33,8 @@ def arrays(file):
 
 
 class Inside:
-    """What fields.vtu holds: points (n, 2), corners (m, 3), values by name (n,)."""
+    """What fields.vtu holds: points (n, 2), corners (m, 3), values by name (n,); of solids of
+    revolution also the other half of the section."""
 
     def __init__(self, file):
         read = arrays(file)
@@ -41,6 +42,17 @@ class Inside:
         self.corners = read["connectivity"].reshape(-1, 3)
         self.values = {name: read[name] for name in NAMES if name in read}
         self.values["displacement"] = read["displacement"][:, :2]
+        self.revolves = revolves(self.values, self.points[:, 0])
+        if self.revolves:
+            self.add_image()
+
+    def add_image(self):
+        """The other half of the section."""
+        self.corners = np.vstack([self.corners, self.corners[:, ::-1] + len(self.points)])
+        self.points = np.vstack([self.points, self.points * [-1, 1]])
+        for name, values in self.values.items():
+            odd = {"ux": -1, "sxy": -1, "displacement": [-1, 1]}.get(name, 1)
+            self.values[name] = np.concatenate([values, values * odd])
 
 
 def shares(points, corners):
@@ -98,6 +110,9 @@ def figure_for(extent, pictures):
 
 
 def draw(inside, name, rigid, title, pictures):
+    if name not in inside.values:
+        raise ValueError("there is no field %r here; fields: %s" % (
+            name, ", ".join(each for each in NAMES if each in inside.values)))
     values = inside.values[name]
     low, high, colours, cut = limits(values, shares(inside.points, inside.corners), name)
     extent = np.ptp(inside.points, axis=0)
@@ -106,6 +121,8 @@ def draw(inside, name, rigid, title, pictures):
     drawn = axes.tripcolor(Triangulation(x, y, inside.corners), values, shading="gouraud",
                            vmin=low, vmax=high, rasterized=True, cmap=colours)
     if rigid:
+        if inside.revolves:
+            rigid = with_images(rigid)
         draw_rigid(axes, rigid, 0, roomy(inside.points.min(axis=0), inside.points.max(axis=0)))
     finish(figure, axes, drawn, cut, values, name, title, extent, pictures)
 

@@ -113,7 +113,7 @@ def draw_path(folder, rows, t, files, title, pictures):
     turning = torsion(folder, rows, contacts, files[-1]) if files else None
     force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
     # without friction two of the panels would be empty
-    rubs = max(np.abs(rows[name + ".force_tangential"]).max() for name in contacts) > 1e-9 * force or \
+    rubs = max((np.abs(rows[name + ".force_tangential"]).max() for name in contacts), default=0) > 1e-9 * force or \
         np.abs(rows["energy_dissipated"]).max() > 1e-9 * np.abs(rows["energy_strain"]).max()
     files = files if rubs else []
     panels = 1 + rubs + bool(files)
