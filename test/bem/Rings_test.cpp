@@ -42,6 +42,10 @@ const std::vector<Vec2> cylinder = {{0, 0}, {1, 0}, {1, 1.5}, {0, 1.5}};
 const std::vector<Vec2> cones = {{0, 0}, {1, 0.5}, {0.7, 2}, {0, 1.5}};
 const std::vector<Vec2> ring = {{1, 0}, {2, 0}, {2, 1}, {1, 1}};
 const std::vector<Vec2> rod = {{0, 0}, {0.05, 0}, {0.05, 1.5}, {0, 1.5}};
+const std::vector<Vec2> needle = {{0, 0}, {1, 0.01}, {0, 0.013}};
+const std::vector<Vec2> cone = {{0, 0}, {1, 0.1}, {0, 0.1}};
+const std::vector<Vec2> groove = {{1, 0},   {2, 0}, {2, 0.45}, {1.3, 0.5},
+                                  {2, 0.5}, {2, 1}, {1, 1}};
 const std::vector<Vec2> thinRing = {{20, 0}, {21, 0}, {21, 1}, {20, 1}};
 
 Mesh uniform(const Loop& loop, int elements, int degree) {
@@ -76,6 +80,15 @@ std::vector<Sample> straightSamples() {
   samples.push_back({"rod", uniform(polygon(rod), 3, 4)});
   samples.push_back({"thin ring", uniform(polygon(thinRing), 2, 3)});
   return samples;
+}
+
+/// Neighbours that run beside each other, inside the body or outside.
+std::vector<Sample> sharpSamples() {
+  return {{"cone", uniform(polygon(cone), 2, 3)},
+          {"needle", uniform(polygon(needle), 3, 2)},
+          {"groove", uniform(polygon(groove), 2, 3)},
+          {"thin lens", uniform(arcs({{3, 0}, {1, 0}}, {0.03, 0.03}), 2, 8)},
+          {"crescent", uniform(arcs({{3, 0}, {1, 0}}, {0.4, -0.37}), 3, 12)}};
 }
 
 /// Arcs, with degrees that represent linear displacements to rounding.
@@ -127,8 +140,8 @@ double largestOff(const bem::Space& space, Vector v) {
 
 TEUCHOS_UNIT_TEST(Rings, knowUniformStressAndTheRigidMotion) {
   std::vector<Sample> samples = straightSamples();
-  for (const Sample& sample : curvedSamples())
-    samples.push_back(sample);
+  for (const auto& others : {sharpSamples(), curvedSamples()})
+    samples.insert(samples.end(), others.begin(), others.end());
   for (const Sample& sample : samples)
     for (const double nu : {0.3, 0.4999}) {
       const bem::Lame lame({1, nu, false});
@@ -221,6 +234,8 @@ TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
   const std::vector<Case> cases = {
       {{"cones", uniform(polygon(cones), 2, 2)},
        {{0, 0}, {1, 1}, {0, 1}, {2, 1}, {0, 2}, {0, 5}}},
+      {{"cone", uniform(polygon(cone), 2, 2)}, {{1, 2}, {2, 1}}},
+      {{"groove", uniform(polygon(groove), 2, 2)}, {{5, 6}, {3, 8}}},
       {{"rod", uniform(polygon(rod), 2, 2)}, {{2, 2}, {2, 3}, {1, 4}}},
       {{"sphere", uniform(sphere, 2, 2)}, {{0, 0}, {1, 2}, {0, 3}}},
       {{"thin ring", uniform(polygon(thinRing), 1, 2)}, {{0, 0}, {0, 2}}}};
@@ -310,6 +325,32 @@ TEUCHOS_UNIT_TEST(Rings, haveTheEnergyNormAndFieldsOfExactData) {
       TEST_COMPARE(norm(value.traction - stress * n), <, 1e-7);
       TEST_COMPARE(norm(value.mismatch), <, 1e-7);
     }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Rings, haveTheTractionsOfUniformStressOnSharpWedges) {
+  for (const Sample& sample : sharpSamples()) {
+    const bem::Lame lame({1, 0.3, false});
+    const bem::Space space(sample.mesh);
+    const double lambda = 2 * lame.mu * lame.nu / (1 - 2 * lame.nu);
+    const double radial = 0.4 * lambda + 0.2 * lame.mu;
+    const double axial = 0.4 * lambda + 0.4 * lame.mu;
+    const Vector u = space.interpolate([](Vec2 x) { return Vec2{0.1 * x.x, 0.2 * x.y}; });
+    const bem::BoundaryFields fields(space, lame,
+                                     {{u, tractionOf(space, radial, axial)}});
+    test::Largest error;
+    for (int e = 0; e < space.mesh().size(); ++e) {
+      if (space.mesh().isAxis(e))
+        continue;
+      const bem::BoundaryFields::Values values = fields.on(e);
+      for (const bem::BoundaryValue& value : values.front()) {
+        const Vec2 n = space.mesh()[e].curve.normal(value.place.t);
+        error.take(norm(value.traction - Vec2{radial * n.x, axial * n.y}));
+        error.take(norm(value.mismatch));
+      }
+    }
+    out << sample.name << ": ";
+    TEST_COMPARE(error.size(), <, 1e-11);
   }
 }
 
