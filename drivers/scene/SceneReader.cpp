@@ -5,6 +5,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
+#include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/Readers.hpp"
 #include "drivers/scene/Revolution.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -26,63 +27,6 @@ void checkAnyBody(const ParameterList& list) {
   if (list.isSublist("Bodies") &&
       list.sublist("Bodies").begin() == list.sublist("Bodies").end())
     throw InputError("Bodies: no body is given; at least one is needed");
-}
-
-/// Has a boundary of a body no displacement, no load and no contact as opposite side?
-bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
-  const contact::Conditions& conditions = scene.bodies[b].conditions;
-  const auto neumann = conditions.neumann.find(boundary);
-  const bool isOpposite = std::any_of(
-      scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
-        return pair.opposite == SideOfBody{false, b, boundary};
-      });
-  return !isOpposite && conditions.dirichlet.count(boundary) == 0 &&
-         (neumann == conditions.neumann.end() ||
-          (!neumann->second.x && !neumann->second.y));
-}
-
-/// At ν = 1/2 in plane strain the kernel of V contains the normal field of each closed
-/// line. Form Density removes it on lines with contact elements; on other lines this pins
-/// ψ on the longest free edge, see contact::Conditions::pins.
-/// \throws InputError for another form, and for a line without such an edge.
-void pinIncompressible(std::size_t b, Scene& scene) {
-  Body& body = scene.bodies[b];
-  if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
-    return;
-  const std::string path = "Bodies->" + body.name + "->Material->Poisson's Ratio";
-  if (!scene.stabilization.byDensity())
-    throw InputError(path +
-                     ": is 1/2, which Discretization->Stabilization->Form = Density "
-                     "allows in plane strain; other forms want less");
-  const contact::Conditions& conditions = body.conditions;
-  const bool fixes = conditions.fix.x || conditions.fix.y || conditions.fix.rotation;
-  const std::vector<bem::Edge>& edges = body.outline->edges();
-  std::vector<bool> seen(edges.size(), false);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    bool held = seen[k];
-    double longest = 0;
-    int pin = -1;
-    for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
-      seen[i] = true;
-      held =
-          held || conditions.contact.count(edges[i].boundary) != 0 ||
-          std::any_of(conditions.facing.begin(), conditions.facing.end(),
-                      [&](const auto& part) { return part.edge == static_cast<int>(i); });
-      if (edges[i].curve.length() > (1 + 1e-9) * longest &&
-          isFree(scene, b, edges[i].boundary)) {
-        longest = edges[i].curve.length();
-        pin = static_cast<int>(i);
-      }
-    }
-    if (!held && (pin < 0 || fixes))
-      throw InputError(path +
-                       ": is 1/2, which needs on every closed line of the outline a "
-                       "boundary that carries contact stresses or, without Rigid "
-                       "Motions->Fix, one without any condition; the line with '" +
-                       edges[k].boundary + "' has none");
-    if (!held)
-      body.conditions.pins.push_back(pin);
-  }
 }
 
 void checkLinear(const Scene& scene) {

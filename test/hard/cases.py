@@ -212,7 +212,16 @@ case("rubber_hole_compressed", "nu = 1/2, a hole without load, compressed", "pre
 case("rubber_hole_fixed", "nu = 1/2, a hole that is clamped", "pressed_block",
      [NU + "0.5", *HOLE, "Bodies->block->Boundary Conditions->hole->Type=Dirichlet",
       "Bodies->block->Boundary Conditions->hole->Displacement X=0"], code=1,
-     words=["Poisson's Ratio", "'hole'", "without any condition"])
+     words=["Poisson's Ratio", "'hole'", "without a given displacement"])
+LOADED = [*HOLE, "Bodies->block->Boundary Conditions->hole->Type=Neumann",
+          "Bodies->block->Boundary Conditions->hole->Pressure=0.3+0.1*x"]
+case("rubber_hole_loaded_0.5", "nu = 1/2, a hole under pressure", "pressed_block",
+     [NU + "0.5", *LOADED], claims=[steps(40), dissipates])
+case("rubber_hole_loaded_0.4999999", "nu = 0.4999999, a hole under pressure", "pressed_block",
+     [NU + "0.4999999", *LOADED], claims=[like("rubber_hole_loaded_0.5", same, 1e-6), steps(40)])
+case("rubber_hole_loaded_compressed", "nu = 1/2, a hole under pressure, compressed",
+     "pressed_block", [NU + "0.5", *LOADED, "Solver->Linear->Method=Compressed"],
+     claims=[like("rubber_hole_loaded_0.5", same, 1e-10), steps(40)])
 PLATE = "Bodies->plate->Material->Poisson's Ratio="
 case("rubber_plate_0.5", "nu = 1/2 of the body that is met", "two-blocks", [PLATE + "0.5"],
      claims=[value("force_normal", 0.02, 1e-12)])

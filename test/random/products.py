@@ -169,17 +169,18 @@ class Products:
                 1 if field == "Coefficient" else self.stress) for field in LAWS[law]}}})
 
     def incompressible(self, name, body):
-        """Where each closed line carries stresses of contact, or without held means has a side
-        without any condition."""
+        """Where each closed line carries stresses of contact, or has a side without a given
+        displacement."""
         carried, bound = ({side.split(":")[1] for both in self.between for side in both[:count]
                            if side.split(":")[0] == name} for count in (1, 2))
         for boundary, condition in body.get("Boundary Conditions", {}).items():
-            bound.add(boundary)
             if condition["Type"] == "Contact":
                 carried.add(boundary)
+            if condition["Type"] == "Dirichlet":
+                bound.add(boundary)
         for line in ("Edges", "Hole 1 Edges"):
             names = set(body["Geometry"].get(line, []))
-            if names and not names & carried and ("Rigid Motions" in body or names <= bound):
+            if names and not names & carried and names <= bound:
                 return
         body["Material"]["Poisson's Ratio"] = 0.5
         self.stabilise("Density")

@@ -60,6 +60,20 @@ force = 2 * row["energy_strain"] / 0.01
 claim(abs(force / 1.656095199650e-2 - 1) < 2e-7,
       "clamped ends: force %.12g with %d unknowns" % (force, row["dof_displacement"]))
 
+# a shell without change of volume under pressure from both sides: u = B/R^2; each surface, to the axis,
+# is a closed one, whose normal field the densities do not feel
+for radius, inside, outside in ((1, 0.2, 0), (1.9, 0.3, 0.1)):
+    row, _ = last("shell", scene({"shell": body(
+        [[0, -2], [2, 0], [0, 2], [0, radius], [radius, 0], [0, -radius]],
+        ["out", "out", "axis", "in", "in", "axis"],
+        {"in": {"Type": "Neumann", "Pressure": inside}, "out": {"Type": "Neumann", "Pressure": outside}},
+        {**ELASTIC, "Poisson's Ratio": 0.5}, bulges=[QUARTER, QUARTER, 0, -QUARTER, -QUARTER, 0],
+        **{"Rigid Motions": {"Fix": ["Y"]}})}, degree=11))
+    excess = inside - outside
+    energy = 2 * math.pi * excess**2 / (4 / 3 * (1 / radius**3 - 1 / 8))
+    error = abs(row["energy_strain"] / energy - 1)
+    claim(error < 1e-9, "shell without change of volume: energy within %.1e" % error)
+
 
 # Hertz, exactly: a rigid paraboloid on a block whose base and side move as in the half-space, by the
 # potentials V of the pressure sqrt(1 - x^2) and, its integral over the depth, chi

@@ -124,7 +124,7 @@ struct Conditions {
     std::string path = "Rigid Motions";  ///< of the list that says so, for messages
   } fix;
 
-  /// Edges without load, one of each closed line without multiplier, that hold ψ at ν = 1/2
+  /// Edges of known traction, one of each closed line without multiplier, that hold ψ at ν = 1/2
   /// (doc/theory/contact.md, "ν = 1/2").
   std::vector<int> pins{};
 

@@ -126,7 +126,7 @@ class ContactBody {
   };
   /// By fixed motions; empty where no residual knows them.
   const std::vector<Reaction>& reactions() const { return *reactions_; }
-  /// t_p, less what pulls at supports along their tangents; empty: nothing.
+  /// t_p, less what pulls at supports along their tangents and at edges with a pin; empty: nothing.
   BoundaryTraction knownTraction() const;
   /// What t_p and all reactions to a contact force do there.
   Loads::InResidual inResidual(const Vector& contactForce) const;

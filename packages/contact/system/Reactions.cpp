@@ -59,15 +59,19 @@ BoundaryTraction ContactBody::knownTraction() const {
     const auto contact = all.contact.find(boundary);
     return contact != all.contact.end() && contact->second.isSupport;
   };
-  if (all.inside == nullptr &&
+  const auto isPinned = [&all](int edge) {
+    return std::find(all.pins.begin(), all.pins.end(), edge) != all.pins.end();
+  };
+  if (all.inside == nullptr && (all.pins.empty() || all.neumann.empty()) &&
       std::none_of(all.neumann.begin(), all.neumann.end(),
                    [&](const auto& given) { return pulls(given.first); }))
     return {};
-  return [this, &all, pulls](int e, double t) {
+  return [this, &all, pulls, isPinned](int e, double t) {
     const bem::Mesh& mesh = space_->mesh();
     bem::Vec2 known = all.inside ? all.inside->traction(mesh, e, t) : bem::Vec2{};
     const auto given = all.neumann.find(mesh.boundary(e));
-    if (given != all.neumann.end() && pulls(given->first))
+    if (given != all.neumann.end() &&
+        (pulls(given->first) || isPinned(mesh[e].piece.edge)))
       known = known - (1 / units_.stress) * given->second.at(mesh.physicalPoint(e, t));
     return known;
   };
