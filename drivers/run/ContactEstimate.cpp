@@ -79,17 +79,24 @@ ContactEstimate estimateOf(const BodySpaces& spaces, const Level& level, std::si
   contact.closed.assign(closed.begin(), closed.end());
   contact.elements = elements.sorted();
   double square = 0;
-  double energy = level.energies[b];
+  const auto modulus = [&](std::size_t k) {
+    return spaces.scene().bodies[k].material.youngsModulus;
+  };
+  // the energies that their tractions would store in bodies of modulus 1
+  const auto energy = [&](std::size_t k) { return level.energies[k] * modulus(k); };
+  double softest = modulus(b);
   for (std::size_t k = 0; k < spaces.size(); ++k) {
     const bem::Vector squares = level.indicators[k].elements();
     for (const int e : contact.elements[k])
       square += squares[e];
-    if (!contact.elements[k].empty() && level.energies[k] < energy) {
-      energy = level.energies[k];
+    if (contact.elements[k].empty())
+      continue;
+    softest = std::min(softest, modulus(k));
+    if (energy(k) < energy(contact.body))
       contact.body = k;
-    }
   }
-  contact.relative = energy > 0 ? std::sqrt(square / (2 * energy)) : 0;
+  const double stored = energy(contact.body) / softest;
+  contact.relative = stored > 0 ? std::sqrt(square / (2 * stored)) : 0;
   return contact;
 }
 

@@ -10,7 +10,9 @@ constexpr std::size_t fewestClosed = 4;
 
 /// What Adaptivity->Tolerance demands of each contact: the estimate on the elements where it is
 /// closed, the neighbours of these and what lies opposite, relative to the energy norm of the body in
-/// it that stores less.  A heavy body's energy would hide the error of a light one's contact.
+/// it that stores less.  A heavy body's energy would hide the error of a light one's contact.  Energies
+/// are what the body's tractions would store with the modulus of the softest one in contact, or a stiff
+/// body would ask for more digits than its tractions have.
 ///
 /// On a path the estimate and the norm of each body are the largest of its steps.  One entry for each
 /// contact that is closed in any of them.  Collective: all processes get the numbers of the first.

@@ -49,6 +49,14 @@ for row in levels:
     claim(worst <= row["estimate_relative"] * (1 + 1e-12),
           "every step counts: %g, %g" % (worst, row["estimate_relative"]))
 
+# a stiff body's little energy asks for no more digits than the tractions of a soft one have
+sizes = [solve("two-blocks.xml", "plate %g" % modulus, 0.003, *NONE,
+               "Bodies->plate->Material->Young's Modulus=%g" % modulus)[0][-1]["dof"]
+         for modulus in (1e-6, 1, 1e6)]
+claim(max(sizes[0], sizes[2]) < 1.5 * sizes[1],
+      "moduli of 1 : 1e6 either way need %d, %d unknowns, equal ones %d" % (
+          sizes[0], sizes[2], sizes[1]))
+
 # a prescribed displacement that is zero at all nodes is an error of all of it
 waves = [solved("waves %d" % degree, written("waves", [body("block", block(0, 0, 2, 1), 1.0, {
     **condition("bottom", "Dirichlet", CLAMPED),
