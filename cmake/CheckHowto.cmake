@@ -3,6 +3,7 @@
 #   cmake -DBUILD=<build folder> -DSOURCES=<of the application> -DPROGRAM=<its name>
 #         -DRANKS=1,2 -DMPIEXEC=<mpirun> -DWORK=<temporary folder> [-DOPTIONS=<for cmake>]
 #         [-DCHECKER=<a Python program> -DEPAFI=<the program>] [-DPAGE=<page>.md]
+#         [-DWITHOUT=<a package that it must not look for>]
 #         -P CheckHowto.cmake
 #
 # Installs into a fresh folder, builds a copy of the application against it, runs it on each
@@ -26,6 +27,12 @@ file(COPY ${SOURCES}/ DESTINATION ${WORK}/sources)
 run(${CMAKE_COMMAND} -S ${WORK}/sources -B ${WORK}/build -G Ninja ${OPTIONS}
   -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+if(WITHOUT)
+  file(STRINGS ${WORK}/build/CMakeCache.txt found REGEX "^${WITHOUT}_")
+  if(found)
+    message(FATAL_ERROR "${PROGRAM} looks for ${WITHOUT}: ${found}")
+  endif()
+endif()
 
 if(CHECKER)
   run(/usr/bin/python3 ${CHECKER} ${WORK}/build/${PROGRAM} ${WORK}/sources ${WORK} ${EPAFI} ${MPIEXEC})

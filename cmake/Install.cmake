@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(epafi_config ${CMAKE_INSTALL_LIBDIR}/cmake/Epafi)
 get_property(epafi_packages GLOBAL PROPERTY EPAFI_PACKAGES)
-list(APPEND epafi_packages drivers)
+list(APPEND epafi_packages scene run program)
 get_property(epafi_wrappers GLOBAL PROPERTY EPAFI_WRAPPERS)
 
 foreach(package IN LISTS epafi_packages)
@@ -16,10 +16,7 @@ foreach(package IN LISTS epafi_packages)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endforeach()
-# epafi as a library, for programs that add to it or solve scenes: the component `program`.
-list(REMOVE_ITEM epafi_packages drivers)
-list(APPEND epafi_packages program)
-set_target_properties(epafi_drivers PROPERTIES EXPORT_NAME program)
+# epafi as a library, for programs that solve scenes or add to it.
 foreach(headers . process scene run)
   file(GLOB epafi_headers ${PROJECT_SOURCE_DIR}/drivers/${headers}/*.hpp)
   install(FILES ${epafi_headers} COMPONENT development
