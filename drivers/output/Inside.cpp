@@ -57,8 +57,7 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
     value.zz += units.stress * stress.hoop;
   }
   if (!units.isAxisymmetric)
-    value.zz =
-        material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
+    value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
   if (inside) {
     value.zz += units.stress * inside->stressAcross(particular.temperature);
     value.temperature = particular.temperature;

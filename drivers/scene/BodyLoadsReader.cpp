@@ -39,9 +39,7 @@ std::vector<std::array<int, 2>> powersOf(bool isAxisymmetric) {
 
 using Coefficients = std::map<std::pair<int, int>, Complex>;
 
-double binomial(int n, int k) {
-  return boost::math::binomial_coefficient<double>(n, k);
-}
+double binomial(int n, int k) { return boost::math::binomial_coefficient<double>(n, k); }
 
 /// Adds c xⁱ yʲ in powers of z and z̄, by x = (z + z̄)/2, y = (z - z̄)/(2i).
 void addInPlane(int i, int j, double c, Vec2 size, Coefficients& all) {
@@ -122,7 +120,8 @@ bem::SchemaRows bodyLoadsRows() {
           "the body's own about Center, counter-clockwise; not taken from Spin; "
           "in t and constants"),
       Row("Center", Kind::Reals, "length",
-          "of Spin and Angular Acceleration; without it the origin; of solids of revolution "
+          "of Spin and Angular Acceleration; without it the origin; of solids of "
+          "revolution "
           "the axis, which is not given"),
       Row("Temperature", Kind::Expression, "temperature",
           "difference from the stress-free state, a polynomial in x and y of degree at "
@@ -242,9 +241,10 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   if (deviation > 1e-7 * largest)
     throw InputError(loads_.path("Temperature"),
                      ": is not a polynomial in x and y of degree at most ", highest,
-                     isAxisymmetric_ ? ", even in x: around an axis of revolution an odd power "
-                                       "of the radius x is no smooth temperature"
-                                     : "",
+                     isAxisymmetric_
+                         ? ", even in x: around an axis of revolution an odd power "
+                           "of the radius x is no smooth temperature"
+                         : "",
                      "; the nearest one is off by up to ", deviation);
   return terms;
 }

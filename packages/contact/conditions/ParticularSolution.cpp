@@ -193,8 +193,7 @@ std::vector<ParticularSolution::Value> ParticularSolution::at(
   std::vector<Value> values;
   values.reserve(points.size());
   for (const Vec2 y : points)
-    values.push_back(
-        {displacementOfPolynomials(y), sum(loads_.temperature, y).real()});
+    values.push_back({displacementOfPolynomials(y), sum(loads_.temperature, y).real()});
   if (conducted_ == nullptr)
     return values;
   const std::vector<ConductedHeat::Value> heat = conducted_->at(points);
@@ -268,7 +267,8 @@ double integralInside(const bem::Mesh& mesh, const Density& f) {
         const double s = 0.5 * (1 + radial.points[k]);
         along += 0.5 * radial.weights[k] * s * (isAxisymmetric ? s : 1) * f(s * y);
       }
-      sum += mesh.measure(e, t) * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
+      sum +=
+          mesh.measure(e, t) * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
     }
   }
   return sum;

@@ -23,7 +23,7 @@ struct BodyLoads {
     bem::Complex c;
   };
   using Terms = std::vector<Term>;
-  Terms temperature{};  ///< above the stress-free state, a real sum [temperature]
+  Terms temperature{};   ///< above the stress-free state, a real sum [temperature]
   double expansion = 0;  ///< α of plane stress, else (1+ν) α [1 / temperature]
   double across = 0;  ///< σzz of a 1 of temperature that nothing but ν (σxx + σyy) joins
   bool isAxisymmetric = false;  ///< a in `temperature` is even
