@@ -200,6 +200,6 @@ class Revolutions(TwoBodies):
             rest = row["load_y"] + row["body_force_y"] + row["contact_y"] + row["reaction_y"]
             if abs(rest) > 1e-10 * size + self.rounding:
                 found.append("'%s' is off balance by %.1e of the forces" % (name, rest / size))
-        if len(rows) > 1 and abs(sum(row["contact_y"] for row in forces.values())) > 1e-10 * size + self.rounding:
+        if len(forces) > 1 and abs(sum(row["contact_y"] for row in forces.values())) > 1e-10 * size + self.rounding:
             found.append("contacts are off balance")
         return found
