@@ -41,9 +41,18 @@ bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
           (!neumann->second.x && !neumann->second.y));
 }
 
+/// The first edge of the closed line of one, or of its surface of revolution, which ends at the axis.
+std::size_t startOf(std::size_t edge, const bem::Outline& outline) {
+  const auto before = [&](std::size_t e) { return outline.edges()[e].previous; };
+  std::size_t first = edge;
+  while (!outline.isAxis(before(first)) && bem::at(before(first)) != edge)
+    first = bem::at(before(first));
+  return outline.isAxis(before(first)) ? first : edge;
+}
+
 /// At ν = 1/2 in plane strain the kernel of V contains the normal field of each closed
-/// line. Form Density removes it on lines with contact elements; on other lines this pins
-/// ψ on the longest free edge, see contact::Conditions::pins.
+/// line, of solids of revolution that of each closed surface. Form Density removes it on those with
+/// contact elements; on others this pins ψ on the longest free edge, see contact::Conditions::pins.
 /// \throws InputError for another form, and for a line without such an edge.
 void pinIncompressible(std::size_t b, Scene& scene) {
   Body& body = scene.bodies[b];
@@ -59,10 +68,16 @@ void pinIncompressible(std::size_t b, Scene& scene) {
   const std::vector<bem::Edge>& edges = body.outline->edges();
   std::vector<bool> seen(edges.size(), false);
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    bool held = seen[k];
+    const auto isAxis = [&](std::size_t i) {
+      return body.outline->isAxis(static_cast<int>(i));
+    };
+    if (seen[k] || isAxis(k))
+      continue;
+    bool held = false;
     double longest = 0;
     int pin = -1;
-    for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
+    for (std::size_t i = startOf(k, *body.outline); !seen[i] && !isAxis(i);
+         i = static_cast<std::size_t>(edges[i].next)) {
       seen[i] = true;
       held =
           held || conditions.contact.count(edges[i].boundary) != 0 ||
@@ -75,11 +90,13 @@ void pinIncompressible(std::size_t b, Scene& scene) {
       }
     }
     if (!held && (pin < 0 || fixes))
-      throw InputError(path +
-                       ": is 1/2, which needs on every closed line of the outline a "
-                       "boundary that carries contact stresses or, without Rigid "
-                       "Motions->Fix, one without any condition; the line with '" +
-                       edges[k].boundary + "' has none");
+      throw InputError(
+          path + ": is 1/2, which needs on every closed " +
+          (scene.isAxisymmetric ? "surface of the body" : "line of the outline") +
+          " a boundary that carries contact stresses or, without Rigid "
+          "Motions->Fix, one without any condition; the " +
+          (scene.isAxisymmetric ? "surface" : "line") + " with '" + edges[k].boundary +
+          "' has none");
     if (!held)
       body.conditions.pins.push_back(pin);
   }

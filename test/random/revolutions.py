@@ -115,7 +115,8 @@ class Revolutions(TwoBodies):
 
     def scene(self):
         parts = getattr(self, self.kind)()
-        if self.draw.random() < 0.2:  # of what carries the stresses of contact
+        # of what carries the stresses of contact; hollow balls have a surface without, and are fixed
+        if self.draw.random() < 0.2 and self.kind != "shells":
             sides = [contact["Between"][0] for contact in parts["Contacts"].values()]
             name = sides[0].partition(":")[0] if sides else "block"
             parts["Bodies"][name]["Material"]["Poisson's Ratio"] = 0.5
@@ -148,6 +149,10 @@ class Revolutions(TwoBodies):
 
     def pressed(self):
         bodies = {"upper": self.upper(self.load()), "lower": self.block("contact")}
+        bore = bodies["lower"]["Geometry"]["Vertices"][0][0]
+        if max(x for x, _ in bodies["upper"]["Geometry"]["Vertices"]) < 1.2 * bore:  # it would fall through
+            bodies["lower"]["Geometry"]["Vertices"][0][0] = bodies["lower"]["Geometry"]["Vertices"][3][0] = 0
+            bodies["lower"]["Geometry"]["Edges"][3] = "any"
         sides = ["upper:contact", "lower:contact"]
         if "Rigid" in bodies["upper"]["Material"]:
             sides.reverse()

@@ -115,6 +115,23 @@ error = max(abs(p["lambda_n"] / 63.9423076923 - 1) for p in points)
 claim(error < 1e-6, "hollow spheres: pressure within %.1e" % error)
 
 
+# hollow spheres without compression: bore and outside are two surfaces.  In a rigid bowl too small by 0.01
+# u = -0.01 b^2/r^2; the radii are such that the longest edge is the axis, too
+def bowl(conditions, **more):
+    rigid = {"Young's Modulus": 3, "Poisson's Ratio": 0.5}
+    return scene({"ball": body(
+        [[0, -20], [20, 0], [0, 20], [0, 2], [2, 0], [0, -2]], ["out", "out", "axis", "bore", "bore", "axis"],
+        conditions, bulges=[QUARTER, QUARTER, 0, -QUARTER, -QUARTER, 0], material=rigid, **more)},
+        size=16, degree=12)
+
+
+_, points = last("bowl", bowl({"out": {"Type": "Contact", "Gap": -0.01}}))
+exact = 4 * 0.01 * 20**2 * (1 / 2**3 - 1 / 20**3)
+error = max(abs(p["lambda_n"] / exact - 1) for p in points)
+claim(error < 1e-5, "hollow sphere without compression: pressure within %.1e" % error)
+refused("a bore without compression", ["closed surface", "'bore'"], bowl(
+    {"out": {"Type": "Contact", "Gap": 0}, "bore": {"Type": "Neumann", "Pressure": 1}}))
+
 # a hollow sphere under pressure inside: stresses around the axis
 last("shell", scene({"shell": shell(10, 20, ("bore", "out"), {
     "bore": {"Type": "Neumann", "Pressure": 1}})}, size=16, degree=14))
