@@ -195,6 +195,23 @@ claim(abs(1 - row["slip_length"] - 0.716234) < 2e-3,
       "flat punch: it sticks up to %.6f, %d unknowns" % (
           1 - row["slip_length"], row["dof_displacement"]))
 
+# a rigid paraboloid that goes in with friction: contact and stick grow in proportion (Spence), but for
+# half of what a step of the path adds; on a half-space they are as of the flat punch, .19983
+FAR = [80, 42, 22, 12, 7, 4, 2.5, 1.8, 1.45, 1.25, 1.15, 1.1]
+spence = scene({"block": body(
+    [[0, -80], [80, -80], *([x, 0] for x in FAR), [0.3, 0], [0, 0]],
+    ["base", "side", *["top"] * (len(FAR) - 1), "ball", "ball", "axis"], {
+        "base": clamp(X=0, Y=0), "ball": {"Type": "Contact", "Gap": "(x^2/2 - t^2)/50", "Friction": {
+            "Law": "Coulomb", "Coefficient": 0.1}}},
+    **{"Mesh": {"Elements per Edge": [3, 3, *[2] * (len(FAR) - 1), 80, 30, 1]}})},
+    degree=2, History={"Times": [k / 10 for k in range(1, 11)], "Steps": [6] * 10})
+del spence["Discretization"]["Mesh Size"]
+last("Spence", spence)
+shares = [1 - row["ball.slip_length"] / row["ball.contact_length"] for row in rows("Spence", "steps.csv")
+          if row["t"] > 0.49 and round(row["step"]) % 6 == 0]  # where contact ends at a node
+claim(abs(shares[-1] - 0.19983) < 2e-3 and max(shares) < 1.01 * min(shares),
+      "a ball that goes in sticks on .19983 of the contact: %.5f to %.5f" % (min(shares), max(shares)))
+
 # a hub on a longer shaft, one half of both: the work of the fit is half of force times interference
 fit = scene({
     "hub": body([[1, 0], [2, 0], [2, 1], [1, 1]], ["middle", "side", "end", "bore"]),

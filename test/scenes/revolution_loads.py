@@ -4,7 +4,7 @@ import os
 
 from epafi import Run
 from revolved import (CYLINDER, GRADED, QUARTER, body, clamp, column, last, refused, scene)
-from runs import WORK, claim, finish, largest, rows
+from runs import WORK, claim, epafi, finish, fresh, largest, rows, saved
 from runs import balanced as balanced_of
 
 E, NU, RHO, ALPHA = 5.0, 0.3, 0.2, 0.01
@@ -307,6 +307,40 @@ COLD = fit("cold", 1, True, "0", size=1, degree=6)[0]
 WARM = fit("warm", 1, True, "0", size=1, degree=6, hub={"Temperature": 0.4})[0]
 claim(abs(WARM["force_normal"] / COLD["force_normal"] / (1 - 0.4 * ALPHA * INNER / FIT) - 1) < 1e-10,
       "a hub heated evenly is larger: force %.12g of %.12g" % (WARM["force_normal"], COLD["force_normal"]))
+
+# the estimate over the true error, that to a finer solution
+STRATEGIES = {"Graded hp": 160, "Adaptive h": 120, "Uniform h": 80}
+
+
+def shrunk(strategy, unknowns):
+    hub = {**steel(), "Density": 1}
+    keys = scene({
+        "hub": body([[1, 0], [2, 0], [2, 1], [1, 1]], ["any", "side", "end", "bore"], {}, hub, **{
+            "Body Loads": {"Spin": 0.02, "Temperature": "0.01*z^2"}}),
+        "shaft": body([[0, 0], [1, 0], [1, 3], [0, 3]], ["any", "seat", "end", "any"], {}, hub)},
+        adaptivity={"Strategy": strategy, "Maximum Levels": 60, "Maximum Degrees of Freedom": unknowns},
+        Contacts={"fit": {"Between": ["hub:bore", "shaft:seat"], "Interference": 1e-3}})
+    keys["Geometry"]["Symmetry"] = "Y"
+    return keys
+
+
+def spun_disc(strategy, unknowns):
+    return scene({"disc": body([[0, -0.2], [1, -0.2], [1, 0.2], [0, 0.2]], ["low", "rim", "high", "axis"],
+                               material=steel(), **FIXED)}, size=0.4,
+                 adaptivity={"Strategy": strategy, "Maximum Levels": 60,
+                             "Maximum Degrees of Freedom": unknowns}, **{"Body Loads": {"Spin": 1}})
+
+
+for what in (shrunk, spun_disc):
+    finer = os.path.join(WORK, what.__name__ + " finer", "solution.hdf")
+    last(what.__name__ + " finer", what("Graded hp", 400))
+    for strategy, unknowns in STRATEGIES.items():
+        name = "%s by %s" % (what.__name__, strategy)
+        code, text = epafi("run", saved(name, what(strategy, unknowns)), "--output", fresh(name),
+                           "--reference", finer)
+        ratios = [row["effectivity"] for row in rows(name, "history.csv") if row["counted"] == 1]
+        claim(code == 0 and len(ratios) > 2 and 1 < min(ratios) and max(ratios) < 6, "%s: estimate over error %s" % (
+            name, " ".join("%.2f" % value for value in ratios)))
 
 # heated and cooled with friction: energies balance the better the finer the path
 for law in ({"Law": "None"}, {"Law": "Coulomb", "Coefficient": 0.2}):
