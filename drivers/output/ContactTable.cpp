@@ -40,20 +40,21 @@ SurfaceStress stressAt(const contact::Solved& solved, const bem::Material& mater
         radius > 0 ? bem::evaluate(field.value, on.degree, t).real() / radius : strain;
   }
   const double e = material.youngsModulus;
-  double ofInside = 0;
+  SurfaceStress ofInside{};
   if (const contact::BodyLoadSolution& inside = solved.conditions.inside) {
     const bem::Vec2 along = on.curve.tangent(t);
     const auto stress = inside->stress(solved.space.mesh().scaledPoint(element, t));
-    ofInside = solved.units.stress * dot(stress.on(along), along);
+    ofInside = {solved.units.stress * dot(stress.on(along), along),
+                solved.units.stress * stress.hoop};
     pressure +=
         solved.units.stress * dot(stress.on(on.curve.normal(t)), on.curve.normal(t));
   }
   if (material.planeStress)
-    return {ofInside + e * strain - nu * pressure, 0};
+    return {ofInside.along + e * strain - nu * pressure, 0};
   const double stiffness = e / (1 - nu * nu);
   const double across = nu / (1 - nu) * pressure;
-  return {ofInside + stiffness * (strain + nu * around) - across,
-          stiffness * (around + nu * strain) - across};
+  return {ofInside.along + stiffness * (strain + nu * around) - across,
+          ofInside.around + stiffness * (around + nu * strain) - across};
 }
 
 /// Arc length at the start of each element of contacts, from 0 at the start of each side, or of a

@@ -47,16 +47,17 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
   value.xx = units.stress * field.xx;
   value.yy = units.stress * field.yy;
   value.xy = units.stress * field.xy;
+  value.zz = units.stress * field.zz;
   if (inside) {
     const auto stress = inside->stress(scaled);
     value.displacement = value.displacement + units.length * particular.displacement;
     value.xx += units.stress * stress.xx;
     value.yy += units.stress * stress.yy;
     value.xy += units.stress * stress.xy;
+    value.zz += units.stress * stress.hoop;
   }
-  value.zz = units.isAxisymmetric   ? units.stress * field.zz
-             : material.planeStress ? 0
-                                    : material.poissonsRatio * (value.xx + value.yy);
+  if (!units.isAxisymmetric)
+    value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
   if (inside) {
     value.zz += units.stress * inside->stressAcross(particular.temperature);
     value.temperature = particular.temperature;

@@ -6,11 +6,14 @@
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "drivers/scene/Readers.hpp"
+#include "drivers/scene/Revolution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/special_functions/binomial.hpp>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace epafi::drivers {
@@ -24,33 +27,54 @@ using bem::Vec2;
 
 constexpr int highest = 4;  ///< highest degree of the polynomial
 
-/// Calls visit(i, j) for each monomial xⁱ yʲ.
-template <class Visit>
-void forEachPower(const Visit& visit) {
-  for (int i = 0; i <= highest; ++i)
-    for (int j = 0; i + j <= highest; ++j)
-      visit(i, j);
+/// Powers i, j of monomials xⁱ yʲ, around an axis of revolution of x²ⁱ yʲ.
+std::vector<std::array<int, 2>> powersOf(bool isAxisymmetric) {
+  std::vector<std::array<int, 2>> powers;
+  const int step = isAxisymmetric ? 2 : 1;
+  for (int i = 0; step * i <= highest; ++i)
+    for (int j = 0; step * i + j <= highest; ++j)
+      powers.push_back({i, j});
+  return powers;
+}
+
+using Coefficients = std::map<std::pair<int, int>, Complex>;
+
+double binomial(int n, int k) { return boost::math::binomial_coefficient<double>(n, k); }
+
+/// Adds c xⁱ yʲ in powers of z and z̄, by x = (z + z̄)/2, y = (z - z̄)/(2i).
+void addInPlane(int i, int j, double c, Vec2 size, Coefficients& all) {
+  const Complex scaled =
+      c / (std::pow(2 * size.x, i) * std::pow(Complex(0, 2 * size.y), j));
+  for (int a = 0; a <= i; ++a)
+    for (int b = 0; b <= j; ++b)
+      all[{i - a + j - b, a + b}] +=
+          scaled * (binomial(i, a) * binomial(j, b) * (b % 2 == 0 ? 1 : -1));
 }
 
 /// Least squares fit of the values by monomials in x and y, each scaled to [-1, 1]: on a
-/// thin body monomials in z would be nearly linearly dependent.
+/// thin body monomials in z would be nearly linearly dependent.  Around an axis of revolution x² about
+/// `middle` takes the place of x.
 contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
-                              const std::vector<double>& values) {
+                              const std::vector<double>& values,
+                              std::optional<double> middle) {
+  const auto powers = powersOf(middle.has_value());
+  const auto radial = [&](Complex z) {
+    return middle ? z.real() * z.real() - *middle : z.real();
+  };
   Vec2 size{0, 0};
   for (const Complex z : points)
-    size = {std::max(size.x, std::abs(z.real())), std::max(size.y, std::abs(z.imag()))};
-  bem::Index powers = 0;
-  forEachPower([&](int, int) { ++powers; });
-  bem::Matrix rows(static_cast<bem::Index>(points.size()), powers);
+    size = {std::max(size.x, std::abs(radial(z))), std::max(size.y, std::abs(z.imag()))};
+  bem::Matrix rows(static_cast<bem::Index>(points.size()),
+                   static_cast<bem::Index>(powers.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     bem::Index column = 0;
-    forEachPower([&](int i, int j) {
+    for (const auto& [i, j] : powers)
       rows(static_cast<bem::Index>(k), column++) =
-          std::pow(points[k].real() / size.x, i) * std::pow(points[k].imag() / size.y, j);
-    });
+          std::pow(radial(points[k]) / size.x, i) *
+          std::pow(points[k].imag() / size.y, j);
   }
   const bem::LuFactor factor(bem::transposedTimes(rows, rows));
-  bem::Vector c(bem::at(powers), 0.0);
+  bem::Vector c(powers.size(), 0.0);
   bem::Vector left = values;
   for (int round = 0; round < 2; ++round) {  // one step of iterative refinement
     bem::Vector more = columnOf(bem::transposedTimes(rows, bem::asColumn(left)), 0);
@@ -59,22 +83,18 @@ contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
     left = values;
     bem::axpy(-1, multiply(rows, c), left);
   }
-  // x = (z + z̄)/2, y = (z - z̄)/(2i)
-  std::map<std::pair<int, int>, Complex> all;
-  std::size_t next = 0;
-  forEachPower([&](int i, int j) {
-    const Complex scaled =
-        c[next++] / (std::pow(2 * size.x, i) * std::pow(Complex(0, 2 * size.y), j));
-    for (int a = 0; a <= i; ++a)
-      for (int b = 0; b <= j; ++b)
-        all[{i - a + j - b, a + b}] +=
-            scaled *
-            (boost::math::binomial_coefficient<double>(i, a) *
-             boost::math::binomial_coefficient<double>(j, b) * (b % 2 == 0 ? 1 : -1));
-  });
+  Coefficients all;
+  for (std::size_t k = 0; k < powers.size(); ++k) {
+    const auto [i, j] = powers[k];
+    if (!middle)
+      addInPlane(i, j, c[k], size, all);
+    for (int a = 0; middle && a <= i; ++a)
+      all[{2 * a, j}] += c[k] / (std::pow(size.x, i) * std::pow(size.y, j)) *
+                         binomial(i, a) * std::pow(-*middle, i - a);
+  }
   contact::BodyLoads::Terms terms;
-  for (const auto& [powersOfZ, value] : all)
-    terms.push_back({powersOfZ.first, powersOfZ.second, value});
+  for (const auto& [powersOfBoth, value] : all)
+    terms.push_back({powersOfBoth.first, powersOfBoth.second, value});
   return terms;
 }
 
@@ -85,11 +105,12 @@ bem::SchemaRows bodyLoadsRows() {
   using bem::Row;
   return {
       Row("Gravity X", Kind::Expression, "force / mass",
-          "acceleration; the force per volume is Density times it; in t and constants"),
+          "acceleration; the force per volume is Density times it; in t and constants; "
+          "none of solids of revolution"),
       Row("Gravity Y", Kind::Expression, "force / mass",
           "acceleration along y, down is negative; in t and constants"),
       Row("Force X", Kind::Expression, "stress / length",
-          "instead of Gravity X: the force per volume"),
+          "instead of Gravity X: the force per volume; of solids of revolution outwards"),
       Row("Force Y", Kind::Expression, "stress / length",
           "instead of Gravity Y: the force per volume along y"),
       Row("Spin", Kind::Expression, "radian / time",
@@ -99,10 +120,13 @@ bem::SchemaRows bodyLoadsRows() {
           "the body's own about Center, counter-clockwise; not taken from Spin; "
           "in t and constants"),
       Row("Center", Kind::Reals, "length",
-          "of Spin and Angular Acceleration; without it the origin"),
+          "of Spin and Angular Acceleration; without it the origin; of solids of "
+          "revolution "
+          "the axis, which is not given"),
       Row("Temperature", Kind::Expression, "temperature",
           "difference from the stress-free state, a polynomial in x and y of degree at "
-          "most 4 with coefficients in t; of elastic bodies"),
+          "most 4 with coefficients in t, of solids of revolution even in x; of elastic "
+          "bodies"),
   };
 }
 
@@ -122,7 +146,8 @@ BodyLoadsReader::BodyLoadsReader(const Part& root, const std::string& body)
       thermal_(body_.sub("Thermal Conditions")),
       loads_(body_.sub("Body Loads")),
       own_(loads_.isGiven()),
-      symmetry_(parseSymmetry(root.list->sublist("Geometry"))) {
+      symmetry_(parseSymmetry(root.list->sublist("Geometry"))),
+      isAxisymmetric_(parseRevolution(root.list->sublist("Geometry"))) {
   if (!own_)
     loads_ = root.sub("Body Loads");
 }
@@ -154,7 +179,8 @@ BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin) const {
     force.linear -= ofMaterial("Density", loads_.path("Angular Acceleration")) *
                     Complex(0, value("Angular Acceleration"));
   const Vec2 center = loads_.has("Center") ? loads_.point("Center") : Vec2{};
-  force.uniform += force.linear * asComplex(origin - center);
+  if (!isAxisymmetric_)
+    force.uniform += force.linear * asComplex(origin - center);
   checkSymmetry(force, origin);
   return force;
 }
@@ -162,7 +188,7 @@ BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin) const {
 // Checks the force at the origin of coordinates, which lies on the line of symmetry.
 void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
   constexpr double rounding = 1e-12;
-  const Complex ofOrigin = force.linear * asComplex(origin);
+  const Complex ofOrigin = isAxisymmetric_ ? 0 : force.linear * asComplex(origin);
   Vec2 uniform = asVector(force.uniform - ofOrigin);
   if (symmetry_ && (std::abs(symmetry_.across(uniform)) >
                         rounding * (std::abs(force.uniform) + std::abs(ofOrigin)) ||
@@ -201,8 +227,12 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
     values.push_back(givenAt(y));
     largest = std::max(largest, std::abs(values.back()));
   }
-  contact::BodyLoads::Terms terms = fit(points, values);
-  const contact::ParticularSolution fitted({{}, {}, terms}, bem::Lame(bem::Material{}));
+  std::optional<double> middle;
+  if (isAxisymmetric_)
+    middle = 0.5 * (box.low.x * box.low.x + box.high.x * box.high.x);
+  contact::BodyLoads::Terms terms = fit(points, values, middle);
+  const contact::ParticularSolution fitted({{}, {}, terms, 0, 0, isAxisymmetric_},
+                                           bem::Lame(bem::Material{}));
   double deviation = 0;
   for (const Complex y : latticeOf(9, 0.4))
     deviation =
@@ -211,6 +241,10 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(
   if (deviation > 1e-7 * largest)
     throw InputError(loads_.path("Temperature"),
                      ": is not a polynomial in x and y of degree at most ", highest,
+                     isAxisymmetric_
+                         ? ", even in x: around an axis of revolution an odd power "
+                           "of the radius x is no smooth temperature"
+                         : "",
                      "; the nearest one is off by up to ", deviation);
   return terms;
 }
@@ -224,6 +258,7 @@ contact::BodyLoadSolution BodyLoadsReader::inside(const bem::Outline& outline,
   const Force force = loads_.isGiven() ? forceAt(outline.scaling().origin) : Force{};
   const double length = outline.scaling().length;
   contact::BodyLoads loads;
+  loads.isAxisymmetric = isAxisymmetric_;
   loads.uniform = force.uniform * (length / stress);
   loads.linear = force.linear * (length * length / stress);
   const bool isWarm = loads_.has("Temperature");
@@ -236,7 +271,9 @@ contact::BodyLoadSolution BodyLoadsReader::inside(const bem::Outline& outline,
     const double alpha = ofMaterial(
         "Thermal Expansion", conducts ? thermal_.place.path : loads_.path("Temperature"));
     loads.expansion = material.planeStress ? alpha : (1 + material.poissonsRatio) * alpha;
-    loads.across = material.planeStress ? 0 : -alpha * material.youngsModulus / stress;
+    loads.across = material.planeStress || isAxisymmetric_
+                       ? 0
+                       : -alpha * material.youngsModulus / stress;
   }
   return std::make_shared<const contact::ParticularSolution>(loads,
                                                              bem::Lame(material, stress));
@@ -283,20 +320,22 @@ contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline,
   const double length = outline.scaling().length;
   const Force force = forceAt(outline.scaling().origin);
   const contact::ParticularSolution solution(
-      {force.uniform * length, force.linear * length * length},
+      {force.uniform * length, force.linear * length * length, {}, 0, 0, isAxisymmetric_},
       bem::Lame(bem::Material{}));
+  constexpr double turn = 6.2831853071795865;
   const bem::Rule& rule = bem::gaussLegendre(bem::largestGaussOrder);
   contact::Resultant sum;
   for (const bem::Edge& edge : outline.edges())
     for (int q = 0; q < rule.size(); ++q) {
       const Vec2 y = edge.curve.point(rule.points[q]);
-      const Vec2 b = -0.5 * length * edge.curve.length() * rule.weights[q] *
+      const double around = isAxisymmetric_ ? turn * length * y.x : 1;
+      const Vec2 b = -0.5 * length * around * edge.curve.length() * rule.weights[q] *
                      solution.stress(y).on(edge.curve.normal(rule.points[q]));
       sum.x += b.x;
       sum.y += b.y;
       sum.moment += cross(outline.physical(y) - pole, b);
     }
-  return sum;
+  return isAxisymmetric_ ? contact::Resultant{0, sum.y, 0} : sum;
 }
 
 }  // namespace epafi::drivers

@@ -20,8 +20,9 @@ class BodyLoadsReader {
   /// The loads of an elastic body; null if there are none.  `stress`: the unit of
   /// stresses.
   /// \throws bem::InputError if Density is missing, for Force beside Gravity, for a
-  ///   temperature that is not a polynomial of degree 4 or is given without Thermal
-  ///   Expansion or beside Thermal Conditions, and if a value is not one finite number.
+  ///   temperature that is not a polynomial of degree 4, even in x around an axis of revolution,
+  ///   or is given without Thermal Expansion or beside Thermal Conditions, and if a value is not one
+  ///   finite number.
   contact::BodyLoadSolution inside(const bem::Outline& outline,
                                    const bem::Material& material, double stress) const;
 
@@ -38,7 +39,8 @@ class BodyLoadsReader {
   bool actsOnRigid() const;
 
  private:
-  /// b(x) = uniform + linear (x - origin) per volume, complex, in the user's units.
+  /// b(x) = uniform + linear (x - origin) per volume, complex, in the user's units; around an axis of
+  /// revolution linear acts on the radius.
   struct Force {
     bem::Complex uniform;
     bem::Complex linear;
@@ -54,6 +56,7 @@ class BodyLoadsReader {
   Part loads_;  ///< of the body, or at the root
   bool own_ = false;
   Symmetry symmetry_;
+  bool isAxisymmetric_ = false;
 };
 
 }  // namespace epafi::drivers

@@ -62,8 +62,14 @@ struct Source {
     throw InputError(place.file, ": ", place.path, " = '", text, "' ", what);
   }
   bool knowsPressure() const {
-    return names.ofPressure && form == Form::OfPoint &&
-           names.constants.count("pressure") == 0 && names.tables.count("pressure") == 0;
+    return names.ofPressure && form == Form::OfPoint && isUnnamed("pressure");
+  }
+  /// Is x also called r, or y z?
+  bool knows(const char* radiusOrAxis) const {
+    return names.isAxisymmetric && form == Form::OfPoint && isUnnamed(radiusOrAxis);
+  }
+  bool isUnnamed(const char* name) const {
+    return names.constants.count(name) == 0 && names.tables.count(name) == 0;
   }
   /// The names, for messages.
   std::string known() const {
@@ -73,7 +79,7 @@ struct Source {
                               : knowsPressure()           ? "x, y, t, nx, ny and pressure"
                               : names.onBoundary          ? "x, y, t, nx and ny"
                                                           : "x, y and t";
-    return known +
+    return (knows("r") ? "r, " : "") + std::string(knows("z") ? "z, " : "") + known +
            namesIn(names.constants, form < Form::OfTime ? ": " : " and the constants ") +
            namesIn(names.tables, " and the tables ");
   }
@@ -147,6 +153,10 @@ class Parser {
         parser_.DefineVar("x", &point_.x);
         parser_.DefineVar("y", &point_.y);
       }
+      if (source.knows("r"))
+        parser_.DefineVar("r", &point_.x);
+      if (source.knows("z"))
+        parser_.DefineVar("z", &point_.y);
       if (atPoint && names.onBoundary) {
         parser_.DefineVar("nx", &point_.normal.x);
         parser_.DefineVar("ny", &point_.normal.y);

@@ -25,6 +25,8 @@ struct Names {
   double t = 1;
   Tables tables = {};
   bool onBoundary = false;  ///< nx and ny: the outward unit normal at the point
+  /// Is x also r and y also z?  Constants of these names go before.
+  bool isAxisymmetric = false;
   bool ofPressure =
       false;  ///< pressure, of a contact; a constant of this name goes before
 };
@@ -40,7 +42,7 @@ enum class Form {
 /// Makes a function of x and y from a muParser expression; in other forms it is the same
 /// everywhere.
 ///
-/// It may use x, y, t, pi, on a boundary nx, ny, the constants and tables of the scene; +
+/// It may use x, y, of solids of revolution r = x, z = y, t, pi, on a boundary nx, ny, the constants and tables of the scene; +
 /// - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan sinh cosh tanh asinh
 /// acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint, min, max, sum, avg,
 /// atan2.  Assignments are refused.  May be called from several threads at once.

@@ -72,12 +72,13 @@ void pinIncompressible(std::size_t b, Scene& scene) {
       }
     }
     if (!held && pin < 0)
-      throw InputError(path +
-                       ": is 1/2, which needs on every closed line of the outline a "
-                       "boundary that carries contact stresses or one without a given "
-                       "displacement; the line with '" +
-                       edges[static_cast<std::size_t>(line.front())].boundary +
-                       "' has none");
+      throw InputError(
+          path + ": is 1/2, which needs on every closed " +
+          (scene.isAxisymmetric ? "surface of the body" : "line of the outline") +
+          " a boundary that carries contact stresses or one without a given "
+          "displacement; the one "
+          "with '" +
+          edges[static_cast<std::size_t>(line.front())].boundary + "' has none");
     if (!held)
       body.conditions.pins.push_back(pin);
   }

@@ -118,9 +118,12 @@ void refuse(const Part& part, std::initializer_list<const char*> keys,
       throw InputError(part.path(key), ": ", type, ": ", why);
 }
 
-void refuseAny(const Part& part, const std::string& why) {
-  if (part.isGiven())
-    throw InputError(part.place.path, ": ", type, ": ", why);
+void checkBodyLoads(const Part& loads) {
+  refuse(loads, {"Gravity X"},
+         "weight acts along the axis, Gravity Y; a force outwards is Force X");
+  refuse(loads, {"Angular Acceleration"},
+         "twists the section out of its plane; solids of revolution are without torsion");
+  refuse(loads, {"Center"}, "Spin is about the axis; remove this key");
 }
 
 void checkBody(const Part& body) {
@@ -140,8 +143,13 @@ void checkBody(const Part& body) {
         throw InputError(
             rigid.path("Fix"), ": ", type, ": '", name,
             "' is not a rigid motion of a solid of revolution; Y is the only one");
-  refuseAny(body.sub("Body Loads"), "body loads are not possible yet; remove this list");
-  refuseAny(body.sub("Thermal Conditions"), "heat is not possible yet; remove this list");
+  checkBodyLoads(body.sub("Body Loads"));
+  const Part thermal = body.sub("Thermal Conditions");
+  if (thermal.isGiven())
+    throw InputError(
+        thermal.place.path, ": ", type,
+        ": heat conduction is not possible yet; give Body Loads->Temperature, a "
+        "polynomial in x and y that is even in x");
   const Part conditions = body.sub("Boundary Conditions");
   for (const auto& item : *conditions.list)
     refuse(
@@ -163,7 +171,7 @@ void checkRevolution(const Scene& scene) {
   const Part root = scene.root();
   for (const auto& item : *root.sub("Bodies").list)
     checkBody(root.sub("Bodies").sub(item.first));
-  refuseAny(root.sub("Body Loads"), "body loads are not possible yet; remove this list");
+  checkBodyLoads(root.sub("Body Loads"));
   if (scene.stabilization.tractions())
     throw InputError("Discretization->Stabilization->Form: ", type,
                      ": evaluates plane tractions; Density and None are possible");

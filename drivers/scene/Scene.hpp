@@ -124,7 +124,11 @@ struct Scene {
     return hasSeveral() ? labelOf(side) : side.boundary;
   }
   /// The names of expressions at t = 1 that do not depend on a boundary.
-  Names names() const { return {constants, 1, tables}; }
+  Names names() const {
+    Names names{constants, 1, tables};
+    names.isAxisymmetric = isAxisymmetric;
+    return names;
+  }
   /// The complete list, which must outlive all Parts of it.
   Part root() const { return {used, {file, ""}, names()}; }
 

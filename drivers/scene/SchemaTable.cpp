@@ -90,8 +90,10 @@ void addBody(Table& table) {
       {
           Row("Type", Kind::Text,
               "Axisymmetric: bodies are solids of revolution without torsion, x is the "
-              "radius and y the axis; edges on x = 0 are the axis by themselves, named "
-              "'axis'; forces, energies and volumes are those of the whole revolution, "
+              "radius and y the axis, in expressions r and z, too; edges on x = 0 are "
+              "the axis by "
+              "themselves, named 'axis'; forces, energies and volumes are those of the "
+              "whole revolution, "
               "[force] for stress length^2, [energy] for stress length^3")
               .defaultValue("Plane")
               .allowed({"Plane", "Axisymmetric"}),

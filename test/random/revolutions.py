@@ -14,7 +14,8 @@ class Revolutions(TwoBodies):
     """A ball, a cone, a flat punch or an O-ring pressed onto a block or a ring, with or without an
     axis, elastic or rigid; the block alone under an obstacle; sleeves shrunk on a shaft; hollow balls
     in one another.  Every law and Tied, strategy and normal law; overlaps and play; paths, wear,
-    sliding along the meridian; nu up to 1/2.  Claimed besides is that forces along the axis balance."""
+    sliding along the meridian; nu up to 1/2; in every second scene bodies weigh, spin, are pulled outwards
+    or hot.  Claimed besides is that forces along the axis balance."""
 
     KINDS = ("pressed", "alone", "sleeve", "shells")
 
@@ -114,15 +115,44 @@ class Revolutions(TwoBodies):
 
     def scene(self):
         parts = getattr(self, self.kind)()
-        if self.draw.random() < 0.2:  # of what carries the stresses of contact
+        # of what carries the stresses of contact; hollow balls have a surface without, and are fixed
+        if self.draw.random() < 0.2 and self.kind != "shells":
             sides = [contact["Between"][0] for contact in parts["Contacts"].values()]
             name = sides[0].partition(":")[0] if sides else "block"
             parts["Bodies"][name]["Material"]["Poisson's Ratio"] = 0.5
+        draw = self.draw = random.Random("%d loads" % self.seed)
+        if draw.random() < 0.5:
+            for body in parts["Bodies"].values():
+                if draw.random() < 0.7:
+                    self.add_loads(body)
         return {"Geometry": {"Type": "Axisymmetric"}, **parts,
                 **({"History": {"Times": [1, 1.5], "Steps": [2, 2]}} if self.path else {})}
 
+    def add_loads(self, body):
+        """As large as those of boundaries; weight acts down, so that all rests on what carries it."""
+        draw, stress, size = self.draw, self.stress, self.size
+        density, expansion = 10 ** draw.uniform(-9, 4), 10 ** draw.uniform(-6, -4)
+        terms = ["(%.6g)*%s" % (draw.uniform(-1, 1) / size ** (i + j), "*".join(["r"] * i + ["z"] * j) or "1")
+                 for i in (0, 2, 4) for j in range(5 - i) if draw.random() < 0.4]
+        loads = {
+            "Gravity Y": self.grown(-stress / size / density * draw.uniform(0.05, 1)),
+            "Spin": self.grown(math.sqrt(stress / density * draw.uniform(0.05, 1)) / size),
+            "Force X": self.grown(stress / size * draw.uniform(-0.5, 0.5)),
+            "Temperature": "(%s)*(%s)" % (self.grown(stress / self.modulus / expansion * draw.uniform(-1, 1)),
+                                          " + ".join(terms or ["1"]))}
+        rigid = "Rigid" in body["Material"]
+        names = ["Gravity Y"] if rigid else draw.sample(list(loads), draw.randint(1, 3))
+        body["Body Loads"] = {name: loads[name] for name in names}
+        body["Material"]["Density"] = density
+        if not rigid:
+            body["Material"]["Thermal Expansion"] = expansion
+
     def pressed(self):
         bodies = {"upper": self.upper(self.load()), "lower": self.block("contact")}
+        bore = bodies["lower"]["Geometry"]["Vertices"][0][0]
+        if max(x for x, _ in bodies["upper"]["Geometry"]["Vertices"]) < 1.2 * bore:  # it would fall through
+            bodies["lower"]["Geometry"]["Vertices"][0][0] = bodies["lower"]["Geometry"]["Vertices"][3][0] = 0
+            bodies["lower"]["Geometry"]["Edges"][3] = "any"
         sides = ["upper:contact", "lower:contact"]
         if "Rigid" in bodies["upper"]["Material"]:
             sides.reverse()
@@ -170,11 +200,11 @@ class Revolutions(TwoBodies):
         """Forces of a body along the axis, and those of contacts."""
         found, forces = [], {row["body"]: row for row in rows if row.get("step") == rows[-1].get("step")}
         size = abs(level["force_normal"]) + sum(abs(row[kind]) for row in forces.values() for kind in (
-            "load_y", "contact_y", "reaction_y"))
+            "load_y", "body_force_y", "contact_y", "reaction_y"))
         for name, row in forces.items():
-            rest = row["load_y"] + row["contact_y"] + row["reaction_y"]
+            rest = row["load_y"] + row["body_force_y"] + row["contact_y"] + row["reaction_y"]
             if abs(rest) > 1e-10 * size + self.rounding:
                 found.append("'%s' is off balance by %.1e of the forces" % (name, rest / size))
-        if len(rows) > 1 and abs(sum(row["contact_y"] for row in forces.values())) > 1e-10 * size + self.rounding:
+        if len(forces) > 1 and abs(sum(row["contact_y"] for row in forces.values())) > 1e-10 * size + self.rounding:
             found.append("contacts are off balance")
         return found

@@ -86,6 +86,7 @@ case("fretting", "friction's work", history("energy_friction"), None, "slip", Fa
 case("gasket", "largest pressure", peak)
 case("heap", "length that slips", history("slip_length"), None, "deformed")
 case("hertz", "largest pressure", peak, 5.4945054945)
+case("hot-hub", "force_normal at 8000/s", steps("fit.force_normal", 3), None, "hoop")
 case("hot-tube", "hoop stress inside", inside("syy"), -220.314893, "von_mises")
 case("hub-on-shaft", "force_normal", history("force_normal"), 101289.43104, "hoop")
 case("incline", "force over weight", lambda folder: abs(rows(
@@ -103,6 +104,7 @@ case("rough", "mean pressure", mean_pressure)
 case("rounded-punch", "pressure in the middle", pressure_at(0), 1.359703)
 case("shrink-fit", "mean pressure, cold", mean_pressure, 49.21875, "von_mises")
 case("spheres", "largest pressure", peak, 699.5821675, "von_mises")
+case("spinning-disc", "hoop stress in the middle", inside("hoop"), 129.8165714, "hoop")
 case("there-and-back", "friction's work", history("energy_friction"), None, "steps")
 case("tilting-punch", "length in contact", history("contact_length"), 1.2)
 case("tresca", "strain energy", history("energy_strain"), None, "von_mises")
@@ -132,6 +134,7 @@ FORMS = {
     "rounded-punch": ("Ciavarella, Hills, Monno", "0.8058354 P/(2a)", "a half-plane; the block is 40 a wide"),
     "shrink-fit": ("Lamé", "δ/C", ""),
     "spheres": ("Hertz", "p₀ = (6 P E*²/(π³ R²))^(1/3)", "half-spaces"),
+    "spinning-disc": ("Love", "ρω²((3+ν)R²/8 + ν(1+ν)h²/(24(1-ν)))", "stresses of the rim, far from the middle"),
     "tilting-punch": ("Sadowsky", "2c = 4 (a - e)", "ends at a node"),
     "two-cylinders": ("Hertz", "p₀ = 2P/(πa)", "half-planes, a/R = 0.0075"),
 }

@@ -22,29 +22,57 @@ Complex power(Complex z, int n) {
   return result;
 }
 
-Complex sum(const BodyLoads::Terms& terms, Complex z) {
+/// The coordinates whose powers the terms are.
+struct Place {
+  Complex first;
+  Complex second;
+};
+
+Place placeOf(bool isAxisymmetric, Vec2 at) {
+  const Complex z = asComplex(at);
+  return isAxisymmetric ? Place{at.x, at.y} : Place{z, std::conj(z)};
+}
+
+Complex valueAt(const BodyLoads::Terms& terms, const Place& place) {
   Complex result;
   for (const auto& [a, b, c] : terms)
-    result += c * power(z, a) * power(std::conj(z), b);
+    result += c * power(place.first, a) * power(place.second, b);
   return result;
 }
 
-/// ∂/∂z̄
-Complex conjugateSlope(const BodyLoads::Terms& terms, Complex z) {
-  Complex result;
-  for (const auto& [a, b, c] : terms)
-    if (b > 0)
-      result += static_cast<double>(b) * c * power(z, a) * power(std::conj(z), b - 1);
+/// The terms of a derivative with respect to one of both coordinates.
+BodyLoads::Terms slopes(const BodyLoads::Terms& terms, int BodyLoads::Term::*coordinate) {
+  BodyLoads::Terms result;
+  for (BodyLoads::Term term : terms)
+    if (const int n = term.*coordinate; n > 0) {
+      term.c = static_cast<double>(n) * term.c;
+      --(term.*coordinate);
+      result.push_back(term);
+    }
   return result;
 }
 
 }  // namespace
 
+Complex ParticularSolution::sum(const BodyLoads::Terms& terms, Vec2 at) const {
+  return valueAt(terms, placeOf(loads_.isAxisymmetric, at));
+}
+
+// ∂/∂z̄
+Complex ParticularSolution::conjugateSlope(const BodyLoads::Terms& terms, Vec2 at) const {
+  const Place place = placeOf(loads_.isAxisymmetric, at);
+  const Complex second = valueAt(slopes(terms, &BodyLoads::Term::b), place);
+  return loads_.isAxisymmetric
+             ? 0.5 * (valueAt(slopes(terms, &BodyLoads::Term::a), place) +
+                      Complex(0, 1) * second)
+             : second;
+}
+
 ParticularSolution::ParticularSolution(const BodyLoads& loads, const bem::Lame& lame)
     : loads_(loads),
       lame_(lame),
-      forces_(ofForces(loads, lame)),
-      heat_(ofHeat(loads, lame)) {}
+      forces_(loads.isAxisymmetric ? ofForcesAround(loads, lame) : ofForces(loads, lame)),
+      heat_(loads.isAxisymmetric ? ofHeatAround(loads, lame) : ofHeat(loads, lame)) {}
 
 // With w = u₁ + i u₂:  σxx + σyy = 4 (λ+μ) Re ∂w/∂z,  σxx - σyy + 2i σxy = 4 μ ∂w/∂z̄.  The first
 // one is written out, since λ -> ∞ as ν -> 1/2.
@@ -78,6 +106,66 @@ ParticularSolution::Part ParticularSolution::ofHeat(const BodyLoads& loads,
   return part;
 }
 
+// Of the uniform force a solution of one stress along the axis, -b y; outwards u ~ x², of spin u ~ x³.
+ParticularSolution::Part ParticularSolution::ofForcesAround(const BodyLoads& loads,
+                                                            const bem::Lame& lame) {
+  const double nu = lame.nu;
+  const double stiffness = 2 * lame.mu * (1 + nu);  // Young's modulus
+  const double along = loads.uniform.imag();
+  const double outwards = loads.uniform.real() / (1 - nu);
+  const double spin = loads.linear.real() / (8 * (1 - nu));
+  const double slenderness = (1 - 2 * nu) / (2 * lame.mu);
+  return {{{1, 1, nu * along / stiffness},
+           {0, 2, Complex(0, -along / (2 * stiffness))},
+           {2, 0, Complex(0, -along * nu / (2 * stiffness))},
+           {2, 0, -outwards * slenderness / 3},
+           {3, 0, -spin * slenderness}},
+          {{0, 1, -along},
+           {1, 0, -outwards * 2 * (1 + nu) / 3},
+           {2, 0, -spin * (3 + 2 * nu)}},
+          {{1, 0, -outwards * (1 + nu) / 3}, {2, 0, -spin * (1 + 2 * nu)}}};
+}
+
+// A temperature linear in y makes no stress; of the others u = ∇Φ with ∇²Φ = m T, where
+// ∇² x^n y^b = n² x^(n-2) y^b + b (b-1) x^n y^(b-2), and σ = 2μ (∇∇Φ - m T).
+ParticularSolution::Part ParticularSolution::ofHeatAround(const BodyLoads& loads,
+                                                          const bem::Lame& lame) {
+  const double m = loads.expansion / (1 - lame.nu);
+  const double alpha = loads.expansion / (1 + lame.nu);
+  const Complex along(0, 1);
+  Part part;
+  for (auto [a, b, c] : loads.temperature) {
+    if (a == 0 && b == 0) {
+      part.displacement.insert(part.displacement.end(),
+                               {{1, 0, alpha * c}, {0, 1, along * alpha * c}});
+      continue;
+    }
+    if (a == 0 && b == 1) {
+      part.displacement.insert(part.displacement.end(),
+                               {{1, 1, alpha * c},
+                                {0, 2, 0.5 * along * alpha * c},
+                                {2, 0, -0.5 * along * alpha * c}});
+      continue;
+    }
+    const Complex heat = -2 * lame.mu * m * c;
+    part.trace.push_back({a, b, heat});
+    part.hoop.push_back({a, b, heat});
+    for (; b >= 0; a += 2, b -= 2) {
+      const double n = a + 2;
+      const Complex potential = m * c / (n * n);
+      const Complex around = 2 * lame.mu * n * potential;  // 2μ/x ∂Φ/∂x
+      part.displacement.push_back({a + 1, b, n * potential});
+      if (b > 0)
+        part.displacement.push_back(
+            {a + 2, b - 1, static_cast<double>(b) * along * potential});
+      part.trace.push_back({a, b, -around});
+      part.hoop.push_back({a, b, around});
+      c *= -b * (b - 1) / (n * n);
+    }
+  }
+  return part;
+}
+
 // NOLINTNEXTLINE(modernize-pass-by-value): a part of it is replaced
 ParticularSolution::ParticularSolution(const ParticularSolution& loads,
                                        std::shared_ptr<const ConductedHeat> heat)
@@ -87,11 +175,11 @@ ParticularSolution::ParticularSolution(const ParticularSolution& loads,
 }
 
 Vec2 ParticularSolution::displacementOfForces(Vec2 at) const {
-  return asVector(sum(forces_.displacement, asComplex(at)));
+  return asVector(sum(forces_.displacement, at));
 }
 
 Vec2 ParticularSolution::displacementOfPolynomials(Vec2 at) const {
-  return displacementOfForces(at) + asVector(sum(heat_.displacement, asComplex(at)));
+  return displacementOfForces(at) + asVector(sum(heat_.displacement, at));
 }
 
 // α' ∫ f dz + m ∇Φ
@@ -105,8 +193,7 @@ std::vector<ParticularSolution::Value> ParticularSolution::at(
   std::vector<Value> values;
   values.reserve(points.size());
   for (const Vec2 y : points)
-    values.push_back(
-        {displacementOfPolynomials(y), sum(loads_.temperature, asComplex(y)).real()});
+    values.push_back({displacementOfPolynomials(y), sum(loads_.temperature, y).real()});
   if (conducted_ == nullptr)
     return values;
   const std::vector<ConductedHeat::Value> heat = conducted_->at(points);
@@ -127,10 +214,9 @@ Vec2 ParticularSolution::displacement(const bem::Mesh& mesh, int element,
 }
 
 ParticularSolution::Stress ParticularSolution::stressOf(const Part& part, Vec2 at) const {
-  const Complex z = asComplex(at);
-  const double mean = 0.5 * sum(part.trace, z).real();
-  const Complex rest = 2 * lame_.mu * conjugateSlope(part.displacement, z);
-  return {mean + rest.real(), mean - rest.real(), rest.imag()};
+  const double mean = 0.5 * sum(part.trace, at).real();
+  const Complex rest = 2 * lame_.mu * conjugateSlope(part.displacement, at);
+  return {mean + rest.real(), mean - rest.real(), rest.imag(), sum(part.hoop, at).real()};
 }
 
 // Of sources  σxx + σyy = -2μ m T,  σxx - σyy + 2i σxy = 4 μ m ∂(∇Φ)/∂z̄.
@@ -148,23 +234,28 @@ ParticularSolution::Stress ParticularSolution::stress(Vec2 at) const {
 }
 
 Vec2 ParticularSolution::force(Vec2 at) const {
-  return asVector(loads_.uniform + loads_.linear * asComplex(at));
+  return asVector(loads_.uniform +
+                  loads_.linear * (loads_.isAxisymmetric ? at.x : asComplex(at)));
 }
 
 double ParticularSolution::energyDensity(Vec2 at) const {
   const Stress s = stressOf(forces_, at) + stressOf(heat_, at);
-  const double trace = s.xx + s.yy;
-  return (s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy - lame_.nu * trace * trace) /
+  const double trace = s.xx + s.yy + s.hoop;
+  const double share =
+      loads_.isAxisymmetric ? lame_.nu / (1 + lame_.nu) : lame_.nu;  // of the trace
+  return (s.xx * s.xx + s.yy * s.yy + s.hoop * s.hoop + 2 * s.xy * s.xy -
+          share * trace * trace) /
          (4 * lame_.mu);
 }
 
 namespace {
 
 /// ∫ f over the body from its boundary: ∮ y·n ∫ s f(s y) ds, s in (0, 1); exact for polynomials of
-/// degree 8.
+/// degree 8.  Around an axis of revolution 2πx f.
 template <class Density>
 double integralInside(const bem::Mesh& mesh, const Density& f) {
-  const bem::Rule& radial = bem::gaussLegendre(5);
+  const bool isAxisymmetric = mesh.outline().isAxisymmetric();
+  const bem::Rule& radial = bem::gaussLegendre(isAxisymmetric ? 6 : 5);
   double sum = 0;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
@@ -174,9 +265,10 @@ double integralInside(const bem::Mesh& mesh, const Density& f) {
       double along = 0;
       for (int k = 0; k < radial.size(); ++k) {
         const double s = 0.5 * (1 + radial.points[k]);
-        along += 0.5 * radial.weights[k] * s * f(s * y);
+        along += 0.5 * radial.weights[k] * s * (isAxisymmetric ? s : 1) * f(s * y);
       }
-      sum += mesh[e].half * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
+      sum +=
+          mesh.measure(e, t) * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
     }
   }
   return sum;
@@ -211,10 +303,9 @@ void ParticularSolution::addConducted(const bem::Mesh& mesh, Energies& energies)
       const double t = rule.points[k];
       const double weight = mesh[e].half * rule.weights[k];
       const Vec2 y = mesh.scaledPoint(e, t);
-      const Complex z = asComplex(y);
       const Vec2 normal = mesh[e].curve.normal(t);
       const Complex n = asComplex(normal);
-      const ConductedHeat::OfSources of = conducted_->ofSources(z);
+      const ConductedHeat::OfSources of = conducted_->ofSources(asComplex(y));
       const Vec2 gradient = asVector(of.gradient);
       const Vec2 traction = stressOfHeat(y).on(normal);
       const double twofold = dot(traction, displacementOfForces(y));
@@ -226,8 +317,8 @@ void ParticularSolution::addConducted(const bem::Mesh& mesh, Energies& energies)
       energies.work +=
           weight * (twofold - dot(stressOf(forces_, y).on(normal), u) +
                     alpha * (conducted_->temperature(e, t) * 2 *
-                                 (std::conj(n) * conjugateSlope(q, z)).real() -
-                             sum(q, z).real() * conducted_->flow(e, t)));
+                                 (std::conj(n) * conjugateSlope(q, y)).real() -
+                             sum(q, y).real() * conducted_->flow(e, t)));
     }
   }
 }

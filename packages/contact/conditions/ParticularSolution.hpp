@@ -13,26 +13,27 @@ class ConductedHeat;
 /// Body forces and temperature of a body, dimensionless, in scaled coordinates z = x + iy.
 struct BodyLoads {
   /// The force per volume is uniform + linear z: weight; ρω² - iργ of a spin ω with the angular
-  /// acceleration γ, about the origin.
+  /// acceleration γ, about the origin.  Of solids of revolution uniform + linear x.
   bem::Complex uniform{};
   bem::Complex linear{};
-  /// c z^a z̄^b
+  /// c z^a z̄^b, of solids of revolution c x^a y^b
   struct Term {
     int a = 0;
     int b = 0;
     bem::Complex c;
   };
   using Terms = std::vector<Term>;
-  Terms temperature{};  ///< above the stress-free state, a real sum [temperature]
-  double expansion = 0;  ///< α of plane stress, (1+ν) α of plane strain [1 / temperature]
+  Terms temperature{};   ///< above the stress-free state, a real sum [temperature]
+  double expansion = 0;  ///< α of plane stress, else (1+ν) α [1 / temperature]
   double across = 0;  ///< σzz of a 1 of temperature that nothing but ν (σxx + σyy) joins
+  bool isAxisymmetric = false;  ///< a in `temperature` is even
 };
 
 /// Particular solution u, σ of div σ + b = 0 for BodyLoads, as polynomials.  The boundary
 /// operators solve for the remaining homogeneous part, so that the interior is not discretised.
 /// It has two parts, for forces and for heat.  A harmonic temperature has no stress in the plane
 /// except that of sources in holes.  For conducted heat the second part consists of boundary
-/// integrals instead of polynomials.
+/// integrals instead of polynomials.  Those of solids of revolution are polynomials in x and y.
 ///
 /// Dimensionless, in the outline's scaled coordinates; regular at ν = 1/2.
 ///                                                             [doc/theory/body-loads.md]
@@ -47,9 +48,10 @@ class ParticularSolution {
     double xx = 0;
     double yy = 0;
     double xy = 0;
+    double hoop = 0;  ///< of solids of revolution
 
     Stress operator+(const Stress& other) const {
-      return {xx + other.xx, yy + other.yy, xy + other.xy};
+      return {xx + other.xx, yy + other.yy, xy + other.xy, hoop + other.hoop};
     }
     bem::Vec2 on(bem::Vec2 normal) const {
       return {xx * normal.x + xy * normal.y, xy * normal.x + yy * normal.y};
@@ -66,7 +68,7 @@ class ParticularSolution {
   Stress stress(bem::Vec2 at) const;
   /// Per volume.
   bem::Vec2 force(bem::Vec2 at) const;
-  /// ½ σ : C⁻¹ σ in the plane, per volume, of forces and polynomial heat.
+  /// ½ σ : C⁻¹ σ in the plane or around the axis, per volume, of forces and polynomial heat.
   double energyDensity(bem::Vec2 at) const;
   /// Thermal part of σzz in plane strain, in addition to ν (σxx + σyy).
   double stressAcross(double temperature) const { return loads_.across * temperature; }
@@ -77,7 +79,7 @@ class ParticularSolution {
 
   /// Over the body.
   struct Energies {
-    double own = 0;   ///< ½ ∫ σ : C⁻¹ σ in the plane
+    double own = 0;   ///< ½ ∫ σ : C⁻¹ σ in the plane or around the axis
     double work = 0;  ///< ∫ b·u
   };
   Energies energies(const bem::Mesh& mesh) const;
@@ -95,9 +97,14 @@ class ParticularSolution {
   struct Part {
     BodyLoads::Terms displacement;  ///< u₁ + i u₂
     BodyLoads::Terms trace;         ///< σxx + σyy
+    BodyLoads::Terms hoop;          ///< of solids of revolution
   };
   static Part ofForces(const BodyLoads& loads, const bem::Lame& lame);
   static Part ofHeat(const BodyLoads& loads, const bem::Lame& lame);
+  static Part ofForcesAround(const BodyLoads& loads, const bem::Lame& lame);
+  static Part ofHeatAround(const BodyLoads& loads, const bem::Lame& lame);
+  bem::Complex sum(const BodyLoads::Terms& terms, bem::Vec2 at) const;
+  bem::Complex conjugateSlope(const BodyLoads::Terms& terms, bem::Vec2 at) const;
   Stress stressOf(const Part& part, bem::Vec2 at) const;
   bem::Vec2 displacementOfPolynomials(bem::Vec2 at) const;
   bem::Vec2 displacementOfConducted(bem::Vec2 at, bem::Complex integral) const;
