@@ -115,8 +115,7 @@ class Revolutions(TwoBodies):
 
     def scene(self):
         parts = getattr(self, self.kind)()
-        # of what carries the stresses of contact; hollow balls have a surface without, and are fixed
-        if self.draw.random() < 0.2 and self.kind != "shells":
+        if self.draw.random() < 0.2:  # of what carries the stresses of contact
             sides = [contact["Between"][0] for contact in parts["Contacts"].values()]
             name = sides[0].partition(":")[0] if sides else "block"
             parts["Bodies"][name]["Material"]["Poisson's Ratio"] = 0.5
