@@ -210,8 +210,8 @@ std::vector<Command> makeCommands() {
         {"--vtk", "",
          "triangles of the whole inside for ParaView, small at small elements"},
         {"--step", "K|all",
-         "at this step of a load path: 1, 2, ...; default: the last; all, with --vtk: "
-         "fields.pvd, a series for ParaView"},
+         "at this step of a load path: 1, 2, ...; default: the last; all: rows of all "
+         "steps, with --vtk fields.pvd, a series for ParaView"},
         threads},
        onFirst<fieldsCommand>},
       {"schema",
