@@ -22,7 +22,10 @@ packagesOf() {
       echo mkdocs libjs-jquery  # the pages as a site, to follow their links
       ;;
     site) echo mkdocs doxygen libjs-jquery ;;  # with the headers: ninja -C build site
-    all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu ;;
+    all)
+      echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu
+      echo chromium  # opens reports
+      ;;
   esac
 }
 

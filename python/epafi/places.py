@@ -20,7 +20,6 @@ BENT = 0.05  # of the radius of an arc: as far as it is nearly straight
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
-AXIS = "axis"  # that of Geometry->Type = Axisymmetric: what ends there is no wedge
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
 
 
@@ -117,14 +116,15 @@ class Outlines:
         self.loaded = loaded(run, step)
         ends = [Place(edge.end, (edge.after, edge)) for edge in self.edges]
         self.places = [self.completed(place) for place in ends
-                       if place.ends and not self.on_axis(place)]
+                       if place.ends and not self.on_axis(place.x)]
         for x, edge in self.opposite_ends():
-            if all(abs(place.x - x) > APART * self.size for place in self.places
+            if not self.on_axis(x) and all(abs(place.x - x) > APART * self.size for place in self.places
                    if place.body == edge.body):
                 self.add(x, edge)
 
-    def on_axis(self, place: Place) -> bool:
-        return self.revolve and AXIS in (edge.name for edge in place.edges)
+    def on_axis(self, x: complex) -> bool:
+        """On that of Geometry->Type = Axisymmetric, where no wedge ends."""
+        return self.revolve and abs(x.real) < APART * self.size
 
     def conditions(self, edge: Edge) -> dict[str, Any]:
         return self.scene["Bodies"][edge.body].get("Boundary Conditions", {}).get(edge.name, {})

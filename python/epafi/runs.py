@@ -14,7 +14,7 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene, tree_of
-from epafi.tables import HISTORY, Table, html_table, nearest, own, read, shown_step
+from epafi.tables import HISTORY, Table, counted, html_table, nearest, own, read, shown_step
 
 if TYPE_CHECKING:
     import h5py
@@ -251,8 +251,8 @@ class Run:
         return os.path.join(self.folder, "report.html")
 
     def __repr__(self) -> str:
-        return "; ".join(filter(None, ["Run: %d levels, %s" % (
-            self.history.size, self.history["status"][-1]), self.no_result]))
+        return "; ".join(filter(None, ["Run: %s, %s" % (
+            counted(self.history.size, "level"), self.history["status"][-1]), self.no_result]))
 
     def _repr_html_(self) -> str:
         """For notebooks: the levels, and a picture where matplotlib is installed."""
