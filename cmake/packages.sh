@@ -25,6 +25,7 @@ packagesOf() {
     all)
       echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu
       echo chromium  # opens reports
+      echo python3-nbclient python3-nbformat python3-ipykernel  # execute the notebook
       ;;
   esac
 }

@@ -18,6 +18,8 @@ from matplotlib.transforms import offset_copy
 from epafi.program import InputError
 from epafi.tables import own, used_of
 
+plt.draw_if_interactive()  # loads the backend: within rc_context a notebook's would lose what it sets
+
 # Okabe and Ito's, which readers without red or green tell apart.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 STYLE = {"axes.grid": True, "grid.alpha": 0.3, "axes.prop_cycle": cycler(color=COLOURS),
