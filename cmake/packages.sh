@@ -17,7 +17,7 @@ packagesOf() {
       echo python3 python3-h5py python3-matplotlib  # epafi plot; the build's descriptions
       ;;
     check)
-      echo clang-format-14 libxml2-utils python3-jsonschema
+      echo clang-format-14 libxml2-utils python3-jsonschema flake8 mypy
       echo python3-pip python3-setuptools python3-wheel python3-pandas  # of the Python front
       echo mkdocs libjs-jquery  # the pages as a site, to follow their links
       ;;

@@ -171,9 +171,10 @@ def parameters(run: Run, table: Table, chosen: np.ndarray, t: np.ndarray, alpha:
         here = np.flatnonzero(within & (first["body"] == body))
         for part in np.array_split(here, -(-len(here) // POINTS)):
             found[part, :4] = swt(stress[part], *_constants(run, str(body)))
-    for point in np.flatnonzero(within) if alpha is not None else ():
-        value, step, tau, hydrostatic = dang_van(stress[point], alpha)
-        found[point, 4:] = value, t[step], tau, hydrostatic
+    if alpha is not None:
+        for point in np.flatnonzero(within):
+            value, step, tau, hydrostatic = dang_van(stress[point], alpha)
+            found[point, 4:] = value, t[step], tau, hydrostatic
     return first | dict(zip(NAMES, found.T))
 
 
@@ -181,8 +182,8 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *,
             body: Optional[str] = None, alpha: Optional[float] = None, first: Optional[float] = None,
             last: Optional[float] = None, depth: Optional[float] = None) -> Table:
     """As Run.fatigue."""
-    boundary = isinstance(where, str) and ":" in where
-    contact = isinstance(where, str) and not boundary
+    name = where if isinstance(where, str) else ""
+    boundary, contact = ":" in name, bool(name) and ":" not in name
     if depth is not None and not boundary:
         raise InputError("depth: belongs to a boundary, 'body:boundary'")
     if body is not None and not contact:
@@ -192,26 +193,26 @@ def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *,
         raise InputError("alpha: %r is no finite number" % (alpha,))
     steps, t = cycle_of(run, first, last)
     if contact:
-        sides = sides_of(run, where)
+        sides = sides_of(run, name)
         bodies = list(dict.fromkeys(each for each, _ in sides))
         if body is not None and body not in bodies:
             raise InputError("body: %r is none of %r that deforms; those are: %s" % (
-                body, where, ", ".join(bodies)))
+                body, name, ", ".join(bodies)))
         places = ["%s:%s" % (each, side) for each, side in sides if body in (None, each)]
     else:
-        places = [where] if boundary else []
+        places = [name] if boundary else []
     tables = [run.fields(along=place, depth=depth or 0, step="all") for place in places] or [
         run.fields(np.asarray(where, float), step="all")]
     found = []
     for k, table in enumerate(tables):
         columns = parameters(run, table, steps, t, alpha, contact)
         if contact:  # as contact.csv names it
-            name = places[k] if len(run.scene["Bodies"]) > 1 else places[k].split(":", 1)[1]
-            columns["boundary"] = np.full(len(columns["x"]), name)
+            side = places[k] if len(run.scene["Bodies"]) > 1 else places[k].split(":", 1)[1]
+            columns["boundary"] = np.full(len(columns["x"]), side)
         if places and not depth:
-            for name in ("swt", "dang_van") if alpha is not None else ("swt",):
-                columns[name + "_error"] = doubt(columns[name], columns["element"])
+            for value in ("swt", "dang_van") if alpha is not None else ("swt",):
+                columns[value + "_error"] = doubt(columns[value], columns["element"])
         found.append(columns)
-    names = [name for name in ("x", "y", "body", "s", "boundary", *NAMES, "swt_error", "dang_van_error")
-             if name in found[0]]
-    return Table.of({name: np.concatenate([columns[name] for columns in found]) for name in names})
+    names = [column for column in ("x", "y", "body", "s", "boundary", *NAMES, "swt_error", "dang_van_error")
+             if column in found[0]]
+    return Table.of({column: np.concatenate([columns[column] for columns in found]) for column in names})

@@ -104,7 +104,8 @@ class Outlines:
         touch = self.scene.get("Contacts") or any(
             rules.get("Type") == "Contact" for body in bodies.values()
             for rules in body.get("Boundary Conditions", {}).values())
-        self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
+        if touch:  # else nothing asks for them
+            self.samples = Samples(run.contact if step is None else run.step(step))
         self.edges = edges_of(table)
         self.sides: dict[str, list[Edge]] = {}
         for edge in self.edges:
@@ -184,7 +185,8 @@ class Outlines:
 
     def face(self, place: Place, k: int) -> Face:
         """Surfaces that yield bound what they transmit: to a singular stress they are free."""
-        edge, given = place.edges[k], frozenset()
+        edge = place.edges[k]
+        given: frozenset[float] = frozenset()
         rules = self.conditions(edge)
         if place.body in self.loaded or any(rules.get(key, 0) != 0 for key in TRACTIONS):
             given = LINEAR
@@ -290,7 +292,8 @@ class Outlines:
         return result
 
     def meeting(self, place: Place) -> Meeting:
-        chain, joints, closed = [place], [], False
+        chain, closed = [place], False
+        joints: list[Any] = []
         for k in (1, 0):  # anticlockwise, then clockwise
             while not closed:
                 end = chain[-k]

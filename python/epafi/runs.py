@@ -8,7 +8,7 @@ import os
 import tempfile
 import weakref
 import xml.etree.ElementTree as xml
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Collection, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -310,7 +310,7 @@ def field_file(folder: str, place: str, window: Optional[Window], step: Optional
     return file
 
 
-def _unknown(kind: str, name: str, known: Sequence[str]) -> InputError:
+def _unknown(kind: str, name: str, known: Collection[str]) -> InputError:
     return InputError("there is no %s %r%s known: %s" % (
         kind, name, nearest(name, known), ", ".join(known)))
 

@@ -4,7 +4,7 @@ import math
 import os
 
 from epafi import Run
-from runs import WORK, claim, epafi, finish, largest, rows, run, saved, write
+from runs import WORK, claim, epafi, finish, largest, rows, run, saved
 
 ELASTIC = {"Young's Modulus": 1, "Poisson's Ratio": 0.3}
 QUARTER = math.tan(math.pi / 8)

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import os
 import re
 import textwrap
 from typing import Any, Collection, Mapping, Optional
@@ -203,7 +202,7 @@ class Pictures:
         for axes in 2 * figure.axes if len(figure.axes) == 1 else ():
             figure.draw_without_rendering()  # which does not lay out a bar of colours beside them
             words = figure.get_tightbbox()
-            (width, height), place = figure.get_size_inches(), axes.get_position()
+            width, place = figure.get_size_inches()[0], axes.get_position()
             left, right = max(0, -words.x0) / width, max(0, words.x1 / width - 1)
             axes.set_position([place.x0 + left, place.y0, place.width - left - right, place.height])
 

@@ -10,7 +10,7 @@ import os
 import re
 import shlex
 import xml.etree.ElementTree as xml
-from typing import Any, Iterable, Optional, Sequence
+from typing import Iterable, Optional, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -112,7 +112,7 @@ def intensities(run: Run, step: Optional[int]) -> tuple[Optional[Table], str]:
     return table, wide(html_table(list(table.columns), zip(*settled(table.columns).values())))
 
 
-def versions(root: xml.Element) -> Iterable[Sequence[str]]:
+def versions(root: xml.Element) -> Iterable[tuple[str, str]]:
     for entry in root.findall("ParameterList[@name='Versions']/Parameter"):
         yield entry.get("name", ""), entry.get("value", "")
 
@@ -128,9 +128,8 @@ def key_results(pictures: Pictures, run: Run, step: Optional[int], fields: str,
     numbers = {name: run.history[name][-1] for name in run.history}
     points = read(run.folder, "contact.csv")
     if step:
-        rows = np.flatnonzero((run.steps["level"] == run.steps["level"].max()) &
-                              (run.steps["step"] == step))
-        numbers, points = {name: run.steps[name][rows[-1]] for name in run.steps}, run.step(step)
+        here = (run.steps["level"] == run.steps["level"].max()) & (run.steps["step"] == step)
+        numbers, points = {name: run.steps[name][here][0] for name in run.steps}, run.step(step)
     revolves = run.scene.get("Geometry", {}).get("Type") == "Axisymmetric"
     found = list(Contacts(points, numbers, revolves).results()) if points else []
     found.append(largest_stress(fields, singular))
@@ -161,11 +160,12 @@ def state(run: Run) -> str:
 def about(run: Run, command: str, used: xml.Element) -> str:
     """How to repeat it, when it was solved, and by what."""
     solved = datetime.datetime.fromtimestamp(os.path.getmtime(own(run.folder, "history.csv")))
-    rows = [("solved", solved.strftime("%Y-%m-%d %H:%M")),
-            ("solve it again", "epafi run %s" % shlex.quote(os.path.join(run.folder, "used.xml"))),
-            ("this page", command), *versions(used)]
+    lines = [("solved", solved.strftime("%Y-%m-%d %H:%M")),
+             ("solve it again", "epafi run %s" % shlex.quote(os.path.join(run.folder, "used.xml"))),
+             ("this page", command), *versions(used)]
     return '<table class="results">%s</table>' % "".join(
-        "<tr><td>%s</td><td>%s</td></tr>" % tuple(map(html.escape, row)) for row in rows)
+        "<tr><td>%s</td><td>%s</td></tr>" % (html.escape(name), html.escape(value))
+        for name, value in lines)
 
 
 def write_report(file: str, pictures: Pictures, fields: str, warnings: Sequence[str],

@@ -103,7 +103,7 @@ class Contacts:
         moment = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"]
         pressed = np.abs(points["pressure"]) @ weights
         if not self.revolves and abs(moment) > 1e-6 * pressed * size:
-            yield "moment", moment, "energy", "about " + place(*middle, size)
+            yield "moment", moment, "energy", "about " + place(middle[0], middle[1], size)
         yield from self._slip(of, points, weights)
 
     @staticmethod
@@ -134,7 +134,7 @@ def largest_stress(fields: str, singular: Optional[Table]) -> Result:
         x, values, part = inside.points, inside.values["von_mises"], "the bodies"
     peak = x[np.argmax(values)]
     size = float(max(np.ptp(x, axis=0)))
-    remark = "at " + place(*peak, size)
+    remark = "at " + place(peak[0], peak[1], size)
     if singular is not None and singular.size:
         near = np.hypot(singular["x"] - peak[0], singular["y"] - peak[1])
         if near.min() < 0.02 * size:
