@@ -14,7 +14,8 @@ try:
     import matplotlib
 except ImportError as error:
     sys.exit("epafi: plot: Python's matplotlib is missing (%s); install it with\n"
-             "    apt-get install python3-matplotlib" % error)
+             "    apt-get install python3-matplotlib\nor name a Python that has it in the variable "
+             "EPAFI_PYTHON" % error)
 matplotlib.use("Agg")
 warnings.simplefilter("ignore", UserWarning)  # matplotlib's, of glyphs and of room
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
