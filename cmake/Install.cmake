@@ -31,7 +31,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/packages/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epafi COMPONENT development
   FILES_MATCHING PATTERN "*.hpp")
 # Side by side as in the tree, so that links among them lead somewhere.
-foreach(file CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE README.md doc)
+foreach(file CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE README.md SECURITY.md doc)
   if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${file})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${file}
       DESTINATION share/doc/epafi COMPONENT documentation)

@@ -19,7 +19,7 @@ import urllib.parse
 from formulas import with_formulas
 
 # Where pages are; what they link to beyond comes along.
-SHOWN = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "doc"]
+SHOWN = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "doc"]
 PARAMETERS = "parameters" + ".md"  # made here
 PYTHON = "python-api" + ".md"
 # Debian's mkdocs names two scripts that it does not have.

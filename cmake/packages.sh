@@ -17,12 +17,16 @@ packagesOf() {
       echo python3 python3-h5py python3-matplotlib  # epafi plot; the build's descriptions
       ;;
     check)
-      echo clang-format-14 libxml2-utils python3-jsonschema
+      echo clang-format-14 libxml2-utils python3-jsonschema flake8 mypy
       echo python3-pip python3-setuptools python3-wheel python3-pandas  # of the Python front
       echo mkdocs libjs-jquery  # the pages as a site, to follow their links
       ;;
     site) echo mkdocs doxygen libjs-jquery ;;  # with the headers: ninja -C build site
-    all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu ;;
+    all)
+      echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind g++-aarch64-linux-gnu
+      echo chromium  # opens reports
+      echo python3-nbclient python3-nbformat python3-ipykernel  # execute the notebook
+      ;;
   esac
 }
 

@@ -245,8 +245,9 @@ std::string checkScene(const Scene& scene) {
     text << "  path        " << counted(scene.history.times.size(), "step", "steps")
          << " up to t = " << scene.endOfPath() << "\n";
   text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
-       << scene.adaptivity.limits.levels << " levels and " << capOf(scene)
-       << " degrees of freedom";
+       << counted(static_cast<std::size_t>(scene.adaptivity.limits.levels), "level",
+                  "levels")
+       << " and " << capOf(scene) << " degrees of freedom";
   if (const auto& tolerance = scene.adaptivity.limits.tolerance)
     text << ", to " << 100 * *tolerance << " %";
   text << "\n"

@@ -106,6 +106,14 @@ Option of(const std::string& standard) {
   return {"--of", "scene|study", "only these; default: " + standard, {"scene", "study"}};
 }
 
+const Option window{"--window", "X0,Y0,X1,Y1|contact",
+                    "this part alone of the field, the deformed bodies and the movie; "
+                    "contact: around what touches"};
+const Option step{"--step", "K|all",
+                  "contact, deformed and the field at this step of a load path: 1, 2, "
+                  "...; default: that of the largest strain energy; all: the field "
+                  "colours the movie"};
+
 /// Of a command that draws.
 std::vector<Option> withLooks(std::vector<Option> options) {
   options.insert(options.end(), looks.begin(), looks.end());
@@ -175,13 +183,8 @@ std::vector<Command> makeCommands() {
              "contributions, time, movie, a field, one of a study; or all",
              {},
              true},
-            {"--window", "X0,Y0,X1,Y1|contact",
-             "this part alone of the field, the deformed bodies and the movie; "
-             "contact: around what touches"},
-            {"--step", "K|all",
-             "contact, deformed and the field at this step of a load path: 1, 2, "
-             "...; default: that of the largest strain energy; all: the field "
-             "colours the movie"},
+            window,
+            step,
             {"--column",
              "NAME",
              "of a study's sweep: this column of study.csv against the parameter",
@@ -189,11 +192,13 @@ std::vector<Command> makeCommands() {
              true}}),
        onFirst<plotCommand>},
       {"report",
-       "a run as one page of HTML: scene, numbers, balance, pictures, warnings, versions",
+       "a run as one page of HTML: key results, pictures, scene, balance, versions",
        {"DIR", "folder"},
        withLooks({{"--output", "FILE.html", "default: report.html in DIR"},
                   {"--field", "NAME", "the field that is drawn; default: von_mises",
-                   fieldNames()}}),
+                   fieldNames()},
+                  window,
+                  step}),
        onFirst<reportCommand>},
       {"fields",
        "displacement and stress inside, after a run; csv, or all of the inside for "
@@ -210,8 +215,8 @@ std::vector<Command> makeCommands() {
         {"--vtk", "",
          "triangles of the whole inside for ParaView, small at small elements"},
         {"--step", "K|all",
-         "at this step of a load path: 1, 2, ...; default: the last; all, with --vtk: "
-         "fields.pvd, a series for ParaView"},
+         "at this step of a load path: 1, 2, ...; default: the last; all: rows of all "
+         "steps, with --vtk fields.pvd, a series for ParaView"},
         threads},
        onFirst<fieldsCommand>},
       {"schema",

@@ -6,6 +6,7 @@
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
+#include "drivers/output/SideStarts.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -156,47 +157,62 @@ Points pointsOf(const std::string& file, const BodyInsides& insides) {
   return points;
 }
 
-/// Points with what is there.
+/// Points with what is there, and further cells of each one's row, or of none.
 struct Evaluated {
   Points points;
   std::vector<InsideValue> values;
+  std::vector<CsvRow> more;
 };
 
 /// At a depth below a boundary, 2(p+1) points per element; points outside are left out.
 Evaluated alongPoints(const std::string& where, double depth,
                       const BodyInsides& insides) {
   std::vector<std::string> known;
-  Points points;
-  std::vector<InsideValue> onBoundary;
+  Evaluated all;
   for (std::size_t b = 0; b < insides.size(); ++b) {
     const bem::Mesh& mesh = insides.mesh(b);
+    const auto nameOf = [&](int e) {
+      return insides.scene().bodies[b].name + ":" + mesh.boundary(e);
+    };
+    std::vector<char> here(bem::at(mesh.size()));  // on the boundary?
     for (int e = 0; e < mesh.size(); ++e) {
-      const std::string name = insides.scene().bodies[b].name + ":" + mesh.boundary(e);
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        known.push_back(name);
-      if (name != where)
+      if (std::find(known.begin(), known.end(), nameOf(e)) == known.end())
+        known.push_back(nameOf(e));
+      if (nameOf(e) == where)
+        here[bem::at(e)] = 1;
+    }
+    const bem::Vector starts = startsAlong(mesh, here);
+    for (int e = 0; e < mesh.size(); ++e) {
+      if (here[bem::at(e)] == 0)
         continue;
       const int intervals = 2 * (mesh[e].degree + 1);
       for (int k = 0; k < intervals; ++k) {
         const double t = -1 + (2.0 * k + 1) / intervals;
-        const bem::Vec2 x = mesh.physicalPoint(e, t) - depth * mesh[e].curve.normal(t);
+        const bem::Vec2 n = mesh[e].curve.normal(t);
+        const bem::Vec2 x = mesh.physicalPoint(e, t) - depth * n;
         if (depth > 0 && !mesh.outline().contains(x))
           continue;
-        points.push_back({b, x});
+        all.points.push_back({b, x});
+        all.more.push_back(
+            {{"n_x", exactly(n.x)},
+             {"n_y", exactly(n.y)},
+             {"element", number(e)},
+             {"s", exactly(insides.scene().units().length *
+                           (starts[bem::at(e)] + mesh[e].half * (1 + t)))}});
         if (depth == 0)
-          onBoundary.push_back(insides.atBoundary(b, e, t));
+          all.values.push_back(insides.atBoundary(b, e, t));
       }
     }
   }
   if (std::find(known.begin(), known.end(), where) == known.end())
     throw InputError("fields: --along: there is no '", where, "'",
                      bem::suggestion(where, known));
-  if (points.empty())
+  if (all.points.empty())
     throw InputError("fields: --depth ", depth,
                      ": no point at this depth lies inside the body");
-  if (depth == 0)
-    return {points, onBoundary};
-  return {points, insides.at(points)};
+  if (depth > 0)
+    all.values = insides.at(all.points);
+  return all;
 }
 
 Evaluated chosenPoints(const Given& given, const BodyInsides& insides) {
@@ -218,7 +234,7 @@ Evaluated chosenPoints(const Given& given, const BodyInsides& insides) {
                                                : boxOf(insides),
                          insides);
     std::vector<InsideValue> values = insides.at(points);
-    return {std::move(points), std::move(values)};
+    return {std::move(points), std::move(values), {}};
   }
   const auto depth = trimmedNumber(given.value("--depth"));
   if (!depth || !(*depth >= 0))
@@ -263,12 +279,12 @@ std::string summary(const std::string& file, const Points& points,
       "\n");
 }
 
-/// steps/<k>/fields.vtu of all steps and fields.pvd.
 /// What is not asked for elsewhere is written into the run's folder.
 std::string outputOf(const Given& given, const std::string& name) {
   return given.has("--output") ? given.value("--output") : ownFile(given.argument, name);
 }
 
+/// steps/<k>/fields.vtu of all steps and fields.pvd.
 void writeSeries(const std::string& folder, std::ostream& out) {
   const SavedRun run(folder);
   const std::vector<double> times = run.times();
@@ -281,13 +297,46 @@ void writeSeries(const std::string& folder, std::ostream& out) {
   out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
 }
 
+/// Rows at one step, or at each with its number and time.
+void writeTable(const Given& given, const std::string& step, std::ostream& out) {
+  const SavedRun run(given.argument);
+  const std::string file = outputOf(given, "fields.csv");
+  std::string csv;
+  std::string told;
+  const auto add = [&](const std::string& name, const CsvRow& at) {
+    const BodyInsides insides = run.insides(name);
+    auto [points, values, more] = chosenPoints(given, insides);
+    if (points.empty())
+      throw given.has("--window")
+          ? InputError("fields: --window: '", given.value("--window"),
+                       "' shows nothing of the bodies; take another --window, or a finer "
+                       "--grid")
+          : InputError(
+                "fields: --grid: none of its points lies inside a body; take more");
+    more.resize(points.size());
+    for (CsvRow& cells : more)
+      append(cells, at);
+    insides.addTo(csv, points, values, more);
+    told += message(at.empty() ? "" : "step " + name + "  ",
+                    summary(file, points, values, insides));
+  };
+  if (step == "all") {
+    const std::vector<double> times = run.times();
+    for (std::size_t k = 0; k < times.size(); ++k)
+      add(std::to_string(k + 1), {{"step", number(k + 1)}, {"t", exactly(times[k])}});
+  } else {
+    add(step, {});
+  }
+  deliver(file, csv, told, out);
+}
+
 }  // namespace
 
 int fieldsCommand(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;
   const std::string step = given.value("--step", "");
-  const bool all = step == "all";
-  if (all && (!given.has("--vtk") || given.has("--output")))
+  const bool all = step == "all" && given.has("--vtk");
+  if (all && given.has("--output"))
     throw InputError("fields: --step all writes --vtk files into DIR, without --output");
   if (given.has("--vtk"))
     for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
@@ -305,24 +354,16 @@ int fieldsCommand(const Given& given, std::ostream& out) {
     writeSeries(folder, out);
     return 0;
   }
-  const SavedRun run(folder);
-  const BodyInsides insides = run.insides(step);
-  if (given.has("--vtk")) {
-    const std::string file = outputOf(given, "fields.vtu");
-    const FilledBodies filled = fill(insides);
-    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, insides),
-            out);
+  if (!given.has("--vtk")) {
+    writeTable(given, step, out);
     return 0;
   }
-  const auto [points, values] = chosenPoints(given, insides);
-  if (points.empty())
-    throw given.has("--window")
-        ? InputError("fields: --window: '", given.value("--window"),
-                     "' shows nothing of the bodies; take another --window, or a finer "
-                     "--grid")
-        : InputError("fields: --grid: none of its points lies inside a body; take more");
-  const std::string file = outputOf(given, "fields.csv");
-  deliver(file, insides.csv(points, values), summary(file, points, values, insides), out);
+  const SavedRun run(folder);
+  const BodyInsides insides = run.insides(step);
+  const std::string file = outputOf(given, "fields.vtu");
+  const FilledBodies filled = fill(insides);
+  deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, insides),
+          out);
   return 0;
 }
 

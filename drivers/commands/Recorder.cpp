@@ -27,7 +27,9 @@ void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder)
   std::vector<InsidePoint> points;
   for (const bem::Vec2 x : scene.output.interiorPoints)
     points.push_back({scene.bodyAt(scene.drawn(x)), x});
-  folder.write("interior.csv", insides.csv(points, insides.at(points)));
+  std::string csv;
+  insides.addTo(csv, points, insides.at(points));
+  folder.write("interior.csv", csv);
 }
 
 std::function<std::string()> made(std::string text) {

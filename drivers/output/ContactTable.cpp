@@ -6,10 +6,10 @@
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/Inside.hpp"
+#include "drivers/output/SideStarts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace epafi::drivers {
 
@@ -57,26 +57,13 @@ SurfaceStress stressAt(const contact::Solved& solved, const bem::Material& mater
           ofInside.around + stiffness * (around + nu * strain) - across};
 }
 
-/// Arc length at the start of each element of contacts, from 0 at the start of each side, or of a
-/// side without one at its first element.
-bem::Vector startsOf(const contact::ContactFields& fields, const bem::Mesh& mesh) {
+/// Of each element of a mesh the contact that it is in, or none.
+std::vector<const contact::Conditions::Contact*> contactsOf(
+    const contact::ContactFields& fields, const bem::Mesh& mesh) {
   std::vector<const contact::Conditions::Contact*> on(bem::at(mesh.size()));
   for (const Element& element : fields.elements())
     on[element.element] = element.condition;
-  bem::Vector starts(on.size(), std::numeric_limits<double>::quiet_NaN());
-  const auto walk = [&](int first) {
-    double start = 0;
-    for (int e = first; on[e] == on[first] && std::isnan(starts[e]); e = mesh[e].next) {
-      starts[e] = start;
-      start += 2 * mesh[e].half;
-    }
-  };
-  for (const Element& element : fields.elements())
-    if (on[mesh[element.element].previous] != element.condition)
-      walk(element.element);
-  for (const Element& element : fields.elements())
-    walk(element.element);
-  return starts;
+  return on;
 }
 
 }  // namespace
@@ -123,7 +110,7 @@ std::string ContactTable::next(const SolvedStep& step) {
     const bem::Mesh& mesh = solved.space.mesh();
     const contact::ContactFields fields(solved);
     const bem::Vector continuous = fields.continuous();
-    const bem::Vector starts = startsOf(fields, mesh);
+    const bem::Vector starts = startsAlong(mesh, contactsOf(fields, mesh));
     for (const Element& element : fields.elements()) {
       const double start = starts[element.element];
       const auto doubt = contact::resolutionOf(fields, element).error;

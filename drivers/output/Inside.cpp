@@ -139,9 +139,9 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
   return values;
 }
 
-std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
-                             const std::vector<InsideValue>& values) const {
-  std::string csv;
+void BodyInsides::addTo(std::string& csv, const std::vector<InsidePoint>& points,
+                        const std::vector<InsideValue>& values,
+                        const std::vector<CsvRow>& more) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool outside = points[i].body == size();
     InsideValue value = values[i];
@@ -152,9 +152,10 @@ std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
       if (&field.of(value) == &value.vonMises)
         row.emplace_back("body", outside ? "" : scene_.bodies[points[i].body].name);
     }
+    if (!more.empty())
+      append(row, more[i]);
     addRow(row, csv);
   }
-  return csv;
 }
 
 namespace {

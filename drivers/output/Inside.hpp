@@ -2,6 +2,7 @@
 
 #include "bem/base/Vec2.hpp"
 #include "bem/fields/Interior.hpp"
+#include "drivers/output/Csv.hpp"
 #include "drivers/output/SurfaceStress.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
@@ -86,10 +87,11 @@ class BodyInsides {
 
   /// Computed in parallel; eight points of a body take as long as one.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
-  /// x, y, the columns of insideFields and, behind von_mises, body: a row per point;
-  /// outside of all bodies only x and y are given.
-  std::string csv(const std::vector<InsidePoint>& points,
-                  const std::vector<InsideValue>& values) const;
+  /// x, y, the columns of insideFields and, after von_mises, body: a row per point; outside of
+  /// all bodies only x and y are given.  `more`: further cells of each, or empty.
+  void addTo(std::string& csv, const std::vector<InsidePoint>& points,
+             const std::vector<InsideValue>& values,
+             const std::vector<CsvRow>& more = {}) const;
 
  private:
   const Scene& scene_;

@@ -17,9 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Debian installs numpy and matplotlib for this Python; PATH may begin with another one.
-constexpr const char* python = "/usr/bin/python3";
-constexpr const char* remedyOfPython = "install python3";
+constexpr const char* remedyOfPython =
+    "install python3, or name one with numpy and matplotlib in the variable EPAFI_PYTHON";
+
+/// That of the variable EPAFI_PYTHON, else Debian's, which has numpy and matplotlib; PATH may begin
+/// with another one.
+std::string python() {
+  const char* chosen = std::getenv("EPAFI_PYTHON");
+  return chosen != nullptr && *chosen != '\0' ? chosen : "/usr/bin/python3";
+}
 
 std::string self() {
   std::error_code ignored;
@@ -74,14 +80,14 @@ bool runChild(const std::string& program, std::vector<std::string> arguments,
 bool runPackage(const std::string& program, std::vector<std::string> arguments,
                 const std::string& what) {
   arguments.insert(arguments.begin(), inPackage(program, what));
-  return runChild(python, std::move(arguments), what, remedyOfPython);
+  return runChild(python(), std::move(arguments), what, remedyOfPython);
 }
 
 void becomePackage(const std::string& program, std::vector<std::string> arguments,
                    const std::string& what) {
-  arguments.insert(arguments.begin(), {python, inPackage(program, what)});
-  execv(python, wordsOf(arguments).data());
-  refuse(what, python, errno, remedyOfPython);
+  arguments.insert(arguments.begin(), {python(), inPackage(program, what)});
+  execv(python().c_str(), wordsOf(arguments).data());
+  refuse(what, python(), errno, remedyOfPython);
 }
 
 std::string besideProgram(const std::string& path) {

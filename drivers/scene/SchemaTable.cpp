@@ -295,6 +295,13 @@ void addSettings(Table& table) {
   add(table, Row("Adaptivity", Kind::List, "from one level to the next"),
       bem::rowsOf<AdaptivityOptions>());
   add(table, Row("Output", Kind::List, "what is written"), bem::rowsOf<OutputOptions>());
+  append(
+      table,
+      {Row("Output->Units", Kind::List,
+           "names of the scene's units, for labels of pictures and reports; nothing is "
+           "converted"),
+       Row("Output->Units->Length", Kind::Text, "as mm"),
+       Row("Output->Units->Stress", Kind::Text, "as MPa")});
   append(table, {Row("Versions", Kind::Free,
                      "written into used.xml, ignored when it is read again")});
 }

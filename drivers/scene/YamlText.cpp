@@ -193,7 +193,7 @@ YAML::Node documentIn(const std::string& text) {
 RawScene readYaml(const std::string& text) {
   const YAML::Node document = documentIn(text);
   if (!document.IsMap() || document.size() != 1 || !document.begin()->first.IsScalar() ||
-      !document.begin()->second.IsMap())
+      !document.begin()->second.IsMap() || document.begin()->first.Scalar() == "Bodies")
     throw InputError(
         "malformed YAML: everything must stand under one title, 'My scene:'");
   RawScene scene{document.begin()->first.Scalar(), {}};

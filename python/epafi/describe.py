@@ -20,16 +20,17 @@ OFFERED["STUDY"] = OFFERED["SCENE"]
 WORDS = """compgen -W '%s' -- "$word\""""
 # What a value may be: types in XML, and in JSON.  A text in place of a number is an expression in
 # constants.
-TYPES = {"double": ("double int string", ["number", "string"]),
-         "int": ("int string", ["integer", "string"]),
-         "bool": ("bool", "boolean"),
-         "string": ("string", "string"),
-         "string: expression": ("string double int", ["string", "number"]),
-         "Array(string)": ("Array(string)", "array string"),
-         "Array(int)": ("Array(int) int Array(string) string", ["integer", "string"]),
-         "Array(double)": ("Array(double) Array(int) double int Array(string) string",
-                           ["number", "string"]),
-         "TwoDArray(double)": ("TwoDArray(double) TwoDArray(int) TwoDArray(string)", None)}
+TYPES: dict[str, tuple[str, Any]] = {
+    "double": ("double int string", ["number", "string"]),
+    "int": ("int string", ["integer", "string"]),
+    "bool": ("bool", "boolean"),
+    "string": ("string", "string"),
+    "string: expression": ("string double int", ["string", "number"]),
+    "Array(string)": ("Array(string)", "array string"),
+    "Array(int)": ("Array(int) int Array(string) string", ["integer", "string"]),
+    "Array(double)": ("Array(double) Array(int) double int Array(string) string",
+                                        ["number", "string"]),
+    "TwoDArray(double)": ("TwoDArray(double) TwoDArray(int) TwoDArray(string)", None)}
 
 
 def roff(text: str) -> str:
@@ -194,7 +195,8 @@ def json_value(keys: list[Key], key: Key) -> dict[str, Any]:
 def json_schema(grammars: Mapping[str, list[Key]]) -> str:
     """JSON Schema (draft 7) of the YAML files: names, types, words, ranges, and what is required
     whatever other keys say."""
-    objects = [{"title": "a " + name, **json_object(keys)} for name, keys in grammars.items()]
+    objects: list[dict[str, Any]] = [
+        {"title": "a " + name, **json_object(keys)} for name, keys in grammars.items()]
     return json.dumps({
         "$schema": "http://json-schema.org/draft-07/schema#", "title": "Epafi",
         "$comment": "names, types, words and ranges; what depends on other keys, and what is "

@@ -14,34 +14,34 @@ if TYPE_CHECKING:
     from epafi.runs import Run
 
 PLANES = 90  # every 2 degrees, then closer around the best
+POINTS = 256  # at a time
 
 
-def swt(stress: np.ndarray, young: float, poisson: float) -> tuple[float, float, float, float]:
-    """Smith, Watson and Topper's parameter of one point, from (sxx, syy, sxy, szz) at each step:
+def swt(stress: np.ndarray, young: float, poisson: float) -> np.ndarray:
+    """Smith, Watson and Topper's parameter of points, from (sxx, syy, sxy, szz) at each step,
+    shape (..., steps, 4):
 
         max over planes of <sigma_n,max> (eps_n,max - eps_n,min) / 2
 
     with normals in the plane; and the angle of that normal [degree], its largest stress and its
-    strain amplitude.  Strains are elastic ones, without thermal expansion."""
-    sxx, syy, sxy, szz = stress.T
-    strain = np.array([sxx - poisson * (syy + szz), syy - poisson * (sxx + szz),
-                       (1 + poisson) * sxy]) / young
-
-    def on(angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        c, s = np.cos(angles), np.sin(angles)
-        shape = np.array([c * c, s * s, 2 * s * c])
-        normal = np.array([sxx, syy, sxy]).T @ shape
-        return np.maximum(normal.max(axis=0), 0), np.ptp(strain.T @ shape, axis=0) / 2
-
-    width, angles = math.pi, np.linspace(0, math.pi, PLANES, endpoint=False)
+    strain amplitude: shape (..., 4).  Strains are elastic ones, without thermal expansion."""
+    sxx, syy, sxy, szz = np.moveaxis(stress, -1, 0)
+    strain = np.stack([sxx - poisson * (syy + szz), syy - poisson * (sxx + szz),
+                       (1 + poisson) * sxy], -1) / young
+    angles = np.broadcast_to(np.linspace(0, math.pi, PLANES, endpoint=False),
+                             (*stress.shape[:-2], PLANES))
+    width = math.pi
     for _ in range(5):
-        largest, amplitude = on(angles)
-        best = int(np.argmax(largest * amplitude))
+        c, s = np.cos(angles), np.sin(angles)
+        shape = np.stack([c * c, s * s, 2 * s * c], -2)
+        largest = np.maximum((stress[..., :3] @ shape).max(axis=-2), 0)
+        amplitude = np.ptp(strain @ shape, axis=-2) / 2
+        best = np.argmax(largest * amplitude, axis=-1)[..., None]
+        plane, pull, range_ = (np.take_along_axis(each, best, -1) for each in (
+            angles, largest, amplitude))
         width /= 20
-        result = (float(largest[best] * amplitude[best]), round(math.degrees(angles[best]), 9) % 180,
-                  float(largest[best]), float(amplitude[best]))
-        angles = angles[best] + np.linspace(-width, width, 41)
-    return result
+        angles = plane + np.linspace(-width, width, 41)
+    return np.concatenate([pull * range_, np.round(np.degrees(plane), 9) % 180, pull, range_], -1)
 
 
 def smallest_ball(points: np.ndarray) -> np.ndarray:
@@ -111,73 +111,108 @@ def cycle_of(run: Run, first: Optional[float], last: Optional[float]) -> tuple[n
     return number_of[chosen], t[chosen]
 
 
-def on_contact(run: Run, name: str, steps: Sequence[int]) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """The samples of a contact, and stresses of shape (steps, samples, 4), in axes along n and t."""
-    stresses = []
-    for step in steps:
-        table = run.step(step)
-        here = table["contact_name"] == name
-        poisson, strain = np.array([_constants(run, body)[1:] for body in table["body"][here]]).T
-        p, shear, along, multiplier = (table[column][here] for column in (
-            "pressure", "shear", "stress_t", "lambda_n"))
-        # stress_t is that of the strain along the surface under lambda_n
-        along = along + (multiplier - p) * np.where(strain, poisson / (1 - poisson), poisson)
-        stresses.append(np.column_stack([-p, along, -shear, strain * poisson * (along - p)]))
-    places = {column: table[column][here] for column in ("x", "y", "s", "boundary", "body")}
-    return places, np.array(stresses)
-
-
-def _constants(run: Run, body: str) -> tuple[float, float, bool]:
-    """Young's modulus, Poisson's ratio, whether in plane strain."""
+def _constants(run: Run, body: str) -> tuple[float, float]:
+    """Young's modulus and Poisson's ratio."""
     material = run.numbers["Bodies"][body]["Material"]
-    return (material["Young's Modulus"], material["Poisson's Ratio"],
-            material["Plane State"] == "Plane Strain")
+    return material["Young's Modulus"], material["Poisson's Ratio"]
 
 
-def inside(run: Run, steps: Sequence[int], points: Optional[np.ndarray], along: Optional[str],
-           depth: Optional[float]) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Points inside, or along a boundary, and stresses of shape (steps, points, 4), in x and y."""
-    tables = [run.fields(points, along=along, depth=depth, step=int(step)) for step in steps]
-    return ({column: tables[0][column] for column in ("x", "y", "body")},
-            np.array([np.column_stack([table[column] for column in (
-                "sxx", "syy", "sxy", "hoop" if "hoop" in table else "szz")]) for table in tables]))
+def sides_of(run: Run, name: str) -> list[tuple[str, str]]:
+    """Body and boundary of the sides of a contact, those of rigid bodies left out."""
+    bodies = {body: keys for body, keys in run.scene["Bodies"].items()
+              if not keys.get("Material", {}).get("Rigid")}
+    pair = run.scene.get("Contacts", {}).get(name)
+    if pair is not None:
+        sides = [tuple(side.split(":", 1)) for side in pair["Between"]]
+    else:
+        sides = [(body, name) for body, keys in bodies.items() if keys.get(
+            "Boundary Conditions", {}).get(name, {}).get("Type") == "Contact"]
+    if not sides:
+        raise InputError("there is no contact %r; contacts: %s" % (
+            name, ", ".join(sorted(set(run.contact["contact_name"])))))
+    return [(body, boundary) for body, boundary in sides if body in bodies]
+
+
+def turned(stress: np.ndarray, cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+    """Stresses (..., 4) in axes that are turned left."""
+    sxx, syy, sxy, szz = np.moveaxis(stress, -1, 0)
+    return np.stack([cosine ** 2 * sxx + sine ** 2 * syy + 2 * sine * cosine * sxy,
+                     sine ** 2 * sxx + cosine ** 2 * syy - 2 * sine * cosine * sxy,
+                     sine * cosine * (syy - sxx) + (cosine ** 2 - sine ** 2) * sxy, szz], -1)
+
+
+def doubt(values: np.ndarray, element: np.ndarray) -> np.ndarray:
+    """By how much values along a boundary may be wrong: on an element the sizes of the two highest
+    coefficients of the Legendre series of its degree through them, as pressure_error has it of the
+    pressure; the largest of it and its neighbours."""
+    own: dict[int, float] = {}
+    for number in np.unique(element):
+        there = values[element == number]
+        places = -1 + (2 * np.arange(len(there)) + 1) / len(there)  # as epafi fields takes them
+        degree = len(there) // 2 - 1
+        highest = np.polynomial.legendre.legfit(places, there, degree)[max(1, degree - 1):]
+        own[int(number)] = float(np.abs(highest).sum())
+    return np.array([max(own.get(int(number) + k, 0.0) for k in (-1, 0, 1)) for number in element])
+
+
+def parameters(run: Run, table: Table, chosen: np.ndarray, t: np.ndarray, alpha: Optional[float],
+               from_normal: bool) -> dict[str, np.ndarray]:
+    """Of the points of a table of all steps; plane angles from the x axis or from the normal."""
+    steps = int(table["step"].max())
+    stress = np.column_stack([table[column] for column in (
+        "sxx", "syy", "sxy", "hoop" if "hoop" in table else "szz")]).reshape(steps, -1, 4)
+    first = {name: column[:table.size // steps] for name, column in table.columns.items()}
+    if from_normal:
+        stress = turned(stress, first["n_x"], first["n_y"])
+    stress = np.moveaxis(stress[chosen - 1], 0, 1)
+    found = np.full((len(stress), 4 if alpha is None else len(NAMES)), math.nan)
+    within = np.isfinite(stress).all(axis=(1, 2))
+    for body in sorted(set(first["body"][within])):
+        here = np.flatnonzero(within & (first["body"] == body))
+        for part in np.array_split(here, -(-len(here) // POINTS)):
+            found[part, :4] = swt(stress[part], *_constants(run, str(body)))
+    if alpha is not None:
+        for point in np.flatnonzero(within):
+            value, step, tau, hydrostatic = dang_van(stress[point], alpha)
+            found[point, 4:] = value, t[step], tau, hydrostatic
+    return first | dict(zip(NAMES, found.T))
 
 
 def fatigue(run: Run, where: str | Sequence[Sequence[float]] | np.ndarray, *,
-            alpha: Optional[float] = None, first: Optional[float] = None, last: Optional[float] = None,
-            depth: Optional[float] = None) -> Table:
+            body: Optional[str] = None, alpha: Optional[float] = None, first: Optional[float] = None,
+            last: Optional[float] = None, depth: Optional[float] = None) -> Table:
     """As Run.fatigue."""
-    if depth is not None and not (isinstance(where, str) and ":" in where):
+    name = where if isinstance(where, str) else ""
+    boundary, contact = ":" in name, bool(name) and ":" not in name
+    if depth is not None and not boundary:
         raise InputError("depth: belongs to a boundary, 'body:boundary'")
+    if body is not None and not contact:
+        raise InputError("body: belongs to a contact, which has two")
     if alpha is not None and (not isinstance(alpha, (int, float, np.number))
                               or not math.isfinite(alpha)):
         raise InputError("alpha: %r is no finite number" % (alpha,))
     steps, t = cycle_of(run, first, last)
-    scene = run.scene
-    if isinstance(where, str) and ":" not in where:
-        names = sorted(set(run.contact["contact_name"]))
-        if where not in names:
-            raise InputError("there is no contact %r; contacts: %s" % (where, ", ".join(names)))
-        places, stresses = on_contact(run, where, steps)
-        warm = [body for body, keys in scene["Bodies"].items() if body in places["body"] and (
-            "Temperature" in (keys.get("Body Loads") or scene.get("Body Loads", {}))
-            or keys.get("Thermal Conditions"))]
-        if warm:
-            raise InputError("%s: the stress across the plane of a warm body is not in contact.csv; "
-                             "give points, or a boundary and a depth" % ", ".join(warm))
-    elif isinstance(where, str):
-        places, stresses = inside(run, steps, None, where, depth)
+    if contact:
+        sides = sides_of(run, name)
+        bodies = list(dict.fromkeys(each for each, _ in sides))
+        if body is not None and body not in bodies:
+            raise InputError("body: %r is none of %r that deforms; those are: %s" % (
+                body, name, ", ".join(bodies)))
+        places = ["%s:%s" % (each, side) for each, side in sides if body in (None, each)]
     else:
-        places, stresses = inside(run, steps, np.asarray(where, float), None, None)
-    rows = []
-    for body, stress in zip(places["body"], stresses.swapaxes(0, 1)):
-        if not np.isfinite(stress).all():  # outside
-            rows.append([math.nan] * (4 if alpha is None else len(NAMES)))
-            continue
-        young, poisson, _ = _constants(run, str(body))
-        row = list(swt(stress, young, poisson))
-        if alpha is not None:
-            value, step, tau, hydrostatic = dang_van(stress, alpha)
-            row += [value, t[step], tau, hydrostatic]
-        rows.append(row)
-    return Table.of({**places, **dict(zip(NAMES, np.array(rows).T))})
+        places = [name] if boundary else []
+    tables = [run.fields(along=place, depth=depth or 0, step="all") for place in places] or [
+        run.fields(np.asarray(where, float), step="all")]
+    found = []
+    for k, table in enumerate(tables):
+        columns = parameters(run, table, steps, t, alpha, contact)
+        if contact:  # as contact.csv names it
+            side = places[k] if len(run.scene["Bodies"]) > 1 else places[k].split(":", 1)[1]
+            columns["boundary"] = np.full(len(columns["x"]), side)
+        if places and not depth:
+            for value in ("swt", "dang_van") if alpha is not None else ("swt",):
+                columns[value + "_error"] = doubt(columns[value], columns["element"])
+        found.append(columns)
+    names = [column for column in ("x", "y", "body", "s", "boundary", *NAMES, "swt_error", "dang_van_error")
+             if column in found[0]]
+    return Table.of({column: np.concatenate([columns[column] for columns in found]) for column in names})

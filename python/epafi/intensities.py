@@ -70,7 +70,7 @@ class Arcs:
             u[here] -= shift + 1j * turn * (self.points[here] - place.x)
         u = u / self.ray / self.meeting.reach
         mean, half = ((fields["sxx"][rows] + sign * fields["syy"][rows]) / 2 for sign in (1, -1))
-        turned = (half + 1j * fields["sxy"][rows]) / self.ray ** 2
+        turned = (half + 1j * fields["sxy"][rows]) / np.square(self.ray)
         return np.array([u.real, u.imag, turned.imag, mean + turned.real])
 
     def works(self, solution: np.ndarray, dual: Mode) -> np.ndarray:
@@ -171,7 +171,8 @@ def rows_of(arcs: Arcs, fields: Table, rows: slice, at_end: bool) -> list[tuple[
     """Of COLUMNS: of each body and exponent of a meeting; whether at the end of the path."""
     meeting = arcs.meeting
     solution = arcs.solution(fields, rows, at_end and (0 in meeting.given or meeting.bent))
-    all_modes, groups = modes(meeting.corner), []
+    all_modes = modes(meeting.corner)
+    groups: list[list[Any]] = []
     for mode in all_modes:
         if groups and abs(groups[-1][0].exponent - mode.exponent) < ALIKE:
             groups[-1].append(mode)

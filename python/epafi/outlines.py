@@ -42,9 +42,9 @@ class Edge:
         turn = np.angle(other.tangent(other.start) / self.tangent(self.end))
         bend = (other.curvature - self.curvature) * min(
             abs(edge.end - edge.start) for edge in (self, other))
-        return (self.end == other.start and (self.body, self.name) == (other.body, other.name)
-                and abs(turn) < STRAIGHT and abs(bend) < STRAIGHT
-                and abs(self.turn + other.turn) < math.pi)
+        return bool(self.end == other.start and (self.body, self.name) == (other.body, other.name)
+                    and abs(turn) < STRAIGHT and abs(bend) < STRAIGHT
+                    and abs(self.turn + other.turn) < math.pi)
 
     def tangent(self, x: complex) -> complex:
         """At a point of the edge."""

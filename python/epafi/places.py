@@ -20,7 +20,6 @@ BENT = 0.05  # of the radius of an arc: as far as it is nearly straight
 SHARE = 1e-3  # of a contact beside a place: what is smaller there does not count as its state
 SLID = 1e-4  # of the largest displacement: less is no slip of what sticks
 SYMMETRY = "symmetry"  # the boundary on the line of Geometry->Symmetry, which rolls
-AXIS = "axis"  # that of Geometry->Type = Axisymmetric: what ends there is no wedge
 BOUNDED = ("None", "Tresca", "Capped Coulomb")  # shear that singular pressure leaves behind
 
 
@@ -105,7 +104,8 @@ class Outlines:
         touch = self.scene.get("Contacts") or any(
             rules.get("Type") == "Contact" for body in bodies.values()
             for rules in body.get("Boundary Conditions", {}).values())
-        self.samples = Samples(run.contact if step is None else run.step(step)) if touch else None
+        if touch:  # else nothing asks for them
+            self.samples = Samples(run.contact if step is None else run.step(step))
         self.edges = edges_of(table)
         self.sides: dict[str, list[Edge]] = {}
         for edge in self.edges:
@@ -117,14 +117,15 @@ class Outlines:
         self.loaded = loaded(run, step)
         ends = [Place(edge.end, (edge.after, edge)) for edge in self.edges]
         self.places = [self.completed(place) for place in ends
-                       if place.ends and not self.on_axis(place)]
+                       if place.ends and not self.on_axis(place.x)]
         for x, edge in self.opposite_ends():
-            if all(abs(place.x - x) > APART * self.size for place in self.places
+            if not self.on_axis(x) and all(abs(place.x - x) > APART * self.size for place in self.places
                    if place.body == edge.body):
                 self.add(x, edge)
 
-    def on_axis(self, place: Place) -> bool:
-        return self.revolve and AXIS in (edge.name for edge in place.edges)
+    def on_axis(self, x: complex) -> bool:
+        """On that of Geometry->Type = Axisymmetric, where no wedge ends."""
+        return self.revolve and abs(x.real) < APART * self.size
 
     def conditions(self, edge: Edge) -> dict[str, Any]:
         return self.scene["Bodies"][edge.body].get("Boundary Conditions", {}).get(edge.name, {})
@@ -184,7 +185,8 @@ class Outlines:
 
     def face(self, place: Place, k: int) -> Face:
         """Surfaces that yield bound what they transmit: to a singular stress they are free."""
-        edge, given = place.edges[k], frozenset()
+        edge = place.edges[k]
+        given: frozenset[float] = frozenset()
         rules = self.conditions(edge)
         if place.body in self.loaded or any(rules.get(key, 0) != 0 for key in TRACTIONS):
             given = LINEAR
@@ -290,7 +292,8 @@ class Outlines:
         return result
 
     def meeting(self, place: Place) -> Meeting:
-        chain, joints, closed = [place], [], False
+        chain, closed = [place], False
+        joints: list[Any] = []
         for k in (1, 0):  # anticlockwise, then clockwise
             while not closed:
                 end = chain[-k]

@@ -8,13 +8,13 @@ import os
 import tempfile
 import weakref
 import xml.etree.ElementTree as xml
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Collection, Mapping, Optional, Sequence
 
 import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene, tree_of
-from epafi.tables import HISTORY, Table, html_table, nearest, own, read, shown_step
+from epafi.tables import HISTORY, Table, counted, html_table, nearest, own, read, shown_step
 
 if TYPE_CHECKING:
     import h5py
@@ -118,11 +118,11 @@ class Run:
     def fields(self, points: Optional[Sequence[Sequence[float]] | np.ndarray] = None, *,
                grid: Optional[tuple[int, int]] = None, window: Optional[Window] = None,
                along: Optional[str] = None, depth: Optional[float] = None,
-               step: Optional[int] = None) -> Table:
+               step: Optional[int | str] = None) -> Table:
         """Displacement [length] and stress [stress] inside: at points, shape (n, 2), NaN where
         one is outside; on the middles of grid = (nx, ny) cells of a window (x0, y0, x1, y1), or
         of the bodies' box, that lie in a body; or along a boundary "body:boundary" at a depth.
-        At a step of a path, else the last one.  Columns x, y, ux, uy, sxx, syy, sxy, szz (hoop of
+        At a step of a path, at "all", else the last one.  Columns x, y, ux, uy, sxx, syy, sxy, szz (hoop of
         solids of revolution), von_mises, principal_1, principal_2."""
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "fields.csv")
@@ -153,17 +153,19 @@ class Run:
         return intensities(self, step)
 
     def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *,
-                alpha: Optional[float] = None, first: Optional[float] = None, last: Optional[float] = None,
+                body: Optional[str] = None, alpha: Optional[float] = None,
+                first: Optional[float] = None, last: Optional[float] = None,
                 depth: Optional[float] = None) -> Table:
         """Fatigue parameters over the steps of a path from t = first to last, its cycle; a row per
         point, with the columns of doc/columns.md.
 
-        where   a contact's name: on its surface; "body:boundary": along it, `depth` below; or points
+        where   a contact's name: on the surfaces of both bodies, or of `body`; "body:boundary": along
+                it, on the surface itself or `depth` below; or points
         alpha   Dang Van's weight of the hydrostatic stress, of the material; without it no Dang Van
         """
         from epafi.fatigue import fatigue
 
-        return fatigue(self, where, alpha=alpha, first=first, last=last, depth=depth)
+        return fatigue(self, where, body=body, alpha=alpha, first=first, last=last, depth=depth)
 
     @property
     def solution(self) -> h5py.File:
@@ -249,8 +251,8 @@ class Run:
         return os.path.join(self.folder, "report.html")
 
     def __repr__(self) -> str:
-        return "; ".join(filter(None, ["Run: %d levels, %s" % (
-            self.history.size, self.history["status"][-1]), self.no_result]))
+        return "; ".join(filter(None, ["Run: %s, %s" % (
+            counted(self.history.size, "level"), self.history["status"][-1]), self.no_result]))
 
     def _repr_html_(self) -> str:
         """For notebooks: the levels, and a picture where matplotlib is installed."""
@@ -308,12 +310,12 @@ def field_file(folder: str, place: str, window: Optional[Window], step: Optional
     return file
 
 
-def _unknown(kind: str, name: str, known: Sequence[str]) -> InputError:
+def _unknown(kind: str, name: str, known: Collection[str]) -> InputError:
     return InputError("there is no %s %r%s known: %s" % (
         kind, name, nearest(name, known), ", ".join(known)))
 
 
-def _chosen(window: Optional[Window], step: Optional[int]) -> list[str]:
+def _chosen(window: Optional[Window], step: Optional[int | str]) -> list[str]:
     words = [] if step is None else ["--step", str(step)]
     return words if window is None else [
         *words, "--window=" + ",".join(repr(float(end)) for end in np.ravel(window))]

@@ -6,7 +6,7 @@ import os
 import re
 import tempfile
 import xml.etree.ElementTree as xml
-from typing import Any, Mapping, Optional
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
@@ -133,11 +133,11 @@ def entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
             raise InputError("a table has rows of one length: %r" % (value,))
         wanted = rules.get("items", {}).get("type", "number")
         if wanted == "string" or any(isinstance(cell, str) for cell in cells):
-            type_, words = "string", map(str, cells)
+            type_, words = "string", [str(cell) for cell in cells]
         elif "integer" in wanted or not rules and all(isinstance(cell, int) for cell in cells):
-            type_, words = "int", map(str, cells)
+            type_, words = "int", [str(cell) for cell in cells]
         else:
-            type_, words = "double", (repr(float(cell)) for cell in cells)
+            type_, words = "double", [repr(float(cell)) for cell in cells]
         text = "{%s}" % ", ".join(words)
         if table:
             return "TwoDArray(%s)" % type_, "%dx%d:%s" % (len(value), len(value[0]), text)
@@ -189,8 +189,8 @@ def _pieces(text: str) -> list[str]:
 
 
 def _value(kind: str, text: str) -> Any:
-    read = {"double": float, "int": int, "string": str,
-            "bool": lambda word: word.strip() == "true"}
+    read: dict[str, Callable[[str], Any]] = {
+        "double": float, "int": int, "string": str, "bool": lambda word: word.strip() == "true"}
     if kind in read:
         return read[kind](text)
     inner = kind[kind.index("(") + 1:-1]

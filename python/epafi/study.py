@@ -284,7 +284,10 @@ class Study:
         for file in () if self.kept else OF_MANY if variant.value is None else OF_SWEEPS:
             path = os.path.join(folder, file)
             if os.path.exists(path):
-                (shutil.rmtree if os.path.isdir(path) else os.remove)(path)
+                if os.path.isdir(path):
+                    shutil.rmtree(path)
+                else:
+                    os.remove(path)
 
 
 def solve_all(file: str, folder: str, threads: str, *options: str) -> int:

@@ -127,8 +127,14 @@ def html_table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
         return "<tr>%s</tr>" % "".join("<%s>%s</%s>" % (tag, html.escape(cell), tag)
                                        for cell in cells)
 
-    return "<table>%s</table>" % "".join(
-        [line(names, "th"), *(line(map(cell_text, row), "td") for row in rows)])
+    return "<table>%s</table>" % "".join([line(names, "th"), *(line(
+        ["" if isinstance(value, (float, np.floating)) and math.isnan(value) else cell_text(value)
+         for value in row], "td") for row in rows)])
+
+
+def counted(count: int, word: str) -> str:
+    """1 level, 2 levels."""
+    return "%d %s%s" % (count, word, "s" * (count != 1))
 
 
 def own(folder: str, name: str) -> str:

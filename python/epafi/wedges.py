@@ -68,7 +68,8 @@ class Wedge:
         """(u_r, u_theta, sigma_r_theta, sigma_theta_theta, sigma_r_r) over powers of r, of each
         unknown: shape (shape of exponents and angles, 5, 4)."""
         k, less, more = self.kappa, exponents - 1, exponents + 1
-        cm, sm, cp, sp = (f(which * angles) for which in (less, more) for f in (np.cos, np.sin))
+        cm, sm = np.cos(less * angles), np.sin(less * angles)
+        cp, sp = np.cos(more * angles), np.sin(more * angles)
         minus, plus, double = k - exponents, k + exponents, 2 * self.shear_modulus
         across = [exponents * more * cm, -exponents * more * sm, exponents * cp, -exponents * sp]
         trace = [4 * exponents * cm, -4 * exponents * sm, 0, 0]  # of the stress

@@ -148,7 +148,8 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
            {"a:\n  B: [1, ' ']\n", "entry 1"},
            {"a:\n  '': 1\n", "a key is empty"},
            {"a:\n  B: {C: [0, 1e999]}\n", "B->C (line 2, column 10): entry 1"},
-           {",--\na: {}\n", "under one title"}}) {
+           {",--\na: {}\n", "under one title"},
+           {"Bodies: {a: {}}\n", "under one title"}}) {
     out << text << ": ";
     TEST_ASSERT(contains(complaintOf(text, "scene.yaml"), word));
   }

@@ -18,7 +18,7 @@ import typing
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from claims import claim, finish, raises, read, write  # noqa: E402
+from claims import claim, finish, raises, write  # noqa: E402
 
 EPAFI, WORK = sys.argv[1:]
 shutil.rmtree(WORK, ignore_errors=True)
@@ -119,7 +119,7 @@ page = run._repr_html_()
 claim(page.count("<tr>") == 3 and "force_normal" in page and "data:image/png;base64," in page,
       "a notebook shows a table and a picture of a run")
 try:
-    import pandas
+    import pandas  # noqa: F401
 
     claim(run.history.frame()["dof"].tolist() == run.history["dof"].tolist(), "frames of pandas")
 except ImportError:

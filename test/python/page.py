@@ -1,6 +1,6 @@
 """Runs the code of a page, piece by piece, and compares what it prints with the page.
 
-    page.py PAGE.md WORK
+    page.py EPAFI PAGE.md WORK
 """
 import contextlib
 import io
@@ -8,7 +8,8 @@ import os
 import re
 import sys
 
-page, work = os.path.abspath(sys.argv[1]), sys.argv[2]
+page, work = os.path.abspath(sys.argv[2]), sys.argv[3]
+os.environ["PATH"] = os.path.dirname(os.path.abspath(sys.argv[1])) + ":" + os.environ["PATH"]
 os.makedirs(work, exist_ok=True)
 os.chdir(work)
 with open(page, encoding="utf-8") as stream:

@@ -27,6 +27,14 @@ for name in names:
           all(option in completion for option in options),
           "%s's options stand in all pages: %s" % (name, " ".join(options)))
     fails("%s: an unknown option" % name, ["'--help'"], name, "--hepl")
+# the Python that draws
+os.environ["EPAFI_PYTHON"] = os.path.join(WORK, "nopython")
+fails("a Python that is none", ["nopython' cannot be started", "EPAFI_PYTHON"], "plot", WORK)
+with open(os.environ["EPAFI_PYTHON"], "w") as stream:
+    stream.write('#!/bin/sh\necho "another one: $(basename "$1")"\n')
+os.chmod(os.environ["EPAFI_PYTHON"], 0o755)
+claim(epafi("plot", WORK) == (0, "another one: __main__.py\n"), "the Python that EPAFI_PYTHON names draws")
+del os.environ["EPAFI_PYTHON"]
 fails("a wrong command is answered by the list of commands", ["  " + name for name in names], "solve")
 fails("a scene without a command: how to run it", ["epafi run "], scene("tresca.xml"))
 study = os.path.join(SCENES, "..", "studies", "ablation.xml")

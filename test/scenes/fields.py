@@ -170,6 +170,17 @@ single = os.path.join(WORK, "single.vtu")
 code, text = epafi("fields", path, "--vtk", "--step", "2", "--output", single)
 with open(single, "rb") as one, open(os.path.join(path, parts[1].get("file")), "rb") as same:
     claim(one.read() == same.read(), "and the fields of each step")
+side = ["--along", "block:" + rows(path)[0]["boundary"], "--depth", "0", "--step"]
+every = fields(path, *side, "all")
+for number, t in enumerate([row["t"] for row in steps(path)][-5:], 1):
+    claim([{**row, "step": number, "t": t} for row in fields(path, *side, "%d" % number)] ==
+          [row for row in every if row["step"] == number], "a table of all steps has step %d" % number)
+start, = {round(row["x"] - row["s"], 9) for row in rows(path)}
+elements = {row["element"] for row in rows(path)}
+claim(all((row["n_x"], row["n_y"]) == (0, -1) and row["element"] in elements and
+          abs(row["x"] - row["s"] - start) < 1e-8 for row in every) and
+      {row["element"] for row in every} == elements,
+      "along a boundary each row has its normal, element and arc length, as contact.csv")
 code, text = epafi("plot", alone, "--field", "sxy", "--step", "all")
 claim(code == 0 and os.path.isfile(os.path.join(alone, "movie.gif")),
       "which colour a movie " + text[-100:])
@@ -177,7 +188,7 @@ claim(code == 0 and os.path.isfile(os.path.join(alone, "movie.gif")),
 for sentence, words, arguments in [
         ("no folder", "no folder", ["fields", os.path.join(WORK, "nowhere")]),
         ("no solution", "solution.hdf", ["fields", WORK]),
-        ("a series of tables", "--vtk", ["fields", path, "--step", "all"]),
+        ("a table of all steps of no path", "no History", ["fields", folder, "--step", "all"]),
         ("a series elsewhere", "--output", ["fields", path, "--vtk", "--step", "all",
                                             "--output", "x"]),
         ("a series of no path", "no History", ["fields", folder, "--vtk", "--step", "all"]),

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
-from runs import EPAFI, SCENES, WORK, claim, finish, read, rows, solved, write
+from runs import EPAFI, SCENES, claim, finish, read, rows, solved, write
 
 DOC = os.path.join(SCENES, "..", "..", "doc")
 PAGE = os.path.join(DOC, "gallery.md")

@@ -3,7 +3,7 @@ polygons: the press fit of press-fit.xml, whose pressure is Lame's."""
 import math
 import os
 
-from runs import WORK, claim, fails, rows, saved, solved, write, finish
+from runs import WORK, claim, fails, read, rows, saved, solved, write, finish
 
 PRESSURE = 6.15234375
 RADII = (10.0, 20.0, 30.0)
@@ -79,6 +79,20 @@ for name, (circles, (hub, ring)) in FILES.items():
 write(os.path.join(WORK, "fit.dxf"), drawing(zip(("bore", "fit", "fit of the ring", "outside"), (10, 20, 20, 30))))
 claim_pressure("drawing", fit({"File": "fit.dxf", "Boundaries": ["fit", "bore"]},
                               {"File": "fit.dxf", "Boundaries": ["fit of the ring", "outside"]}))
+
+# the drawing of FreeCAD on its page: lines, an arc with a negative angle, a circle; the page's scene is its file
+FREECAD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc", "howto", "freecad")
+page = read(FREECAD + ".md")
+claim(page.split("```yaml\n")[1].split("```")[0] == read(os.path.join(FREECAD, "lug.yaml")), "the page has the scene")
+folder, _ = solved("lug", os.path.join(FREECAD, "lug.yaml"))
+outline, last = rows(folder, "boundary.csv"), rows(folder, "history.csv")[-1]
+claim({row["boundary"] for row in outline} == {"lug:" + name for name in ("clamp", "side", "nose", "hole")} | {
+    "pin:pin"} and all(abs(math.hypot(row["x"] - 40, row["y"] - 10) - (10 if row["boundary"] == "lug:nose" else 4)) <
+                       1e-6 for row in outline if row["boundary"] in ("lug:nose", "lug:hole")),
+      "sketches of FreeCAD are boundaries with their names and radii")
+claim(abs(last["bearing.force_x"] / (20 * math.pi * 3.98 ** 2) + 1) < 1e-3 and
+      abs(last["pressure_max"] / 186 - 1) < 0.01, "the lug holds the pin: %g, pressure %g" % (
+          last["bearing.force_x"], last["pressure_max"]))
 
 # coincident nodes of two curves are one
 square = [(1, 0, 0), (2, 1, 0), (3, 1, 0), (4, 1, 1), (5, 0, 1)]

@@ -2,7 +2,7 @@
 same cut into two bodies that are tied; slots from wide to narrow, which pressure closes."""
 import math
 
-from runs import (RANKS, balanced, claim, differ, epafi, finish, goes_on, keys_of, largest, levels, refused,
+from runs import (RANKS, claim, differ, finish, goes_on, keys_of, largest, levels, refused,
                   rows, run, saved, solved, steps)
 from written import (CLAMPED, NONE, TIED, body, condition, contact, disc, friction, geometry, history,
                      keys, listed, round_hole, written)

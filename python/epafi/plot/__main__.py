@@ -3,6 +3,7 @@
 import argparse
 import math
 import os
+import shlex
 import sys
 import warnings
 
@@ -13,7 +14,8 @@ try:
     import matplotlib
 except ImportError as error:
     sys.exit("epafi: plot: Python's matplotlib is missing (%s); install it with\n"
-             "    apt-get install python3-matplotlib" % error)
+             "    apt-get install python3-matplotlib\nor name a Python that has it in the variable "
+             "EPAFI_PYTHON" % error)
 matplotlib.use("Agg")
 warnings.simplefilter("ignore", UserWarning)  # matplotlib's, of glyphs and of room
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
@@ -102,10 +104,10 @@ def step_of(given):
 
 
 def fields_of(given, window, step):
-    """Writes what the field is drawn of, at a step of a path, or of all."""
+    """Writes what the field is drawn of, at a step of a path, or of all; the file."""
     if given.step == "all":
         call(["fields", given.folder, "--vtk", "--step", "all"])
-    field_file(given.folder, given.folder, window, step or shown_step(given.folder))
+    return field_file(given.folder, given.folder, window, step or shown_step(given.folder))
 
 
 def warnings_of(folder, report):
@@ -121,6 +123,15 @@ def warnings_of(folder, report):
     printed = call(["check", own(folder, "used.xml"), "--plot", own(folder, "scene.png")])
     return [line.removeprefix("warning: ") for line in printed.splitlines()
             if line.startswith("warning: ")]
+
+
+def command_of(given):
+    """The command that writes a report."""
+    words = ["epafi", "report", given.folder]
+    for option in ("field", "window", "step", "size", "dpi", "font", "units", "output"):
+        if getattr(given, option) and (option, given.field) != ("field", "von_mises"):
+            words += ["--%s=%s" % (option, getattr(given, option))]
+    return shlex.join(words + ["--no-title"] * given.no_title + ["--pdf"] * given.pdf)
 
 
 def draw_scene(given, looks):
@@ -159,7 +170,7 @@ def main():
             told = warnings_of(given.folder, report)
             given.field = given.field or "von_mises"
         if given.field:
-            fields_of(given, window, step)
+            fields = fields_of(given, window, step)
     except EpafiError as error:
         sys.exit("epafi: " + error.words)
     except (KeyError, ValueError, OSError) as error:
@@ -169,7 +180,7 @@ def main():
     try:
         names = draw_folder(pictures, given.field, given.column)
         if given.report:
-            write_report(report, pictures, told)
+            write_report(report, pictures, fields, told, command_of(given))
     except (KeyError, ValueError, OSError) as error:
         sys.exit("epafi: plot: the files in '%s' cannot be drawn: %s" % (given.folder, error))
     if given.report:

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import os
 import re
 import textwrap
 from typing import Any, Collection, Mapping, Optional
@@ -16,7 +15,9 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 from matplotlib.transforms import offset_copy
 
 from epafi.program import InputError
-from epafi.tables import own
+from epafi.tables import own, used_of
+
+plt.draw_if_interactive()  # loads the backend: within rc_context a notebook's would lose what it sets
 
 # Okabe and Ito's, which readers without red or green tell apart.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
@@ -26,6 +27,9 @@ STYLE = {"axes.grid": True, "grid.alpha": 0.3, "axes.prop_cycle": cycler(color=C
          "lines.markersize": 4, "svg.hashsalt": "epafi", "figure.constrained_layout.use": True}
 MARKERS = "os^vD<>Pph*X"
 POWERS = {"length": (1, 0), "stress": (0, 1), "force": (1, 1), "energy": (2, 1)}
+# The unit of force of some units of length and stress: stress times length squared.
+FORCES = {("mm", "MPa"): "N", ("m", "Pa"): "N", ("m", "kPa"): "kN", ("m", "MPa"): "MN",
+          ("mm", "GPa"): "kN", ("m", "GPa"): "GN", ("in", "psi"): "lbf"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,7 +45,9 @@ class Looks:
 
     def __post_init__(self) -> None:
         if isinstance(self.units, str):
-            object.__setattr__(self, "units", tuple(self.units.split(",")))
+            object.__setattr__(self, "units", self.units.split(","))
+        if self.units is not None:
+            object.__setattr__(self, "units", tuple(self.units))
         if self.units is not None and len(self.units) != 2:
             raise InputError("units: %r is not 'LENGTH,STRESS', as 'mm,MPa'" % (
                 ",".join(self.units),))
@@ -56,17 +62,37 @@ class Looks:
     def style(self) -> dict[str, Any]:
         return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}
 
+    def unit(self, quantity: str, revolution: bool = False) -> str:
+        """Of one of POWERS, per unit of thickness or of a whole revolution, as "N/mm" or
+        "cm^2 bar"; empty without units."""
+        if self.units is None or quantity not in POWERS:
+            return ""
+        length, stress = POWERS[quantity]
+        force, unit = FORCES.get(self.units), self.units[0]
+        if force and length and stress:
+            moment = force if length == 1 else "%s %s" % (force, unit)
+            return moment if revolution else "%s/%s" % (moment, unit)
+        powers = (unit, length + (revolution and bool(length and stress))), (self.units[1], stress)
+        return " ".join(name + ("^%d" % power if power > 1 else "")
+                        for name, power in powers if power and name)
+
     def label(self, text: str, quantity: str) -> str:
-        """'pressure [MPa]': a label with the unit of one of POWERS, per unit of thickness."""
-        if self.units is None:
-            return text
-        parts = [(self.units[1 - k], (POWERS[quantity][1 - k])) for k in (0, 1)]
-        return "%s [%s]" % (text, " ".join(
-            unit + ("$^%d$" % power if power > 1 else "") for unit, power in parts if power))
+        """'pressure [MPa]': a label with the unit of one of POWERS."""
+        unit = re.sub(r"\^(\d)", r"$^\1$", self.unit(quantity))
+        return "%s [%s]" % (text, unit) if unit else text
 
     def field_label(self, text: str, field: str) -> str:
         kind = {"u": "length", "t": ""}.get(field[0], "stress")
         return self.label(text, kind).strip() if kind else text
+
+
+def units_of(folder: str) -> Optional[tuple[str, str]]:
+    """The names of length and stress that a run's scene gives under Output->Units; "" of one that it
+    does not give."""
+    root = used_of(folder)
+    names = {} if root is None else {entry.get("name"): entry.get("value", "") for entry in root.findall(
+        "ParameterList[@name='Output']/ParameterList[@name='Units']/Parameter")}
+    return (plain(names.get("Length", "")), plain(names.get("Stress", ""))) if names else None
 
 
 class Pictures:
@@ -89,6 +115,8 @@ class Pictures:
                                        and window[1] < window[3]):
             raise InputError("window: %r is not (x0, y0, x1, y1), two corners, the lower left one "
                              "first" % (window,))
+        if looks.units is None:
+            looks = dataclasses.replace(looks, units=units_of(folder))
         self.folder, self.looks, self.window = folder, looks, window
         self.film, self.only, self.chosen, self.step = film, only, chosen, step
         self.names: list[str] = []
@@ -174,7 +202,7 @@ class Pictures:
         for axes in 2 * figure.axes if len(figure.axes) == 1 else ():
             figure.draw_without_rendering()  # which does not lay out a bar of colours beside them
             words = figure.get_tightbbox()
-            (width, height), place = figure.get_size_inches(), axes.get_position()
+            width, place = figure.get_size_inches()[0], axes.get_position()
             left, right = max(0, -words.x0) / width, max(0, words.x1 / width - 1)
             axes.set_position([place.x0 + left, place.y0, place.width - left - right, place.height])
 

@@ -14,6 +14,12 @@ def arc_length(element):
     return np.hypot(*np.diff(element["x"], axis=0).T).sum()
 
 
+def broken(pieces):
+    """x and y of one line through all pieces, broken between them: it draws as fast as one."""
+    gap = np.full((1, 2), np.nan)
+    return np.concatenate([part for piece in pieces for part in (piece, gap)] or [gap]).T
+
+
 def degree_colours(elements):
     low = min(element["degree"] for element in elements)
     high = max(element["degree"] for element in elements)
@@ -32,26 +38,32 @@ def draw(boundary, title, pictures):
         *((1, 2) if beside else (2, 1)), figsize=(room[0] + 6.6, 4.8) if beside else (9, 6.6),
         gridspec_kw={"width_ratios": [room[0], 5.5]} if beside else {"height_ratios": [1, 2]})
     tick = 0.015 * boundary.diameter
+    for degree in degrees:
+        outline.plot(*broken([element["x"] for element in boundary.elements
+                              if element["degree"] == degree]),
+                     color=colours(norm(degree)), lw=3, solid_capstyle="butt")
+    ticks = []
     for element in boundary.elements:
         x = element["x"]
-        outline.plot(*x.T, color=colours(norm(element["degree"])), lw=3, solid_capstyle="butt")
         for end, tangent in ((x[0], x[1] - x[0]), (x[-1], x[-1] - x[-2])):
-            normal = outward(tangent)
-            outline.plot(*zip(end - tick * normal, end + tick * normal), color="black", lw=0.6)
+            ticks.append(end + np.outer([-tick, tick], outward(tangent)))
+    outline.plot(*broken(ticks), color="black", lw=0.6)
     equal_axes(outline, width, height, pictures.looks)
     outline.grid(False)
     outline.set_title("elements and degrees")
 
     at = 0
+    bars = {degree: [] for degree in degrees}
     for loop in boundary.loops():
         for element in loop:
             length = arc_length(element)
-            sizes.semilogy([at, at + length], [length, length], lw=4,
-                           color=colours(norm(element["degree"])), solid_capstyle="butt")
-            sizes.semilogy(at + length / 2, length, "o", ms=3,  # short ones too
-                           color=colours(norm(element["degree"])))
+            bars[element["degree"]].append(np.array([
+                [at, length], [at + length / 2, length], [at + length, length]]))
             at += length
         sizes.axvline(at, color="grey", lw=0.5)
+    for degree, steps in bars.items():
+        sizes.semilogy(*broken(steps), lw=4, color=colours(norm(degree)), solid_capstyle="butt",
+                       marker="o", ms=3, markevery=slice(1, None, 4))  # short ones too
     low, high = sizes.dataLim.intervaly
     if high < 2 * low:  # one size: rounding is no structure
         low, high = 0.5 * low, 2 * high

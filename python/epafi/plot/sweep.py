@@ -1,6 +1,5 @@
 """sweep, sweep_forces, sweep_contact: dependence on one parameter of a study; sweep_column: of any
 columns of study.csv."""
-import os
 
 import numpy as np
 

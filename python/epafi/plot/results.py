@@ -1,0 +1,142 @@
+"""What a reader of a report asks first: how hard contacts press and where, how wide they are, what they
+carry, how far from slipping they are, the largest stress."""
+from __future__ import annotations
+
+import math
+from typing import Iterator, Mapping, NamedTuple, Optional
+
+import numpy as np
+
+from epafi.plot.inside import Inside
+from epafi.plot.layout import chains, lengths
+from epafi.plot.path import contacts_of, samples_of
+from epafi.tables import Table
+
+ROUNDING = 1e-10  # numbers so much smaller than the largest of their kind are none
+# Columns of one kind are compared with each other; the last word of their names says of which.
+KINDS = {"x": "force", "y": "force", "normal": "force", "tangential": "force", "moment": "moment"}
+
+
+class Result(NamedTuple):
+    """A line of the first table; quantity: one of figures.POWERS, or empty."""
+
+    where: str
+    name: str
+    value: float
+    quantity: str
+    remark: str = ""
+
+
+def kind_of(column: str) -> str:
+    """Forces of all contacts and bodies are of one kind, energies, motions; others by themselves."""
+    name = column.rsplit(".", 1)[-1]
+    if name.startswith(("energy", "motion")):
+        return name.split("_")[0]
+    first, _, last = name.rpartition("_")
+    known = first in ("", "force", "load", "contact", "reaction", "body_force", "body")
+    return KINDS.get(last, column) if known else column
+
+
+def settled(columns: Mapping[str, np.ndarray], length: float = 0) -> dict[str, np.ndarray]:
+    """Columns in which what is rounding beside others of its kind is 0.  `length`: of the bodies, by
+    which moments compare with forces."""
+    sizes: dict[str, float] = {}
+    for name, values in columns.items():
+        if values.dtype.kind == "f":
+            finite = np.abs(values[np.isfinite(values)])
+            sizes[kind_of(name)] = max(sizes.get(kind_of(name), 0.0), finite.max(initial=0.0))
+    sizes["moment"] = max(sizes.get("moment", 0.0), length * sizes.get("force", 0.0))
+    return {name: np.where(np.abs(values) <= ROUNDING * sizes[kind_of(name)], 0.0, values)
+            if values.dtype.kind == "f" else values for name, values in columns.items()}
+
+
+def place(x: float, y: float, size: float) -> str:
+    """A point among others that are so far apart."""
+    return "(%s)" % ", ".join("%.4g" % (value if abs(value) > 1e-6 * size else 0) for value in (x, y))
+
+
+def extent(table: Optional[Table]) -> float:
+    """The longer side of the box of points."""
+    return max(float(np.ptp(table[axis])) for axis in "xy") if table else 0.0
+
+
+class Contacts:
+    """Of all contacts of a run, at one step of a path or of the one load."""
+
+    def __init__(self, points: Table, numbers: Mapping[str, float], revolves: bool) -> None:
+        """points   contact.csv
+        numbers  the row of steps.csv, or of history.csv, by columns"""
+        self.points, self.revolves = points, revolves
+        self.numbers = {name: values[0] for name, values in settled(
+            {name: np.atleast_1d(value) for name, value in numbers.items()}).items()}
+        self.weights = np.concatenate([lengths(points["s"][a:b]) for a, b in chains(points)])
+        if revolves:
+            self.weights = self.weights * 2 * math.pi * points["x"]
+
+    def results(self) -> Iterator[Result]:
+        for name in contacts_of(self.numbers):
+            for result in self._of(name):
+                yield Result(name, *result)
+
+    def _of(self, name: str) -> Iterator[tuple]:
+        here = samples_of(self.points, name)
+        of = {key.rpartition(".")[2]: value for key, value in self.numbers.items()
+              if key.rpartition(".")[0] == name}
+        points = {column: self.points[column][here] for column in (
+            "x", "y", "pressure", "shear", "bound")}
+        weights = self.weights[here]
+        size = math.hypot(np.ptp(points["x"]), np.ptp(points["y"]))
+        if not of["contact_length"] > 0:
+            yield "nothing touches", math.nan, ""
+            return
+        if of["pressure_max"] > 0:
+            peak = np.argmin(np.abs(points["pressure"] - of["pressure_max"]))
+            yield "largest pressure", of["pressure_max"], "stress", "± %.2g, at %s%s" % (
+                of["pressure_max_error"], place(points["x"][peak], points["y"][peak], size),
+                "; beside it, at an end of the side, it has no bound" * bool(
+                    of["pressure_unbounded"]))
+        yield "width of contact", of["contact_length"], "length"
+        yield "normal force", of["force_normal"], "force"
+        if of["force_tangential"] or points["bound"].any():
+            yield "tangential force", of["force_tangential"], "force"
+        middle = [(points[axis].min() + points[axis].max()) / 2 for axis in "xy"]
+        moment = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"]
+        pressed = np.abs(points["pressure"]) @ weights
+        if not self.revolves and abs(moment) > 1e-6 * pressed * size:
+            yield "moment", moment, "energy", "about " + place(middle[0], middle[1], size)
+        yield from self._slip(of, points, weights)
+
+    @staticmethod
+    def _slip(of: Mapping[str, float], points: Mapping[str, np.ndarray],
+              weights: np.ndarray) -> Iterator[tuple]:
+        bound = points["bound"]
+        if not np.isfinite(bound).all() or not bound.any():  # bonded, or without friction
+            return
+        share = min(1.0, of["slip_length"] / of["contact_length"])
+        told = ("all of it sticks" if share < 1e-9 else "all of it slips" if share > 1 - 1e-9 else
+                "%.3g %% of it slips" % (100 * share))
+        held, carried = bound @ weights, abs(points["shear"] @ weights)
+        if of["force_tangential"] and carried > 1e-6 * held:
+            yield ("safety against slip", held / carried, "",
+                   "what friction can hold over what it holds; " + told)
+        else:
+            yield "safety against slip", math.inf, "", "no tangential force; " + told
+
+
+def largest_stress(fields: str, singular: Optional[Table]) -> Result:
+    """Of all of the inside, or of a window: fields.vtu or fields-window.csv.  `singular`: where stresses
+    are."""
+    if fields.endswith(".csv"):
+        table = Table(fields)
+        x, values, part = np.column_stack([table["x"], table["y"]]), table["von_mises"], "the window"
+    else:
+        inside = Inside(fields)
+        x, values, part = inside.points, inside.values["von_mises"], "the bodies"
+    peak = x[np.argmax(values)]
+    size = float(max(np.ptp(x, axis=0)))
+    remark = "at " + place(peak[0], peak[1], size)
+    if singular is not None and singular.size:
+        near = np.hypot(singular["x"] - peak[0], singular["y"] - peak[1])
+        if near.min() < 0.02 * size:
+            remark += "; stress has no bound there, it grows with the mesh: see stress intensities"
+    return Result(part, "largest von Mises stress", float(np.max(values)), "stress", remark)
