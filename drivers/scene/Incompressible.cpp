@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -11,7 +12,7 @@ using bem::InputError;
 namespace {
 
 /// Is the traction on a boundary of a body known: no displacement, and no contact as opposite side?
-bool isLoaded(const Scene& scene, std::size_t b, const std::string& boundary) {
+bool isKnown(const Scene& scene, std::size_t b, const std::string& boundary) {
   const bool isOpposite = std::any_of(
       scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
         return pair.opposite == SideOfBody{false, b, boundary};
@@ -58,16 +59,17 @@ void pinIncompressible(std::size_t b, Scene& scene) {
   const std::vector<bem::Edge>& edges = body.outline->edges();
   for (const std::vector<int>& line : closedLines(*body.outline)) {
     bool held = false;
-    double longest = 0;
+    std::pair<bool, double> best{};  // without load, and long
     int pin = -1;
     for (const int i : line) {
       const bem::Edge& edge = edges[static_cast<std::size_t>(i)];
       held = held || conditions.contact.count(edge.boundary) != 0 ||
              std::any_of(conditions.facing.begin(), conditions.facing.end(),
                          [i](const auto& part) { return part.edge == i; });
-      if (edge.curve.length() > (1 + 1e-9) * longest &&
-          isLoaded(scene, b, edge.boundary)) {
-        longest = edge.curve.length();
+      const std::pair<bool, double> own{conditions.neumann.count(edge.boundary) == 0,
+                                        edge.curve.length() / (1 + 1e-9)};
+      if (own > best && isKnown(scene, b, edge.boundary)) {
+        best = {own.first, edge.curve.length()};
         pin = i;
       }
     }
@@ -76,8 +78,7 @@ void pinIncompressible(std::size_t b, Scene& scene) {
           path + ": is 1/2, which needs on every closed " +
           (scene.isAxisymmetric ? "surface of the body" : "line of the outline") +
           " a boundary that carries contact stresses or one without a given "
-          "displacement; the one "
-          "with '" +
+          "displacement; the one with '" +
           edges[static_cast<std::size_t>(line.front())].boundary + "' has none");
     if (!held)
       body.conditions.pins.push_back(pin);
