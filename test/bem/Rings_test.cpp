@@ -78,6 +78,16 @@ std::vector<Sample> straightSamples() {
   return samples;
 }
 
+/// One element an edge; edges meet at a sharp rim, and come near each other again at the axis.
+std::vector<Sample> sharpSamples() {
+  std::vector<Sample> samples;
+  for (const int p : {1, 2, 5, 12})
+    for (const double height : {0.6, 0.2, 0.02})
+      samples.push_back(
+          {"sharp rim", uniform(polygon({{0, 0}, {1, height}, {0, height}}), 1, p)});
+  return samples;
+}
+
 /// Arcs, with degrees that represent linear displacements to rounding.
 std::vector<Sample> curvedSamples() {
   const double third = std::tan(std::acos(-1.0) / 6);
@@ -127,8 +137,8 @@ double largestOff(const bem::Space& space, Vector v) {
 
 TEUCHOS_UNIT_TEST(Rings, knowUniformStressAndTheRigidMotion) {
   std::vector<Sample> samples = straightSamples();
-  for (const Sample& sample : curvedSamples())
-    samples.push_back(sample);
+  for (const auto& more : {curvedSamples(), sharpSamples()})
+    samples.insert(samples.end(), more.begin(), more.end());
   for (const Sample& sample : samples)
     for (const double nu : {0.3, 0.4999}) {
       const bem::Lame lame({1, nu, false});

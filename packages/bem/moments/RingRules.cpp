@@ -184,18 +184,79 @@ class Pair {
       return apart(x, y);
     constexpr double alike = 1.6;
     constexpr double nearAxis = 0.6;
+    constexpr double nearImage = 1.2;  // functions of (r + r')² + (z - z')²
     const double longer = std::max(x.length(), y.length());
     const bool atEnd = how == Touching::EndOfX;
     if (longer > alike * std::min(x.length(), y.length()) ||
-        x.radius(atEnd ? x.end : x.start) < nearAxis * longer)
+        x.radius(atEnd ? x.end : x.start) < nearAxis * longer ||
+        (x.e != y.e && beyondAxis(x, y, atEnd) < nearImage * longer))
       return halve(x, y, x.length() >= y.length());
     const int order =
         4 + smooth(std::max(std::abs(x.curve().angle()), std::abs(y.curve().angle())));
-    for (const auto& [a, b, weight] : softened(degree_, order).points)
-      for (const bool isFarther : {false, true})
-        addBehindNode(x, y, atEnd, (isFarther ? a : a * b) * x.size(),
-                      (isFarther ? a * b : a) * y.size(),
-                      weight * a * x.size() * y.size());
+    const std::vector<Slice> slices = slicesOf(x, y, atEnd);
+    for (const auto& [a, place, weight] : softened(degree_, order).points)
+      for (const Slice& slice : slices) {
+        const double b = slice.low + slice.size * place;
+        addBehindNode(x, y, atEnd, (slice.isFarther ? a : a * b) * x.size(),
+                      (slice.isFarther ? a * b : a) * y.size(),
+                      weight * slice.size * a * x.size() * y.size());
+      }
+  }
+
+  /// From the farther end of x to that of y behind the axis.
+  double beyondAxis(const Part& x, const Part& y, bool atEnd) const {
+    const double t = atEnd ? x.start : x.end;
+    const double s = atEnd ? y.end : y.start;
+    return std::hypot(x.radius(t) + y.radius(s), difference(x, y, t, s).y);
+  }
+
+  /// A part of the triangle behind a node where x or, else, y is as far away as the other one or
+  /// closer: from low to low + size of that distance.
+  struct Slice {
+    bool isFarther;
+    double low;
+    double size;
+  };
+
+  /// Both triangles behind a node, in slices that are narrow beside how far off both parts meet, where
+  /// the wedge between them is sharp: at the complex share of the distance where x and y, seen from
+  /// the node, coincide.
+  static std::vector<Slice> slicesOf(const Part& x, const Part& y, bool atEnd) {
+    std::vector<Slice> slices;
+    for (const bool isFarther : {false, true}) {
+      std::vector<Complex> meet;
+      for (const double far : {1e-6, 0.5, 1.0}) {
+        const Complex there = fromNode(x, atEnd, far);
+        const Complex here = fromNode(y, !atEnd, far);
+        meet.push_back(x.e == y.e ? -1 : isFarther ? there / here : here / there);
+      }
+      slice({isFarther, 0, 1}, meet, slices);
+    }
+    return slices;
+  }
+
+  /// From its end or start to a share of the part.
+  static Complex fromNode(const Part& part, bool isEnd, double share) {
+    const double distance = share * part.length();
+    return asComplex(isEnd ? part.curve().fromEnd(-distance)
+                           : part.curve().fromStart(distance));
+  }
+
+  static void slice(const Slice& whole, const std::vector<Complex>& meet,
+                    std::vector<Slice>& to) {
+    constexpr double wide = 1.5;  // as axes of the ellipse about it: 1e-14 by 17 points
+    const auto isSharp = [&](Complex b) {
+      return std::abs(b - whole.low) + std::abs(b - whole.low - whole.size) <
+             wide * whole.size;
+    };
+    constexpr double smallest = 1e-9;
+    if (whole.size < smallest || std::none_of(meet.begin(), meet.end(), isSharp)) {
+      to.push_back(whole);
+      return;
+    }
+    const double half = 0.5 * whole.size;
+    slice({whole.isFarther, whole.low, half}, meet, to);
+    slice({whole.isFarther, whole.low + half, half}, meet, to);
   }
 
   /// At distances from the common node, in parameters.
