@@ -82,13 +82,20 @@ std::vector<Sample> straightSamples() {
   return samples;
 }
 
-/// Neighbours that run beside each other, inside the body or outside.
+/// Neighbours that run beside each other, inside the body or outside, and such as come near each other
+/// again at the axis, with one element an edge.
 std::vector<Sample> sharpSamples() {
-  return {{"cone", uniform(polygon(cone), 2, 3)},
-          {"needle", uniform(polygon(needle), 3, 2)},
-          {"groove", uniform(polygon(groove), 2, 3)},
-          {"thin lens", uniform(arcs({{3, 0}, {1, 0}}, {0.03, 0.03}), 2, 8)},
-          {"crescent", uniform(arcs({{3, 0}, {1, 0}}, {0.4, -0.37}), 3, 12)}};
+  std::vector<Sample> samples = {
+      {"cone", uniform(polygon(cone), 2, 3)},
+      {"needle", uniform(polygon(needle), 3, 2)},
+      {"groove", uniform(polygon(groove), 2, 3)},
+      {"thin lens", uniform(arcs({{3, 0}, {1, 0}}, {0.03, 0.03}), 2, 8)},
+      {"crescent", uniform(arcs({{3, 0}, {1, 0}}, {0.4, -0.37}), 3, 12)}};
+  for (const int p : {1, 2, 5, 12})
+    for (const double height : {0.6, 0.2, 0.02})
+      samples.push_back(
+          {"sharp rim", uniform(polygon({{0, 0}, {1, height}, {0, height}}), 1, p)});
+  return samples;
 }
 
 /// Arcs, with degrees that represent linear displacements to rounding.
