@@ -48,6 +48,8 @@ struct Softened {
 
 constexpr int smoothOrders = 64;
 
+constexpr double digits = 32.2;  // 1e-14
+
 int softenedOrder(int degree) { return 27 + 4 * (degree - 1); }
 
 /// Of a degree times smoothOrders, plus the number of points in the smooth direction.
@@ -184,7 +186,7 @@ class Pair {
       return apart(x, y);
     constexpr double alike = 1.6;
     constexpr double nearAxis = 0.6;
-    constexpr double nearImage = 1.2;  // functions of (r + r')² + (z - z')²
+    constexpr double nearImage = 1.2;
     const double longer = std::max(x.length(), y.length());
     const bool atEnd = how == Touching::EndOfX;
     if (longer > alike * std::min(x.length(), y.length()) ||
@@ -193,14 +195,18 @@ class Pair {
       return halve(x, y, x.length() >= y.length());
     const int order =
         4 + smooth(std::max(std::abs(x.curve().angle()), std::abs(y.curve().angle())));
-    const std::vector<Slice> slices = slicesOf(x, y, atEnd);
-    for (const auto& [a, place, weight] : softened(degree_, order).points)
-      for (const Slice& slice : slices) {
-        const double b = slice.low + slice.size * place;
-        addBehindNode(x, y, atEnd, (slice.isFarther ? a : a * b) * x.size(),
-                      (slice.isFarther ? a * b : a) * y.size(),
-                      weight * slice.size * a * x.size() * y.size());
-      }
+    const double angle = smallestOpening(x, y, atEnd);
+    for (const bool isFarther : {false, true}) {
+      const double ratio = isFarther ? x.length() / y.length() : y.length() / x.length();
+      for (const auto& [start, size] : aroundPole(std::polar(ratio, angle), order))
+        for (const auto& [a, inside, weight] : softened(degree_, order).points) {
+          const double b = start + size * inside;
+          const BehindNode at =
+              behindNode(x, y, atEnd, (isFarther ? a : a * b) * x.size(),
+                         (isFarther ? a * b : a) * y.size());
+          add(at.t, at.s, at.w, size * weight * a * x.size() * y.size());
+        }
+    }
   }
 
   /// From the farther end of x to that of y behind the axis.
@@ -210,59 +216,15 @@ class Pair {
     return std::hypot(x.radius(t) + y.radius(s), difference(x, y, t, s).y);
   }
 
-  /// A part of the triangle behind a node where x or, else, y is as far away as the other one or
-  /// closer: from low to low + size of that distance.
-  struct Slice {
-    bool isFarther;
-    double low;
-    double size;
+  struct BehindNode {
+    double t;
+    double s;
+    Vec2 w;
   };
 
-  /// Both triangles behind a node, in slices that are narrow beside how far off both parts meet, where
-  /// the wedge between them is sharp: at the complex share of the distance where x and y, seen from
-  /// the node, coincide.
-  static std::vector<Slice> slicesOf(const Part& x, const Part& y, bool atEnd) {
-    std::vector<Slice> slices;
-    for (const bool isFarther : {false, true}) {
-      std::vector<Complex> meet;
-      for (const double far : {1e-6, 0.5, 1.0}) {
-        const Complex there = fromNode(x, atEnd, far);
-        const Complex here = fromNode(y, !atEnd, far);
-        meet.push_back(x.e == y.e ? -1 : isFarther ? there / here : here / there);
-      }
-      slice({isFarther, 0, 1}, meet, slices);
-    }
-    return slices;
-  }
-
-  /// From its end or start to a share of the part.
-  static Complex fromNode(const Part& part, bool isEnd, double share) {
-    const double distance = share * part.length();
-    return asComplex(isEnd ? part.curve().fromEnd(-distance)
-                           : part.curve().fromStart(distance));
-  }
-
-  static void slice(const Slice& whole, const std::vector<Complex>& meet,
-                    std::vector<Slice>& to) {
-    constexpr double wide = 1.5;  // as axes of the ellipse about it: 1e-14 by 17 points
-    const auto isSharp = [&](Complex b) {
-      return std::abs(b - whole.low) + std::abs(b - whole.low - whole.size) <
-             wide * whole.size;
-    };
-    constexpr double smallest = 1e-9;
-    if (whole.size < smallest || std::none_of(meet.begin(), meet.end(), isSharp)) {
-      to.push_back(whole);
-      return;
-    }
-    const double half = 0.5 * whole.size;
-    slice({whole.isFarther, whole.low, half}, meet, to);
-    slice({whole.isFarther, whole.low + half, half}, meet, to);
-  }
-
   /// At distances from the common node, in parameters.
-  // NOLINTNEXTLINE(readability-function-*): what the pair is, and where
-  void addBehindNode(const Part& x, const Part& y, bool atEnd, double a, double b,
-                     double weight) {
+  static BehindNode behindNode(const Part& x, const Part& y, bool atEnd, double a,
+                               double b) {
     const double t = atEnd ? x.end - a : x.start + a;
     const double s = atEnd ? y.start + b : y.end - b;
     const double hx = x.element->half;
@@ -270,7 +232,47 @@ class Pair {
     const Vec2 w = x.e == y.e ? x.chord(atEnd ? -(a + b) : a + b, t + s)
                    : atEnd    ? x.curve().fromEnd(-a * hx) - y.curve().fromStart(b * hy)
                               : x.curve().fromStart(a * hx) - y.curve().fromEnd(-b * hy);
-    add(t, s, w, weight);
+    return {t, s, w};
+  }
+
+  /// The smallest angle under which the common node sees points that are equally far from it.
+  static double smallestOpening(const Part& x, const Part& y, bool atEnd) {
+    constexpr double atNode = 1e-3;  // of the shorter one
+    double sine = 1;                 // of half of it
+    for (const double share : {atNode, 0.25, 0.5, 0.75, 1.0}) {
+      const double distance = share * std::min(x.length(), y.length());
+      const Vec2 w =
+          behindNode(x, y, atEnd, distance / x.element->half, distance / y.element->half)
+              .w;
+      sine = std::min(sine, length(w) / (2 * distance));
+    }
+    return 2 * std::asin(sine);
+  }
+
+  struct Panel {
+    double start;
+    double size;
+  };
+  /// Of [0, 1], for so many Gauss points and a function with a pole: one but for sharp wedges, where x
+  /// and y run beside each other.
+  static std::vector<Panel> aroundPole(Complex pole, int order) {
+    constexpr double narrowest = 1e-6;
+    std::vector<Panel> panels;
+    std::vector<Panel> left = {{0, 1}};
+    while (!left.empty()) {
+      const auto [start, size] = left.back();
+      left.pop_back();
+      const Complex z = 2.0 * (pole - start) / size - 1.0;
+      const Complex root = std::sqrt(z * z - 1.0);
+      const double growth = std::log(std::max(std::abs(z + root), std::abs(z - root)));
+      if (2 * order * growth >= digits || size < narrowest) {
+        panels.push_back({start, size});
+        continue;
+      }
+      left.push_back({start + 0.5 * size, 0.5 * size});
+      left.push_back({start, 0.5 * size});
+    }
+    return panels;
   }
 
   void halve(const Part& x, const Part& y, bool isX) {
@@ -291,7 +293,6 @@ class Pair {
   /// Gauss points on a part whose distance is known from the ends of the other one.
   int order(const Part& own, const Part& other, bool isX) const {
     constexpr int samples = 8;
-    constexpr double digits = 32.2;  // 1e-14
     const auto from = [&](double t, double s) {
       return length(isX ? difference(own, other, t, s) : difference(other, own, s, t));
     };
