@@ -182,7 +182,7 @@ balanced("lid", limit=1e-11)
 def sphere(x, y, ratio):
     """T = x^2 + y^2: sxx, hoop, syy, sxy."""
     e, square = 2 * ALPHA * E / (1 - ratio) / 5, x * x + y * y
-    along, around = e * (1 - square), e * (1 - 2 * square)
+    around = e * (1 - 2 * square)
     mix = e
     return around + mix * x * x, around, around + mix * y * y, mix * x * y
 
