@@ -98,11 +98,6 @@ InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
                   inside_[b], mesh(b), e, t);
 }
 
-double BodyInsides::workAtPoint(std::size_t b) const {
-  constexpr double ofElement = 200;  // ns
-  return ofElement * mesh(b).size();
-}
-
 std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points) const {
   std::vector<InsideValue> values(points.size());
   for (std::size_t b = 0; b < size(); ++b) {
@@ -271,26 +266,12 @@ Triangulation triangulate(const bem::Mesh& mesh) {
   return readTriangles(out, mesh.outline());
 }
 
-/// A point of the boundary: element and t in [-1, 1].
-struct Foot {
-  int element = 0;
-  double t = 0;
-};
-
-Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
-  const bem::Vec2 x = mesh.outline().scaled(point);
-  Foot foot;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Complex z = mesh[e].curve.seen(x).z;
-    const double over = std::max(0.0, std::abs(z.real()) - 1);
-    const double distance = mesh[e].half * std::hypot(over, z.imag());
-    if (distance < nearest) {
-      nearest = distance;
-      foot = {e, std::min(1.0, std::max(-1.0, z.real()))};
-    }
-  }
-  return foot;
+/// The elements of a mesh in a tree, in their order.
+bem::CurveTree elementsOf(const bem::Mesh& mesh) {
+  std::vector<bem::Curve> curves;
+  for (const bem::Element& element : mesh.elements())
+    curves.push_back(element.curve);
+  return bem::CurveTree(std::move(curves));
 }
 
 InsideValue mean(InsideValue a, InsideValue b) {
@@ -299,21 +280,21 @@ InsideValue mean(InsideValue a, InsideValue b) {
   return a;
 }
 
-InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
+InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point,
+                       const bem::CurveTree& elements) {
   constexpr double node = 0.999;
   const bem::Mesh& mesh = insides.mesh(point.body);
-  const Foot foot = nearestFoot(mesh, point.x);
-  const InsideValue own = insides.atBoundary(point.body, foot.element, foot.t);
+  const bem::CurveTree::Foot foot = elements.nearest(mesh.outline().scaled(point.x));
+  const auto element = static_cast<int>(foot.curve);
+  const InsideValue own = insides.atBoundary(point.body, element, foot.t);
   const auto withEndOf = [&](int other, double end) {
     const InsideValue there = insides.atBoundary(point.body, other, end);
-    return mesh.isAxis(foot.element) ? there
-           : mesh.isAxis(other)      ? own
-                                     : mean(own, there);
+    return mesh.isAxis(element) ? there : mesh.isAxis(other) ? own : mean(own, there);
   };
   if (foot.t > node)
-    return withEndOf(mesh[foot.element].next, -1);
+    return withEndOf(mesh[element].next, -1);
   if (foot.t < -node)
-    return withEndOf(mesh[foot.element].previous, 1);
+    return withEndOf(mesh[element].previous, 1);
   return own;
 }
 
@@ -334,12 +315,13 @@ FilledBodies fill(const BodyInsides& insides) {
       (own.onBoundary[i] || !insides.mesh(b).outline().contains(points[i].x) ? boundary
                                                                              : inside)
           .push_back(i);
+    const bem::CurveTree elements = elementsOf(insides.mesh(b));
+    constexpr double ofPoint = 2000;  // ns
     const auto n = static_cast<bem::Index>(boundary.size());
-    bem::parallelFor({n, insides.workAtPoint(b) * static_cast<double>(n), 16},
-                     [&](bem::Index k) {
-                       values[boundary[bem::at(k)]] =
-                           onBoundary(insides, points[boundary[bem::at(k)]]);
-                     });
+    bem::parallelFor({n, ofPoint * static_cast<double>(n), 16}, [&](bem::Index k) {
+      values[boundary[bem::at(k)]] =
+          onBoundary(insides, points[boundary[bem::at(k)]], elements);
+    });
     std::vector<InsidePoint> places;
     std::transform(inside.begin(), inside.end(), std::back_inserter(places),
                    [&](std::size_t i) { return points[i]; });

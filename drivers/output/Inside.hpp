@@ -82,10 +82,7 @@ class BodyInsides {
   /// At t in [-1, 1] on element e of body b, see SurfaceField.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
 
-  /// Estimated work of one evaluation in body b [ns], see Parallel.hpp.
-  double workAtPoint(std::size_t b) const;
-
-  /// Computed in parallel; eight points of a body take as long as one.  0 outside.
+  /// Computed in parallel, see bem::Interior.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
   /// x, y, the columns of insideFields and, after von_mises, body: a row per point; outside of
   /// all bodies only x and y are given.  `more`: further cells of each, or empty.

@@ -74,10 +74,10 @@ double denseMemory(const std::vector<BodySize>& sizes, int processes) {
 double compressedMemory(const std::vector<BodySize>& sizes, int steps, int processes) {
   double bytes = 0;
   for (const BodySize& b : sizes)
-    bytes += (14e3 * (1 + 0.13 * std::log2(std::max(b.grading, 1.0))) +
+    bytes += (9.2e3 * (1 + 0.13 * std::log2(std::max(b.grading, 1.0))) +
               450.0 * (steps - 1) + 3e3 * (processes - 1)) *
                  b.unknowns() +
-             36e3 * b.multipliers + 1.4e5 * b.opposite;
+             23e3 * b.multipliers + 9.2e4 * b.opposite;
   return processes * programMemory + bytes / mebi;
 }
 

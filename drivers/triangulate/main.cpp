@@ -21,6 +21,7 @@
 #include <iomanip>
 #include <iostream>
 #include <list>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -55,6 +56,8 @@ Point inside(const std::vector<Point>& hole) {
 /// The lines of `from` into triangles, a point of each hole into `holes`; false if there is none.
 bool read(std::istream& from, std::size_t lines, Triangulation& triangles,
           std::list<Point>& holes) {
+  std::vector<Point> points;
+  std::vector<std::pair<std::size_t, std::size_t>> sides;
   for (std::size_t l = 0; l < lines; ++l) {
     std::size_t size = 0;
     from >> size;
@@ -67,10 +70,15 @@ bool read(std::istream& from, std::size_t lines, Triangulation& triangles,
     }
     if (!from || size < 3)
       return false;
-    triangles.insert_constraint(line.begin(), line.end(), true);
+    for (std::size_t i = 0; i < size; ++i)
+      sides.emplace_back(points.size() + i, points.size() + (i + 1) % size);
+    points.insert(points.end(), line.begin(), line.end());
     if (l > 0)
       holes.push_back(inside(line));
   }
+  // All points first, in an order of CGAL's: one after the other along a side, each flips the
+  // triangles of all before it.
+  triangles.insert_constraints(points.begin(), points.end(), sides.begin(), sides.end());
   return true;
 }
 

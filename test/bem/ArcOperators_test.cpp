@@ -110,4 +110,75 @@ TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
     }
 }
 
+namespace {
+
+/// Meshes with so many elements that far ones act as groups.
+std::vector<bem::Mesh> largeMeshes() {
+  std::vector<double>
+      toCorner;  // down to 1e-4: shorter ones are off by rounded coordinates
+  for (int k = 70; k > 0; --k)
+    toCorner.push_back(std::pow(0.88, k));
+  std::vector<int> degrees = {1, 4, 2, 3};
+  return {meshOf(disc(4, 0.5), 40, 2), meshOf(square(), 60, 1),
+          meshOf(curvedSample(), 30, 3),
+          bem::makeMesh(squareWithHole(), std::vector<int>(8, 25), 2),
+          cutMesh(outlineOf(square()), {{0, toCorner}, {3, {0.3, 0.6}}}, degrees)};
+}
+
+/// Points inside: beside nodes, corners and middles of elements, and anywhere.
+std::vector<Vec2> placesIn(const bem::Mesh& mesh) {
+  std::vector<Vec2> places;
+  const bem::Outline& outline = mesh.outline();
+  const auto add = [&](Vec2 x) {
+    if (outline.contains(outline.physical(x)))
+      places.push_back(x);
+  };
+  for (int e = 0; e < mesh.size(); e += 3)
+    for (const double t : {-1 + 1e-9, -0.7, 0.2})
+      for (const double depth : {1e-9, 1e-4, 0.3, 4.0, 50.0})
+        add(mesh[e].curve.point(t) - (depth * mesh[e].half) * mesh[e].curve.normal(t));
+  for (int i = -9; i < 10; ++i)
+    for (int j = -9; j < 10; ++j)
+      add({i * 0.0501, j * 0.0499});
+  return places;
+}
+
+}  // namespace
+
+/// One point is asked of all elements in closed form, many of groups.
+TEUCHOS_UNIT_TEST(Interior, manyPointsHaveTheFieldsOfEachAlone) {
+  for (const bem::Mesh& mesh : largeMeshes()) {
+    const bem::Space space(mesh);
+    Vector u(bem::at(space.displacements()));
+    Vector psi(bem::at(space.densities()));
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] = std::cos(1.7 * static_cast<double>(i * i));
+    for (std::size_t i = 0; i < psi.size(); ++i)
+      psi[i] = 100 * std::cos(0.9 * static_cast<double>(i * i));
+    const bem::Interior inside(space, lame, u, psi);
+    const std::vector<Vec2> places = placesIn(mesh);
+    const std::vector<bem::InteriorValue> values = inside.at(places);
+    double error = 0;
+    double stressError = 0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const bem::InteriorValue alone = inside.at(places[k]);
+      const auto off = [&](double bem::InteriorValue::*part) {
+        return std::abs(values[k].*part - alone.*part);
+      };
+      const double size =
+          std::abs(alone.xx) + std::abs(alone.yy) + std::abs(alone.xy) + 1;
+      error = std::max(error, norm(values[k].displacement - alone.displacement));
+      stressError = std::max(
+          stressError, (off(&bem::InteriorValue::xx) + off(&bem::InteriorValue::yy) +
+                        off(&bem::InteriorValue::xy)) /
+                           size);
+    }
+    out << mesh.size() << " elements, " << places.size() << " points: " << error << ", "
+        << stressError << "\n";
+    TEST_COMPARE(places.size(), >, 500);
+    TEST_COMPARE(error, <, 1e-12);
+    TEST_COMPARE(stressError, <, 1e-11);
+  }
+}
+
 }  // namespace epafi::reference

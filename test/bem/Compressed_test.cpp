@@ -224,15 +224,20 @@ TEUCHOS_UNIT_TEST(Compressed, updatesThatFailAreMadeUpForByTheNext) {
   }
 }
 
-/// Of leaves that may not change too little is kept to ask for them alone.
-TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
+/// What answers from outside a part is of the restriction that it was made with.
+TEUCHOS_UNIT_TEST(Compressed, partsChangeInside) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
   const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const auto leafOf = [&](int e) { return z.leafOf(space.displacement(e, 0, 0)); };
-  const bem::CompressedFactor factor(z, clamped(space, 0, 48), {leafOf(100)});
-  TEST_THROW(factor.restrictedTo({leafOf(10)}), std::logic_error);
-  TEST_NOTHROW(factor.restrictedTo({leafOf(100), leafOf(10)}));
+  bem::CompressedFactor part =
+      bem::CompressedFactor(z, clamped(space, 0, 48)).restrictedTo({leafOf(100)});
+  bem::Restriction outside = clamped(space, 0, 48);
+  outside.held[space.displacement(10, 0, 0)] = 0;
+  TEST_THROW(part.update(outside), std::logic_error);
+  bem::Restriction inside = clamped(space, 0, 48);
+  inside.held[space.displacement(100, 0, 0)] = 1;
+  TEST_NOTHROW(part.update(inside));
 }
 
 /// What would be read beside its place is refused: followers in other leaves than their

@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -47,6 +48,22 @@ TEUCHOS_UNIT_TEST(CurveTree, searchesFindWhatIsNearInOrder) {
   }
   CurveTree().search([](const Disc&) { return true; },
                      [&](std::size_t) { TEST_ASSERT(false); });
+}
+
+TEUCHOS_UNIT_TEST(CurveTree, theNearestPlaceIsTheNearest) {
+  for (const int count : {2, 3, 13, 100}) {
+    const CurveTree tree(star(count));
+    for (int k = 0; k < 200; ++k) {
+      const Vec2 x{1.5 * std::cos(0.37 * k), 1.5 * std::cos(0.53 * k + 1)};
+      double expected = 1e300;
+      for (const Curve& curve : tree.curves())
+        expected = std::min(expected, curve.distance(x));
+      const CurveTree::Foot foot = tree.nearest(x);
+      TEST_COMPARE(std::abs(foot.distance - expected), <, 1e-14);
+      TEST_COMPARE(std::abs(norm(x - tree.curves()[foot.curve].point(foot.t)) - expected),
+                   <, 1e-14);
+    }
+  }
 }
 
 /// No disc leaves out a point of its curves.

@@ -15,22 +15,15 @@
 namespace epafi::bem {
 
 CompressedFactor::CompressedFactor(const CompressedOperators& operators,
-                                   Restriction restriction,
-                                   const std::vector<int>& changing)
+                                   Restriction restriction)
     : operators_(&operators),
       restriction_(std::move(restriction)),
-      changing_(operators.tree().paths(changing)),
       unfinished_(operators.tree().size()),
       nodes_(operators.tree().size()),
       responses_(nodes_.size()) {
   restriction_.held.resize(operators.size());
   eliminate(std::vector<char>(nodes_.size(), 1));
 }
-
-CompressedFactor::CompressedFactor(const CompressedOperators& operators,
-                                   Restriction restriction)
-    : CompressedFactor(operators, std::move(restriction),
-                       operators.tree().cut(operators.tree().levels() - 1)) {}
 
 int CompressedFactor::update(Restriction restriction) {
   restriction.held.resize(operators_->size());
@@ -52,12 +45,12 @@ int CompressedFactor::update(Restriction restriction) {
   };
   compare(restriction_.followers, restriction.followers);
   compare(restriction_.entries, restriction.entries);
+  for (const int leaf : changed)
+    if (!operators_->tree().contains(top_, leaf))
+      throw std::logic_error("a leaf outside a part of the compressed system changes");
   std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
-  for (std::size_t c = 0; c < dirty.size(); ++c) {
-    if (dirty[c] > changing_[c])
-      throw std::logic_error("a leaf of the compressed system changes that may not");
+  for (std::size_t c = 0; c < dirty.size(); ++c)
     dirty[c] = std::max(dirty[c], unfinished_[c]);
-  }
   restriction_ = std::move(restriction);
   unfinished_ = dirty;
   eliminate(dirty);
@@ -71,10 +64,6 @@ CompressedFactor CompressedFactor::restrictedTo(const std::vector<int>& leaves) 
   // springs and rotations act elsewhere
   if (leaves.empty() || border_ != nullptr)
     return result;
-  if (std::none_of(leaves.begin(), leaves.end(),
-                   [&](int leaf) { return changing_[leaf] != 0; }))
-    throw std::logic_error(
-        "a part of the compressed system is asked for that may not change");
   const auto containsAll = [&](int c) {
     return std::all_of(leaves.begin(), leaves.end(),
                        [&](int leaf) { return tree.contains(c, leaf); });
@@ -101,7 +90,6 @@ CompressedFactor CompressedFactor::restrictedTo(const std::vector<int>& leaves) 
   if (result.top_ == 0)
     return result;
   result.whole_ = std::make_shared<const Matrix>(std::move(whole));
-  result.changing_ = result.withoutAbove(std::move(result.changing_));
   std::vector<char> dirty(nodes_.size());
   dirty[result.top_] = 1;
   result.eliminate(dirty);
@@ -197,19 +185,20 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
   return leaves;
 }
 
-EliminatedCluster CompressedFactor::eliminated(int c, LeafRestriction restriction) const {
+EliminatedCluster CompressedFactor::eliminated(int c, LeafRestriction restriction,
+                                               Response& response) const {
   const Cluster& cluster = operators_->tree()[c];
   const ClusterPart& part = operators_->part(c);
   const bool isNarrowed = c == top_ && top_ != 0;
   if (cluster.isLeaf())
-    return {part, std::move(restriction), isNarrowed ? *whole_ : part.block};
+    return {part, std::move(restriction), isNarrowed ? *whole_ : part.block, response};
   const int first = cluster.children[0];
   const int second = cluster.children[1];
   if (node(first).isSilent() && node(second).isSilent())
     return EliminatedCluster::silent();
   if (isNarrowed)
-    return {part, response(first), response(second), *whole_};
-  return {part, response(first), response(second)};
+    return {part, *responses_[first], *responses_[second], *whole_};
+  return {part, responses_[first], responses_[second], response};
 }
 
 void CompressedFactor::eliminate(const std::vector<char>& dirty) {
@@ -228,15 +217,10 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
     if (fails)
       return;
     try {
-      auto own = std::make_shared<const EliminatedCluster>(
-          eliminated(cluster, std::move(leaves[cluster])));
-      if (cluster != top_)
-        responses_[cluster] =
-            std::make_shared<const Response>(own->response(operators_->part(cluster)));
-      if (!tree[cluster].isLeaf() && changing_[cluster] == 0)
-        for (const int child : tree[cluster].children)
-          responses_[child] = nullptr;
-      nodes_[cluster] = std::move(own);
+      Response response;
+      nodes_[cluster] = std::make_shared<const EliminatedCluster>(
+          eliminated(cluster, std::move(leaves[cluster]), response));
+      responses_[cluster] = std::make_shared<const Response>(std::move(response));
     } catch (const NumericalError& error) {
       const std::lock_guard<std::mutex> lock(failing);
       failure = error.what();

@@ -40,23 +40,18 @@ struct Restriction {
 /// one of the two is updated.
 class CompressedFactor {
  public:
-  /// \param changing leaves in which update() may change the restriction; fewer save memory
   /// \throws NumericalError if D or F is singular
   /// \throws std::logic_error for a follower or an entry between two leaves
-  CompressedFactor(const CompressedOperators& operators, Restriction restriction,
-                   const std::vector<int>& changing);
   CompressedFactor(const CompressedOperators& operators, Restriction restriction);
 
   /// A factor for right-hand sides and unknowns in these leaves only.  Everything outside
-  /// their lowest common ancestor is eliminated once; its response is added there.  The leaves
-  /// that may change stay the same.
-  /// \throws std::logic_error if none of the leaves may change: their matrices are not kept
+  /// their lowest common ancestor is eliminated once; its response is added there.
   CompressedFactor restrictedTo(const std::vector<int>& leaves) const;
 
   /// Changes the restriction; eliminates only leaves where it differs and their ancestors.
   /// Returns the number of eliminated clusters.
-  /// \throws std::logic_error if a leaf may not change (the factor stays as it is), or for a
-  /// follower or an entry between two leaves
+  /// \throws std::logic_error if a leaf outside of the part of restrictedTo() changes (the
+  /// factor stays as it is), or for a follower or an entry between two leaves
   /// \throws NumericalError as above; solve() then needs another update() first
   int update(Restriction restriction);
 
@@ -79,7 +74,8 @@ class CompressedFactor {
   std::vector<char> withoutAbove(std::vector<char> clusters) const;
   void eliminate(const std::vector<char>& dirty);
   void exchangeResponses(const std::vector<char>& dirty, const std::string& failure);
-  EliminatedCluster eliminated(int c, LeafRestriction restriction) const;
+  EliminatedCluster eliminated(int c, LeafRestriction restriction,
+                               Response& response) const;
   /// By cluster: the part of the restriction in a leaf; empty if the leaf is not dirty or
   /// belongs to another process.
   std::vector<LeafRestriction> restricted(std::vector<char> dirty) const;
@@ -102,14 +98,13 @@ class CompressedFactor {
 
   const CompressedOperators* operators_;
   Restriction restriction_;
-  std::vector<char> changing_;  ///< by cluster
   /// By cluster: is it possibly out of date after an update() that threw?
   std::vector<char> unfinished_;
   int top_ = 0;  ///< the root, or the lowest common ancestor of restrictedTo()
   std::shared_ptr<const Matrix>
       whole_;  ///< inside() of top_, if it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
-  std::vector<std::shared_ptr<const Response>> responses_;  ///< while needed
+  std::vector<std::shared_ptr<const Response>> responses_;
   /// Correction for springs on unknowns of CompressedOperators::springUnknowns that are not held, and
   /// for rotations; null without any.
   std::shared_ptr<const Woodbury> border_;

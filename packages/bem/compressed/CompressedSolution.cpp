@@ -29,33 +29,27 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
     inner[c] = node(c).reduced(tree[c].isLeaf() ? rowsOf(b, part.active)
                                                 : stacked(outOf(tree[c].children[0]),
                                                           outOf(tree[c].children[1])));
-    node(c).solve(inner[c]);
-    if (c != top_)
-      out[c] = node(c).outgoing(part, inner[c]);
+    if (c == top_)
+      return;
+    Matrix own = inner[c].copy();
+    node(c).solve(part, own);
+    out[c] = node(c).outgoing(part, own);
   };
   const auto down = [&](int c) {
     const ClusterPart& part = operators_->part(c);
+    Matrix field(static_cast<Index>(part.active.size()), columns);
     if (c != top_)
-      node(c).subtractOutside(in[c], inner[c]);
-    const Matrix own = node(c).expanded(inner[c]);
+      part.weights.addTransposed(in[c], field);
+    node(c).solve(part, field, inner[c]);
     if (tree[c].isLeaf()) {
-      putRows(own, part.active, x);
+      putRows(node(c).expanded(inner[c]), part.active, x);
       return;
     }
+    if (c == top_ && top_ != 0)
+      field = product(*whole_, node(c).expanded(inner[c]));
     const Index split = part.block.rows();
-    Matrix outside(own.rows(), columns);
-    if (c == top_ && top_ != 0)
-      addProduct(1, *whole_, own, outside);
-    else if (c != top_)
-      part.weights.addTransposed(in[c], outside);
-    Matrix& first = in[tree[c].children[0]];
-    Matrix& second = in[tree[c].children[1]];
-    first = rowsBetween(outside, 0, split);
-    second = rowsBetween(outside, split, own.rows());
-    if (c == top_ && top_ != 0)
-      return;
-    addProduct(1, part.block, rowsBetween(own, split, own.rows()), first);
-    addTransposedProduct(1, part.block, rowsBetween(own, 0, split), second);
+    in[tree[c].children[0]] = rowsBetween(field, 0, split);
+    in[tree[c].children[1]] = rowsBetween(field, split, field.rows());
   };
   const double check = subtrees.isAlone() ? 0 : checkOf(b);
   const auto work = [&](int c) { return operators_->part(c).sweepWork(columns); };

@@ -50,6 +50,19 @@ Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index f
   return result;
 }
 
+/// X <- F⁻¹ X.  With L = E₂ Sᵀ and U = E₁ S:  x₂ = (I - L U)⁻¹ (b₂ - L b₁),  x₁ = b₁ - U x₂.
+/// \param subtractLower, subtractUpper (x, y): y -= L x, y -= U x
+template <class Lower, class Upper>
+void solveParent(const LuFactor& schur, Index split, const Lower& subtractLower,
+                 const Upper& subtractUpper, Matrix& x) {
+  Matrix first = rowsBetween(x, 0, split);
+  Matrix second = rowsBetween(x, split, x.rows());
+  subtractLower(first, second);
+  schur.solve(second);
+  subtractUpper(second, first);
+  x = stacked(first, second);
+}
+
 }  // namespace
 
 Matrix Response::full(Index skeleton) const {
@@ -75,7 +88,7 @@ Response Response::of(const Matrix& full) {
 }
 
 EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction restriction,
-                                     const Matrix& d)
+                                     const Matrix& d, Response& response)
     : own_(std::move(restriction)), isSilent_(own_.kept.empty()), unknowns_(d.rows()) {
   if (isSilent_)
     return;
@@ -91,40 +104,49 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction re
   std::vector<Index> moving = own_.kept;
   for (const Entry& entry : own_.followers)
     moving.push_back(entry.row);
-  part.weights.on(moving, rows_);
-  in_ = between(part.weights.transposed(), own_.kept, rows_);
-  lu_.solve(in_);
-}
-
-EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
-                                     const Response& second, Index split)
-    : unknowns_(static_cast<Index>(part.active.size())) {
-  own_.kept = first.places;
-  for (const Index place : second.places)
-    own_.kept.push_back(split + place);
+  part.weights.on(moving, response.places);
+  Matrix answers = between(part.weights.transposed(), own_.kept, response.places);
+  lu_.solve(answers);
+  response.matrix = rowsOf(outgoing(part, answers), response.places);
 }
 
 EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
                                      const Response& second)
-    : EliminatedCluster(part, first, second, part.block.rows()) {
-  const Matrix s = between(part.block, first.places, second.places);
-  upper_ = product(first.matrix, s);
-  lower_ = product(second.matrix, transposed(s));
-  Matrix rest(second.matrix.rows(), second.matrix.rows());
-  addProduct(-1, lower_, upper_, rest);
+    : unknowns_(static_cast<Index>(part.active.size())) {
+  own_.kept = first.places;
+  for (const Index place : second.places)
+    own_.kept.push_back(part.block.rows() + place);
+}
+
+EliminatedCluster::EliminatedCluster(const ClusterPart& part, Child first, Child second,
+                                     Response& response)
+    : EliminatedCluster(part, *first, *second) {
+  first_ = std::move(first);
+  second_ = std::move(second);
+  const Matrix& e1 = first_->matrix;
+  const Matrix& e2 = second_->matrix;
+  if (e1.rows() < part.block.rows() || e2.rows() < part.block.columns())
+    block_ = between(part.block, first_->places, second_->places);
+  const Matrix upper = product(e1, block(part));
+  const Matrix lower = product(e2, transposed(block(part)));
+  Matrix rest(e2.rows(), e2.rows());
+  addProduct(-1, lower, upper, rest);
   addIdentity(rest);
   lu_ = LuFactor::ofScaledRows(std::move(rest), compressedSystem);
   if (part.weights.rows() == 0)
     return;
-  const Interpolation t = part.weights.on(own_.kept, rows_);
-  in_ = stacked(responseToWeights(first.matrix, t, 0),
-                responseToWeights(second.matrix, t, first.matrix.rows()));
-  solve(in_);
+  const Interpolation t = part.weights.on(own_.kept, response.places);
+  Matrix answers =
+      stacked(responseToWeights(e1, t, 0), responseToWeights(e2, t, e1.rows()));
+  solveParent(
+      lu_, e1.rows(), [&](const Matrix& x, Matrix& y) { addProduct(-1, lower, x, y); },
+      [&](const Matrix& x, Matrix& y) { addProduct(-1, upper, x, y); }, answers);
+  response.matrix = rowsOf(outgoing(part, answers), response.places);
 }
 
 EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
                                      const Response& second, const Matrix& p)
-    : EliminatedCluster(part, first, second, part.block.rows()) {
+    : EliminatedCluster(part, first, second) {
   const Index split = first.matrix.rows();
   const Matrix own = between(p, own_.kept, own_.kept);
   Matrix f = stacked(product(first.matrix, rowsBetween(own, 0, split)),
@@ -133,33 +155,56 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& fi
   lu_ = LuFactor::ofScaledRows(std::move(f), compressedSystem);
 }
 
-Response EliminatedCluster::response(const ClusterPart& part) const {
-  if (isSilent_)
-    return {};
-  assert(part.weights.skeleton.size() + part.weights.rest.size() > 0);
-  return {rows_, rowsOf(outgoing(part, in_), rows_)};
-}
-
 Matrix EliminatedCluster::outgoing(const ClusterPart& part, const Matrix& x) const {
   return part.weights.times(expanded(x));
 }
 
-// With L = E₂ Sᵀ and U = E₁ S:  x₂ = (I - L U)⁻¹ (b₂ - L b₁),  x₁ = b₁ - U x₂
-void EliminatedCluster::solve(Matrix& x) const {
-  if (upper_.rows() == 0) {
+void EliminatedCluster::solve(const ClusterPart& part, Matrix& x) const {
+  if (first_ == nullptr) {
     lu_.solve(x);
     return;
   }
-  Matrix first = rowsBetween(x, 0, upper_.rows());
-  Matrix second = rowsBetween(x, upper_.rows(), x.rows());
-  addProduct(-1, lower_, first, second);
-  lu_.solve(second);
-  addProduct(-1, upper_, second, first);
-  x = stacked(first, second);
+  const Matrix& s = block(part);
+  solveParent(
+      lu_, first_->matrix.rows(),
+      [&](const Matrix& from, Matrix& to) {
+        addProduct(-1, second_->matrix, transposedProduct(s, from), to);
+      },
+      [&](const Matrix& from, Matrix& to) {
+        addProduct(-1, first_->matrix, product(s, from), to);
+      },
+      x);
 }
 
-void EliminatedCluster::subtractOutside(const Matrix& z, Matrix& x) const {
-  addProduct(-1, in_, rowsOf(z, rows_), x);
+// Of children with fields z₁ = w₁ + S y₂ and z₂ = w₂ + Sᵀ y₁, w = Tᵀ z: y₁ = b₁ - E₁ z₁ and
+// y₂ = b₂ - E₂ z₂, so that (I - L U) y₂ = b₂ - E₂ (w₂ + Sᵀ (b₁ - E₁ w₁)).
+void EliminatedCluster::solve(const ClusterPart& part, Matrix& field, Matrix& x) const {
+  Matrix outside = reduced(field);
+  if (first_ == nullptr) {
+    for (Index j = 0; j < x.columns(); ++j)
+      for (Index i = 0; i < x.rows(); ++i)
+        x(i, j) -= outside(i, j);
+    lu_.solve(x);
+    return;
+  }
+  const Matrix& s = block(part);
+  const Index split = first_->matrix.rows();
+  Matrix first = rowsBetween(outside, 0, split);
+  Matrix second = rowsBetween(outside, split, outside.rows());
+  Matrix y1 = rowsBetween(x, 0, split);
+  Matrix y2 = rowsBetween(x, split, x.rows());
+  Matrix alone = y1.copy();
+  addProduct(-1, first_->matrix, first, alone);
+  Matrix seen = second.copy();
+  addTransposedProduct(1, s, alone, seen);
+  addProduct(-1, second_->matrix, seen, y2);
+  lu_.solve(y2);
+  addProduct(1, s, y2, first);
+  addProduct(-1, first_->matrix, first, y1);
+  addTransposedProduct(1, s, y1, second);
+  x = stacked(y1, y2);
+  field = Matrix(field.rows(), field.columns());
+  putRows(stacked(first, second), own_.kept, field);
 }
 
 Matrix EliminatedCluster::reduced(const Matrix& x) const { return rowsOf(x, own_.kept); }

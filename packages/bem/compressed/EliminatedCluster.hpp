@@ -3,6 +3,9 @@
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/compressed/Interpolation.hpp"
 
+#include <memory>
+#include <optional>
+
 namespace epafi::bem {
 
 /// Restriction of one leaf, by positions in its list of active unknowns.
@@ -27,15 +30,20 @@ struct Response {
   static Response of(const Matrix& full);
 };
 
-/// A cluster of a compressed system after its elimination, see CompressedFactor.
+/// A cluster of a compressed system after its elimination, see CompressedFactor.  It keeps the
+/// factor of D or of the Schur complement of F, and its children's responses; what these and S
+/// make of a right-hand side is computed anew for each.
 class EliminatedCluster {
  public:
+  using Child = std::shared_ptr<const Response>;
+
   /// A leaf; d: the entries of all its unknowns.
-  EliminatedCluster(const ClusterPart& part, LeafRestriction restriction,
-                    const Matrix& d);
+  /// \param response  output: E; unless it is the highest cluster
+  EliminatedCluster(const ClusterPart& part, LeafRestriction restriction, const Matrix& d,
+                    Response& response);
   /// A parent; first, second: the responses E₁, E₂ of its children.
-  EliminatedCluster(const ClusterPart& part, const Response& first,
-                    const Response& second);
+  EliminatedCluster(const ClusterPart& part, Child first, Child second,
+                    Response& response);
   /// The highest cluster, F = I + diag(E₁, E₂) P, p: all entries between the unknowns of the
   /// children's skeletons.
   EliminatedCluster(const ClusterPart& part, const Response& first,
@@ -46,13 +54,12 @@ class EliminatedCluster {
   static EliminatedCluster elsewhere() { return EliminatedCluster(false); }
   bool isSilent() const { return isSilent_; }
 
-  /// E.  \pre not the highest cluster
-  Response response(const ClusterPart& part) const;
-
   /// X <- D⁻¹ X or F⁻¹ X
-  void solve(Matrix& x) const;
-  /// Subtracts from X the solution for the field z from outside.
-  void subtractOutside(const Matrix& z, Matrix& x) const;
+  void solve(const ClusterPart& part, Matrix& x) const;
+  /// The same with a field from outside, Tᵀ z of all active unknowns: D⁻¹ (X - Tᵀ z) or
+  /// F⁻¹ (X - diag(E₁, E₂) Tᵀ z).  The field becomes that of both children, unless it is the
+  /// highest cluster of a part.
+  void solve(const ClusterPart& part, Matrix& field, Matrix& x) const;
 
   /// T X, the sources of the far field of the cluster.
   Matrix outgoing(const ClusterPart& part, const Matrix& x) const;
@@ -65,17 +72,19 @@ class EliminatedCluster {
   explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}
 
   EliminatedCluster(const ClusterPart& part, const Response& first,
-                    const Response& second, Index split);
+                    const Response& second);
+  const Matrix& block(const ClusterPart& part) const {
+    return block_ ? *block_ : part.block;
+  }
 
   LeafRestriction own_;  ///< of a parent: those where its children respond
   bool isSilent_ = false;
-  Index unknowns_ = 0;       ///< number of all active unknowns
-  std::vector<Index> rows_;  ///< of the response
+  Index unknowns_ = 0;  ///< number of all active unknowns
   /// Of D; of a parent below the top of I - E₂ Sᵀ E₁ S, the Schur complement of F.
   LuFactor lu_;
-  Matrix upper_;  ///< E₁ S, of a parent below the top
-  Matrix lower_;  ///< E₂ Sᵀ
-  Matrix in_;     ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ, in these rows of T
+  Child first_;  ///< of a parent below the top
+  Child second_;
+  std::optional<Matrix> block_;  ///< S where these respond, if that is not all of it
 };
 
 }  // namespace epafi::bem

@@ -1,5 +1,6 @@
 #include "bem/fields/BoundaryFields.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/moments/ElementPotential.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Gauss points on an interval beyond the degree, for 2e-6 in the integrals of squares.
 constexpr int smoothPoints = 6;
+
+/// So many runs of elements cost what the expansions of a group do.
+constexpr int smallestGroup = 16;
 
 /// Gauss points on a source of a degree: its density has one less.
 int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
@@ -52,7 +56,7 @@ class NearElements {
         sums_((points.size() + lanes - 1) / lanes * states) {}
 
   /// Adds an element, its field in each state.
-  void add(int source, const LocalField* fields) {
+  void add(int source, const std::vector<LocalField>& fields) {
     const Element& y = mesh_[source];
     ElementPotential kernels(y.curve, std::max(y.degree, y.densities));
     std::vector<Complex> shares;  // densities and slopes of the first state, and so on
@@ -116,31 +120,58 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
                                const std::vector<BoundaryState>& states)
     : mesh_(space.mesh().withDegreesOfDensities()),
       runs_(mesh_),
+      space_(space),
       lame_(lame),
-      states_(states.size()),
-      fields_(mesh_.size() * states_) {
-  int largest = 0;
-  for (std::size_t k = 0; k < states_; ++k) {
-    const Vector inner = space.withoutRotation(states[k].displacement);
-    for (int e = 0; e < mesh_.size(); ++e)
-      fields_[e * states_ + k] = localField(space, inner, states[k].density, e);
+      states_(states.size()) {
+  for (const BoundaryState& state : states) {
+    displacements_.push_back(space.withoutRotation(state.displacement));
+    densities_.push_back(state.density);
   }
   if (mesh_.outline().isAxisymmetric()) {
-    rings_ = std::make_unique<const RingFields>(mesh_, lame_, fields_, states_);
+    std::vector<LocalField> fields;
+    for (int e = 0; e < mesh_.size(); ++e)
+      for (const LocalField& field : fieldsOf(e))
+        fields.push_back(field);
+    rings_ = std::make_unique<const RingFields>(mesh_, lame_, fields, states_);
     return;
   }
+  int largest = 0;
   for (const Element& element : mesh_.elements())
     largest = std::max(largest, element.degree);
-  const std::size_t orders = pointsOn(smoothOrderOfCircles, largest) + 1;
-  while (everything_.size() < orders)
+  while (static_cast<int>(everything_.size()) <= pointsOn(smoothOrderOfCircles, largest))
     everything_.emplace_back(states_);
-  for (std::size_t order = 1; order < everything_.size(); ++order)
-    for (int f = 0; f < mesh_.size(); ++f) {
-      addPlaces(f, static_cast<int>(order), mesh_[f].curve.frame().middle,
-                everything_[order]);
-      carry(f, static_cast<int>(order), everything_[order]);
-    }
-  groups_ = std::make_unique<const SourceGroups>(runs_, fields_, states_);
+  constexpr double ofPoint = 100;  // ns
+  const auto orders = static_cast<Index>(everything_.size()) - 1;
+  parallelFor(
+      {orders, 0.5 * ofPoint * static_cast<double>(orders * orders) * mesh_.size()},
+      [&](Index k) {
+        const int order = asInt(orders - k);  // the longest first
+        PointSources& points = everything_[bem::at(order)];
+        for (int f = 0; f < mesh_.size(); ++f) {
+          addPlaces(f, order, mesh_[f].curve.frame().middle, points);
+          carry(f, order, points);
+        }
+      });
+  const auto densities = [this](int f, const Rule& rule, std::vector<Complex>& g) {
+    const Element& source = mesh_[f];
+    const std::vector<LocalField> fields = fieldsOf(f);
+    auto next = g.begin();
+    for (const double t : rule.points)
+      for (const LocalField& field : fields) {
+        *next++ = evaluate(field.density, source.densities - 1, t);
+        *next++ = evaluate(field.slope, source.degree - 1, t);
+      }
+  };
+  groups_ =
+      std::make_unique<const SourceGroups>(runs_, 2 * states_, densities, smallestGroup);
+}
+
+std::vector<LocalField> BoundaryFields::fieldsOf(int f) const {
+  std::vector<LocalField> fields;
+  fields.reserve(states_);
+  for (std::size_t k = 0; k < states_; ++k)
+    fields.push_back(localField(space_, displacements_[k], densities_[k], f));
+  return fields;
 }
 
 /// Element f through Gauss points, `middle` its place.
@@ -154,11 +185,12 @@ void BoundaryFields::addPlaces(int f, int order, Vec2 middle,
 void BoundaryFields::carry(int f, int order, PointSources& points) const {
   const Element& source = mesh_[f];
   const Rule& rule = gaussLegendre(order);
+  const std::vector<LocalField> fields = fieldsOf(f);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
     const double weight = source.half * rule.weights[q];
     for (std::size_t k = 0; k < states_; ++k) {
-      const LocalField& values = fields_[f * states_ + k];
+      const LocalField& values = fields[k];
       points.carry(k, weight * evaluate(values.density, source.densities - 1, t),
                    weight * evaluate(values.slope, source.degree - 1, t));
     }
@@ -204,26 +236,16 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
 
 BoundaryFields::Sources BoundaryFields::split(int element) const {
   Sources sources{states_};
-  const std::vector<SourceGroups::Group>& groups = groups_->groups();
-  if (groups.empty())
-    for (int r = 0; r < runs_.size(); ++r)
-      splitRun(element, r, sources);
   const double half = mesh_[element].half;
   const Complex middle = asComplex(mesh_[element].curve.frame().middle);
-  std::vector<int> waiting(groups.empty() ? 0 : 1, 0);
-  while (!waiting.empty()) {
-    const SourceGroups::Group& group = groups[waiting.back()];
-    waiting.pop_back();
-    if (SourceGroups::isFar(group, middle, half)) {
-      const double z = (std::abs(middle - group.centre) - group.radius) / half;
-      sources.far(2 * farOrder(mesh_[element].curve.angle(), z)).groups.push_back(&group);
-    } else if (group.children[0] >= 0) {
-      waiting.insert(waiting.end(), {group.children[1], group.children[0]});
-    } else {
-      for (int r = group.first; r < group.last; ++r)
-        splitRun(element, r, sources);
-    }
-  }
+  groups_->visit(
+      middle, half,
+      [&](const SourceGroups::Group& group) {
+        const double z = (std::abs(middle - group.centre) - group.radius) / half;
+        sources.far(2 * farOrder(mesh_[element].curve.angle(), z))
+            .groups.push_back(&group);
+      },
+      [&](int r) { splitRun(element, r, sources); });
   return sources;
 }
 
@@ -237,8 +259,9 @@ std::vector<BoundaryFields::SmoothSeries> BoundaryFields::smoothSeries(
     size = std::max(size, static_cast<std::size_t>(sources.all.rbegin()->first));
   std::vector<SmoothSeries> series(
       states_, {std::vector<Complex>(size), std::vector<Complex>(size)});
+  const std::vector<LocalField> fields = fieldsOf(element);
   for (std::size_t i = 0; i < states_; ++i) {
-    const LocalField& own = fields_[element * states_ + i];
+    const LocalField& own = fields[i];
     for (int k = 0; k < std::max(target.degree, target.densities); ++k) {
       series[i].traction[k] = 0.5 * own.density[k];
       series[i].mismatch[k] = -0.5 * own.slope[k];
@@ -282,7 +305,7 @@ BoundaryFields::Values BoundaryFields::at(int element, const Sources& sources,
   const std::vector<SmoothSeries> series = smoothSeries(element, sources);
   NearElements near(mesh_, element, points, states_);
   for (const int f : sources.near)
-    near.add(f, &fields_[f * states_]);
+    near.add(f, fieldsOf(f));
   const std::size_t terms = series.front().traction.size();
   std::vector<double> legendre(terms);
   Values values(states_);

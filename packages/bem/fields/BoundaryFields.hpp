@@ -39,6 +39,7 @@ struct BoundaryState {
 /// On solids of revolution they are polynomials, see RingFields; on the axis there are none.
 class BoundaryFields {
  public:
+  /// Refers to the space.
   BoundaryFields(const Space& space, const Lame& lame,
                  const std::vector<BoundaryState>& states);
 
@@ -58,6 +59,7 @@ class BoundaryFields {
   struct Sources;
   struct SmoothSeries;
 
+  std::vector<LocalField> fieldsOf(int f) const;  ///< of the states
   void addPlaces(int f, int order, Vec2 middle, PointSources& points) const;
   void carry(int f, int order, PointSources& points) const;
   void addFar(int f, int order, Vec2 middle, PointSources& points) const;
@@ -70,9 +72,11 @@ class BoundaryFields {
 
   Mesh mesh_;
   ElementRuns runs_;  ///< of mesh_
+  const Space& space_;
   Lame lame_;
   std::size_t states_;
-  std::vector<LocalField> fields_;  ///< elements x states, states contiguous
+  std::vector<Vector> displacements_;  ///< by state, P u of Rotation
+  std::vector<Vector> densities_;
   /// By order: Gauss points of all elements, of the order that far circles need.
   std::vector<PointSources> everything_;
   std::unique_ptr<const SourceGroups> groups_;

@@ -1,12 +1,15 @@
 #include "bem/fields/Interior.hpp"
 
+#include "bem/base/Box.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/PointSources.hpp"
 #include "bem/fields/RingInterior.hpp"
+#include "bem/fields/SourceGroups.hpp"
 #include "bem/moments/ElementPotential.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace epafi::bem {
 
@@ -17,7 +20,8 @@ struct Targets {
   AlignedLane x{};
   AlignedLane y{};
   ComplexLanes displacement{};
-  PointSources::Sums sums;
+  PointSources::Sums sums;        ///< of near elements
+  SumsOf<ComplexLanes> far[2]{};  ///< of ψ and u' of groups
 };
 
 /// What a carrier of an element has of u, du/ds and ψ.
@@ -76,23 +80,132 @@ void addElement(const Lame& lame, const Element& element, const LocalField& fiel
   }
 }
 
+/// The densities of groups.
+enum Density : std::size_t { psi, slope, normalValue, normalPart, densityCount };
+
+/// Adds what a group does, by its expansions; z = x - c, of the densities of log|w| and of
+/// w/conj(w):
+///
+///   ∫ g log|w| = log|z| M_0 - 1/2 Σ (q^k M_k + conj(q^k N_k))/k,   k >= 1,
+///   ∫ conj(g) w/conj(w) = conj Σ q^(k+1) (conj(z) M_k - P_k) / R
+struct FarAddition {
+  const Lame& lame;
+  const SourceGroups::Group& group;
+  std::size_t terms;
+  Targets& to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const ComplexPack z{load(to.x.lane) - group.centre.real(),
+                        load(to.y.lane) - group.centre.imag()};
+    Pack square;
+    squareOf(z, square);
+    const ComplexPack overZ = (1.0 / square) * conj(z);
+    const ComplexPack q = group.radius * overZ;
+    ComplexPack plain[3];
+    constexpr std::size_t ofConjugate[3] = {psi, slope, normalPart};
+    ComplexPack conjugate[3];
+    ComplexPack twice[3];
+    ComplexPack twiceShifted[3];
+    ComplexPack shifted;
+    ComplexPack logs[2];
+    ComplexPack power = overZ;  // q^(k+1) / R
+    for (std::size_t k = 0; k < terms; ++k) {
+      const SourceGroups::Group::Moments& m = group.moments[k];
+      const ComplexPack next = static_cast<double>(k + 1) * power;
+      for (std::size_t i = 0; i < 3; ++i) {
+        plain[i] = plain[i] + m.plain[i] * power;
+        conjugate[i] = conjugate[i] + m.conjugate[ofConjugate[i]] * power;
+        twice[i] = twice[i] + m.plain[i] * next;
+        twiceShifted[i] = twiceShifted[i] + m.shifted[i] * next;
+      }
+      shifted = shifted + m.shifted[psi] * power;
+      if (k > 0) {
+        const ComplexPack part = (1.0 / static_cast<double>(k)) * power;
+        logs[0] = logs[0] + m.plain[psi] * part;
+        logs[1] = logs[1] + m.conjugate[psi] * part;
+      }
+      power = power * q;
+    }
+    const auto sumsOf = [&](std::size_t i) -> SumsOf<ComplexPack> {
+      return {plain[i], conj(conjugate[i]),
+              conj(overZ * (conj(z) * twice[i] - twiceShifted[i]))};
+    };
+    Pack logOfSquare;
+    logarithm(square, logOfSquare);
+    const Complex all = group.moments.front().plain[psi];
+    const ComplexPack whole{Pack{} + all.real(), Pack{} + all.imag()};
+    const ComplexPack log =
+        (0.5 * logOfSquare) * whole - 0.5 * (z * logs[0] + conj(z * logs[1]));
+    const SumsOf<ComplexPack> normal = sumsOf(normalValue);
+    to.displacement.store(
+        to.displacement.load() +
+        singleLayer(lame, log, whole, conj(conj(z) * plain[psi] - shifted)) -
+        doubleLayer(lame, normal, normal));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SumsOf<ComplexPack> own = sumsOf(i);
+      SumsOf<ComplexLanes>& sum = to.far[i];
+      sum.overW.store(sum.overW.load() + own.overW);
+      sum.overConj.store(sum.overConj.load() + own.overConj);
+      sum.cubic.store(sum.cubic.load() + own.cubic);
+    }
+  }
+};
+
+/// Divides points into heaps of neighbours: numbers first ... last - 1 of `order`.
+void divide(const std::vector<Vec2>& points, std::size_t first, std::size_t last,
+            std::size_t largest, std::vector<std::size_t>& order,
+            std::vector<std::size_t>& ends) {
+  if (last - first <= largest) {
+    ends.push_back(last);
+    return;
+  }
+  Box box;
+  for (std::size_t k = first; k < last; ++k)
+    box.add(points[order[k]]);
+  const bool isWide = box.size().x > box.size().y;
+  const auto from = order.begin() + static_cast<Index>(first);
+  const std::size_t half = ((last - first) / 2 + lanes - 1) / lanes * lanes;
+  std::nth_element(
+      from, from + static_cast<Index>(half), order.begin() + static_cast<Index>(last),
+      [&](std::size_t a, std::size_t b) {
+        return isWide ? points[a].x < points[b].x : points[a].y < points[b].y;
+      });
+  divide(points, first, first + half, largest, order, ends);
+  divide(points, first + half, last, largest, order, ends);
+}
+
 }  // namespace
 
 Interior::Interior(const Space& space, const Lame& lame, const Vector& u,
                    const Vector& psi)
-    : space_(space), lame_(lame) {
-  const Vector inner = space.withoutRotation(u);
-  for (int e = 0; e < space.mesh().size(); ++e)
-    fields_.push_back(localField(space, inner, psi, e));
+    : space_(space), lame_(lame), inner_(space.withoutRotation(u)), psi_(psi) {
   if (space.rotation() != nullptr)
     rotation_ = space.rotation()->amount(u);
-  if (space.mesh().outline().isAxisymmetric())
-    rings_ = std::make_shared<const RingInterior>(space.mesh(), lame, fields_);
+  if (!space.mesh().outline().isAxisymmetric())
+    return;
+  std::vector<LocalField> fields;
+  for (int e = 0; e < space.mesh().size(); ++e)
+    fields.push_back(field(e));
+  rings_ = std::make_shared<const RingInterior>(space.mesh(), lame, std::move(fields));
+}
+
+void Interior::setDensities(int e, const Rule& rule, std::vector<Complex>& g) const {
+  const Element& element = space_.mesh()[e];
+  const LocalField own = field(e);
+  auto next = g.begin();
+  for (const double t : rule.points) {
+    const Complex value = evaluate(own.value, element.degree, t);
+    const Complex normal = asComplex(element.curve.normal(t));
+    next[psi] = evaluate(own.density, element.densities - 1, t);
+    next[slope] = evaluate(own.slope, element.degree - 1, t);
+    next[normalValue] = normal * value;
+    next[normalPart] = std::real(std::conj(normal) * value);
+    next += densityCount;
+  }
 }
 
 std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
-  constexpr std::size_t atOnce = 8 * lanes;
-  constexpr double ofElement = 30;  // ns
   const Mesh& mesh = space_.mesh();
   std::vector<InteriorValue> values(points.size());
   if (rings_ != nullptr) {
@@ -102,30 +215,60 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
                 [&](Index k) { values[bem::at(k)] = rings_->at(points[bem::at(k)]); });
     return values;
   }
-  const std::size_t rounds = (points.size() + atOnce - 1) / atOnce;
-  const double work = ofElement * static_cast<double>(points.size()) * mesh.size();
-  parallelFor({static_cast<Index>(rounds), work}, [&](Index round) {
-    const std::size_t first = bem::at(round) * atOnce;
-    const std::size_t last = std::min(first + atOnce, points.size());
+  constexpr std::size_t atOnce = 8 * lanes;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<std::size_t> ends = {0};
+  if (!points.empty())
+    divide(points, 0, points.size(), atOnce, order, ends);
+  // groups cost what a heap of points does in all elements one by one
+  const ElementRuns runs(mesh);
+  constexpr int smallest = 2;
+  const SourceGroups groups(
+      runs, densityCount,
+      [this](int e, const Rule& rule, std::vector<Complex>& g) {
+        setDensities(e, rule, g);
+      },
+      ends.size() > 2 ? smallest : mesh.size());
+  constexpr double ofPoint = 20000;  // ns
+  const double work = ofPoint * static_cast<double>(points.size());
+  parallelFor({static_cast<Index>(ends.size() - 1), work}, [&](Index heap) {
+    const std::size_t first = ends[bem::at(heap)];
+    const std::size_t last = ends[bem::at(heap) + 1];
     std::vector<Targets> targets((last - first + lanes - 1) / lanes);
+    Box box;
     for (std::size_t k = 0; k < targets.size() * lanes; ++k) {
-      const Vec2 x = points[std::min(first + k, last - 1)];
+      const Vec2 x = points[order[std::min(first + k, last - 1)]];
       targets[k / lanes].x.lane[k % lanes] = x.x;
       targets[k / lanes].y.lane[k % lanes] = x.y;
+      box.add(x);
     }
-    for (int e = 0; e < mesh.size(); ++e)
-      addElement(lame_, mesh[e], fields_[bem::at(e)], targets);
+    groups.visit(
+        asComplex(box.middle()), 0.5 * norm(box.size()),
+        [&](const SourceGroups::Group& group) {
+          for (Targets& to : targets)
+            dispatch(largestInstructionSet(), FarAddition{lame_, group, group.terms, to});
+        },
+        [&](int r) {
+          for (int e = runs[r].first; e < runs[r].last; ++e)
+            addElement(lame_, mesh[e], field(e), targets);
+        });
     for (std::size_t k = first; k < last; ++k) {
       const Targets& own = targets[(k - first) / lanes];
       const std::size_t lane = (k - first) % lanes;
+      const Vec2 x = points[order[k]];
       Complex displacement = own.displacement[lane];
       if (space_.rotation() != nullptr)
-        displacement += rotation_ * asComplex(space_.rotation()->at(points[k]));
-      const FieldSums sums = own.sums.at(lane);
+        displacement += rotation_ * asComplex(space_.rotation()->at(x));
+      FieldSums sums = own.sums.at(lane);
+      const auto farSums = [&](const SumsOf<ComplexLanes>& far) {
+        return SourceSums{far.overW[lane], far.overConj[lane], far.cubic[lane]};
+      };
+      sums.add({farSums(own.far[0]), farSums(own.far[1])});
       const Complex onX = traction(lame_, Complex(1, 0), sums);
       const Complex onY = traction(lame_, Complex(0, 1), sums);
-      values[k] = {asVector(displacement), onX.real(), onY.imag(),
-                   0.5 * (onX.imag() + onY.real())};
+      values[order[k]] = {asVector(displacement), onX.real(), onY.imag(),
+                          0.5 * (onX.imag() + onY.real())};
     }
   });
   return values;

@@ -29,14 +29,20 @@ class Interior {
 
   /// \pre x is inside the body, in scaled coordinates
   InteriorValue at(Vec2 x) const { return at(std::vector<Vec2>{x}).front(); }
-  /// Eight points cost as much as one.  Threads: over the points.
+  /// Many points cost far less each: elements far from some neighbouring points act on them by
+  /// SourceGroups.  Threads: over the points.
   std::vector<InteriorValue> at(const std::vector<Vec2>& points) const;
 
  private:
+  /// What an element does, close to it and far away.
+  LocalField field(int e) const { return localField(space_, inner_, psi_, e); }
+  void setDensities(int e, const Rule& rule, std::vector<Complex>& g) const;
+
   const Space& space_;
   Lame lame_;
-  double rotation_ = 0;  ///< ω(u) of Rotation
-  std::vector<LocalField> fields_;
+  Vector inner_;  ///< P u of Rotation
+  Vector psi_;
+  double rotation_ = 0;                        ///< ω(u) of Rotation
   std::shared_ptr<const RingInterior> rings_;  ///< of solids of revolution
 };
 

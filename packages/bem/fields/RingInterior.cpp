@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace epafi::bem {
 
@@ -132,6 +131,13 @@ struct Addition {
 RingInterior::RingInterior(const Mesh& mesh, const Lame& lame,
                            std::vector<LocalField> fields)
     : mesh_(mesh), lame_(lame), fields_(std::move(fields)) {
+  std::vector<Curve> curves;
+  for (int e = 0; e < mesh_.size(); ++e)
+    if (!mesh_.isAxis(e)) {
+      elements_.push_back(e);
+      curves.push_back(mesh_[e].curve);
+    }
+  surface_ = CurveTree(std::move(curves));
   for (int e = 0; e < mesh_.size(); ++e)
     for (int size = 1; size <= packs; ++size) {
       const Rule& rule = gaussLegendre(size * lanes);
@@ -158,21 +164,8 @@ RingInterior::Sources RingInterior::sources(int e, const double* places,
 }
 
 RingInterior::Uniform RingInterior::uniformNear(Vec2 x) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  int closest = 0;
-  double t = 0;
-  for (int e = 0; e < mesh_.size(); ++e) {
-    if (mesh_.isAxis(e))
-      continue;
-    const Complex z = mesh_[e].curve.seen(x).z;
-    const double foot = std::clamp(z.real(), -1.0, 1.0);
-    if (const double distance = norm(x - mesh_[e].curve.point(foot));
-        distance < nearest) {
-      nearest = distance;
-      closest = e;
-      t = foot;
-    }
-  }
+  const auto [curve, t, distance] = surface_.nearest(x);
+  const int closest = elements_[curve];
   const Element& element = mesh_[closest];
   const Vec2 place = element.curve.point(t);
   const Complex u = evaluate(fields_[bem::at(closest)].value, element.degree, t);
@@ -245,9 +238,8 @@ InteriorValue RingInterior::at(Vec2 x) const {
   constexpr double close = 1e-5;  // to the axis, where u_r/ρ is du_r/dρ
   const Uniform uniform = uniformNear(x);
   Sum sum;
-  for (int e = 0; e < mesh_.size(); ++e)
-    if (!mesh_.isAxis(e))
-      add(e, x, uniform, sum);
+  for (const int e : elements_)
+    add(e, x, uniform, sum);
   const double stiffness = 2 * lame_.mu;
   InteriorValue value;
   value.displacement = {

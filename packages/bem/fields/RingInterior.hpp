@@ -40,6 +40,8 @@ class RingInterior {
   void add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const;
 
   Mesh mesh_;
+  std::vector<int> elements_;  ///< off the axis
+  CurveTree surface_;          ///< of them
   Lame lame_;
   std::vector<LocalField> fields_;
   /// Of each element the points of all rules, from the smallest on.

@@ -1,6 +1,7 @@
 #include "bem/fields/SourceGroups.hpp"
 
 #include "bem/base/Box.hpp"
+#include "bem/base/Parallel.hpp"
 #include "bem/moments/Nearness.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
@@ -12,10 +13,8 @@ namespace epafi::bem {
 
 namespace {
 
-// So many runs cost what a group's moments do.
-constexpr int smallestGroup = 16;
-
 constexpr double wanted = 1e-13;
+constexpr std::size_t mostTerms = 40;
 
 /// Terms of the series where R/|x - c| = q.
 int termsFor(double q) {
@@ -48,16 +47,101 @@ struct Series {
   }
 };
 
+using Moments = SourceGroups::Group::Moments;
+
+/// Adds a point of an element to the moments of eight densities.
+struct PointMoments {
+  const ComplexLanes& densities;  ///< times the weight
+  Complex place;                  ///< y - c
+  double radius;
+  std::size_t terms;
+  Moments* to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const ComplexPack g = densities.load();
+    const ComplexPack conjugate = conj(g);
+    const Complex step = place / radius;
+    Complex power = 1;
+    for (std::size_t k = 0; k < terms; ++k) {
+      Moments& m = to[k];
+      m.plain.store(m.plain.load() + power * g);
+      m.conjugate.store(m.conjugate.load() + power * conjugate);
+      m.shifted.store(m.shifted.load() + (std::conj(place) * power) * g);
+      power *= step;
+    }
+  }
+};
+
+/// Adds the moments about another circle, whose middle is at d from the own one:
+///
+///   ((y - c + d)/R)^k = Σ binomial(k, j) (r/R)^j (d/R)^(k-j) ((y - c)/r)^j
+struct MovedMoments {
+  const Moments* from;
+  double radius;  ///< r
+  Complex way;    ///< d
+  double newRadius;
+  std::size_t terms;
+  Moments* to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    double shrinking[mostTerms] = {1};
+    Complex steps[mostTerms] = {1};
+    for (std::size_t k = 1; k < terms; ++k) {
+      shrinking[k] = shrinking[k - 1] * (radius / newRadius);
+      steps[k] = steps[k - 1] * (way / newRadius);
+    }
+    for (std::size_t k = 0; k < terms; ++k) {
+      ComplexPack plain = to[k].plain.load();
+      ComplexPack conjugate = to[k].conjugate.load();
+      ComplexPack shifted = to[k].shifted.load();
+      double binomial = 1;
+      for (std::size_t j = 0; j <= k; ++j) {
+        const Complex factor = binomial * shrinking[j] * steps[k - j];
+        const ComplexPack own = from[j].plain.load();
+        plain = plain + factor * own;
+        conjugate = conjugate + factor * from[j].conjugate.load();
+        shifted = shifted + factor * (from[j].shifted.load() + std::conj(way) * own);
+        binomial *= static_cast<double>(k - j) / static_cast<double>(j + 1);
+      }
+      to[k].plain.store(plain);
+      to[k].conjugate.store(conjugate);
+      to[k].shifted.store(shifted);
+    }
+  }
+};
+
 }  // namespace
 
-SourceGroups::SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields,
-                           std::size_t states)
-    : runs_(runs), fields_(fields), states_(states) {
-  if (runs.size() >= 4 * smallestGroup)
-    divide(0, runs.size());
+SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
+                           const Densities& densities, int smallest)
+    : runs_(runs), count_(count) {
+  if (runs.size() < 4 * smallest)
+    return;
+  divide(0, runs.size(), smallest);
+  constexpr double ofElement = 2000;  // ns
+  const auto size = static_cast<Index>(groups_.size());
+  parallelFor({size, ofElement * runs.mesh().size()}, [&](Index g) {
+    Group& group = groups_[bem::at(g)];
+    if (group.children[0] < 0)
+      sumElements(densities, group);
+  });
+  for (std::size_t g = groups_.size(); g-- > 1;) {  // children come behind their parents
+    Group& group = groups_[g];
+    for (const int number : group.children)
+      if (number >= 0) {
+        const Group& child = groups_[bem::at(number)];
+        for (std::size_t k = 0; k < group.moments.size(); k += group.terms)
+          dispatch(
+              largestInstructionSet(),
+              MovedMoments{&child.moments[k], child.radius, child.centre - group.centre,
+                           group.radius, group.terms, &group.moments[k]});
+      }
+  }
 }
 
-int SourceGroups::divide(int first, int last) {
+int SourceGroups::divide(int first, int last, int smallest) {
   const auto number = static_cast<int>(groups_.size());
   Group group{first, last, {-1, -1}, {}, 0, {}, 0};
   Box box;
@@ -69,65 +153,55 @@ int SourceGroups::divide(int first, int last) {
         std::max(group.radius,
                  std::abs(asComplex(runs_[r].centre) - group.centre) + runs_[r].radius);
   if (number > 0) {
-    group.terms = termsFor(1 / separation);
-    group.moments.resize(group.terms * ((states_ + statesInLanes - 1) / statesInLanes));
-    for (int r = first; r < last; ++r)
-      for (int f = runs_[r].first; f < runs_[r].last; ++f)
-        addElement(f, group);
+    group.terms = std::min(bem::at(termsFor(1 / separation)), mostTerms);
+    group.moments.resize(group.terms * ((count_ + lanes - 1) / lanes));
   }
   groups_.push_back(std::move(group));
-  if (last - first < 2 * smallestGroup)
+  if (last - first < 2 * smallest)
     return number;
-  const int left = divide(first, (first + last) / 2);
-  const int right = divide((first + last) / 2, last);
+  const int left = divide(first, (first + last) / 2, smallest);
+  const int right = divide((first + last) / 2, last, smallest);
   groups_[number].children[0] = left;
   groups_[number].children[1] = right;
   return number;
 }
 
-void SourceGroups::addElement(int f, Group& group) const {
-  const Element& source = runs_.mesh()[f];
-  // the circle that targets stay outside of, seen from the element
-  const double z = (separation - 1) * group.radius / source.half;
-  const Rule& rule = gaussLegendre(farOrder(source.curve.angle(), std::max(z, 1.1)) +
-                                   degreeShare(source.degree));
-  const Complex middle = asComplex(source.curve.frame().middle) - group.centre;
-  std::vector<Complex> carried(2 * states_);
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    const double t = rule.points[q];
-    const double weight = source.half * rule.weights[q];
-    const Complex place = middle + asComplex(source.curve.fromMiddle(t));
-    const Complex step = place / group.radius;
-    for (std::size_t i = 0; i < 2 * states_; ++i) {
-      const LocalField& values = fields_[f * states_ + i / 2];
-      carried[i] =
-          weight * (i % 2 == 0 ? evaluate(values.density, source.densities - 1, t)
-                               : evaluate(values.slope, source.degree - 1, t));
-    }
-    Complex power = 1;
-    for (std::size_t k = 0; k < group.terms; ++k) {
-      const Complex shifted = std::conj(place) * power;
-      for (std::size_t i = 0; i < 2 * states_; ++i) {
-        Group::Moments& m = group.moments[i / lanes * group.terms + k];
-        const auto add = [lane = static_cast<int>(i % lanes)](ComplexLanes& to,
-                                                              Complex value) {
-          to.set(lane, to[lane] + value);
-        };
-        add(m.plain, carried[i] * power);
-        add(m.conjugate, std::conj(carried[i]) * power);
-        add(m.shifted, carried[i] * shifted);
+void SourceGroups::sumElements(const Densities& densities, Group& group) const {
+  std::vector<Complex> g;
+  for (int f = runs_[group.first].first; f < runs_[group.last - 1].last; ++f) {
+    const Element& source = runs_.mesh()[f];
+    // the circle that targets stay outside of, seen from the element
+    const double z = (separation - 1) * group.radius / source.half;
+    const Rule& rule =
+        gaussLegendre(farOrder(source.curve.angle(), std::max(z, 1.1)) +
+                      degreeShare(std::max(source.degree, source.densities)));
+    g.assign(rule.points.size() * count_, 0);
+    densities(f, rule, g);
+    const Complex middle = asComplex(source.curve.frame().middle) - group.centre;
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const Complex place = middle + asComplex(source.curve.fromMiddle(rule.points[q]));
+      for (std::size_t first = 0; first < count_; first += lanes) {
+        ComplexLanes eight{};
+        for (std::size_t i = first; i < std::min(first + lanes, count_); ++i)
+          eight.set(static_cast<int>(i - first),
+                    source.half * rule.weights[q] * g[q * count_ + i]);
+        dispatch(largestInstructionSet(),
+                 PointMoments{eight, place, group.radius, group.terms,
+                              &group.moments[first / lanes * group.terms]});
       }
-      power *= step;
     }
   }
+}
+
+std::size_t SourceGroups::termsAt(const Group& group, double distance) {
+  return std::min(bem::at(termsFor(group.radius / distance)), group.terms);
 }
 
 void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
                          InstructionSet set) {
   const Complex z = x - group.centre;
   const Complex q = group.radius / z;
-  const auto terms =
-      std::min(static_cast<std::size_t>(termsFor(std::abs(q))), group.terms);
+  const std::size_t terms = termsAt(group, std::abs(z));
   ComplexLanes of[4];
   for (std::size_t i = 0; i < 2 * sums.size(); ++i) {
     const std::size_t lane = i % lanes;

@@ -4,26 +4,34 @@
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
-#include "bem/space/LocalField.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace epafi::bem {
 
 /// Multipole expansions of the far field of many consecutive elements.  With a_k the powers of
-/// (y - c)/R for a circle of radius R about c, q = R/(x - c),
+/// (y - c)/R for a circle of radius R about c, q = R/(x - c), of a density g
 ///
 ///   ∫ g/w = Σ q^(k+1) M_k / R,          M_k = ∫ g a_k,
 ///   ∫ g/conj(w) = conj Σ q^(k+1) N_k / R,   N_k = ∫ conj(g) a_k,
 ///   ∫ conj(g) w/conj(w)² = conj (conj(x-c) Σ (k+1) q^(k+2) M_k - Σ (k+1) q^(k+2) P_k) / R²,
 ///
 /// P_k = ∫ g conj(y-c) a_k.  Groups of consecutive runs are halved until summation over their
-/// elements is cheaper than an expansion.
+/// elements is cheaper than an expansion; the moments of both halves, moved to the common circle,
+/// are those of the whole.
 class SourceGroups {
  public:
-  /// `fields`: elements x states, states contiguous.  Refers to runs and fields.
-  SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields,
-               std::size_t states);
+  /// Sets the densities at the points of a rule on an element, one point after the other.
+  using Densities =
+      std::function<void(int element, const Rule& rule, std::vector<Complex>& g)>;
+
+  /// Refers to the runs.
+  /// \param count     number of densities
+  /// \param smallest  runs that a group has at least; there are no groups of a mesh with less
+  /// than four times as many
+  SourceGroups(const ElementRuns& runs, std::size_t count, const Densities& densities,
+               int smallest);
 
   struct Group {
     int first;  ///< runs first ... last - 1
@@ -31,40 +39,53 @@ class SourceGroups {
     int children[2] = {-1, -1};
     Complex centre;
     double radius = 0;
-    /// M, N and P of densities and slopes of four states.
+    /// M, N and P of eight densities.
     struct Moments {
       ComplexLanes plain{};
       ComplexLanes conjugate{};
       ComplexLanes shifted{};
     };
-    std::vector<Moments>
-        moments;            ///< empty for groups without expansion; all k of the first
-                            ///< four states, then of the next
+    /// All k of the first eight densities, then of the next; empty for the whole mesh.
+    std::vector<Moments> moments;
     std::size_t terms = 0;  ///< 0 <= k < terms
   };
-  /// groups()[0] is the whole mesh; empty on small meshes.
-  const std::vector<Group>& groups() const { return groups_; }
-
-  /// Has the group an expansion that is valid in this circle?
-  static bool isFar(const Group& group, Complex centre, double radius) {
-    return !group.moments.empty() &&
-           std::abs(centre - group.centre) - radius >= separation * group.radius;
+  /// What stands for the whole mesh at points of a circle: far(group) for groups whose expansion
+  /// is valid there, near(r) for the runs of the others.
+  template <class Far, class Near>
+  void visit(Complex centre, double radius, const Far& far, const Near& near) const {
+    if (groups_.empty())
+      for (int r = 0; r < runs_.size(); ++r)
+        near(r);
+    else
+      visit(groups_.front(), centre, radius, far, near);
   }
-  /// Adds the expansion of each state at a point of a circle with isFar; error 1e-13 of the
-  /// largest sum.
+  /// Terms for an error of 1e-13 of the largest sum at a distance |x - c|.
+  static std::size_t termsAt(const Group& group, double distance);
+  /// Adds the expansions of the densities ψ, u' of each state at a point far away.
   static void addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
                     InstructionSet set = largestInstructionSet());
 
  private:
   static constexpr double separation = 2.5;
-  static constexpr std::size_t statesInLanes = lanes / 2;
 
-  int divide(int first, int last);
-  void addElement(int f, Group& group) const;
+  template <class Far, class Near>
+  void visit(const Group& group, Complex centre, double radius, const Far& far,
+             const Near& near) const {
+    if (!group.moments.empty() &&
+        std::abs(centre - group.centre) - radius >= separation * group.radius)
+      far(group);
+    else if (group.children[0] >= 0)
+      for (const int child : group.children)
+        visit(groups_[bem::at(child)], centre, radius, far, near);
+    else
+      for (int r = group.first; r < group.last; ++r)
+        near(r);
+  }
+  int divide(int first, int last, int smallest);
+  void sumElements(const Densities& densities, Group& group) const;
 
   const ElementRuns& runs_;
-  const std::vector<LocalField>& fields_;
-  std::size_t states_;
+  std::size_t count_;
   std::vector<Group> groups_;
 };
 

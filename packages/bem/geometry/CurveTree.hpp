@@ -2,6 +2,7 @@
 
 #include "bem/geometry/Curve.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace epafi::bem {
@@ -30,6 +31,15 @@ class CurveTree {
 
   const std::vector<Curve>& curves() const { return curves_; }
 
+  /// A place t in [-1, 1] on a curve, at a distance from x.
+  struct Foot {
+    std::size_t curve = 0;
+    double t = 0;
+    double distance = std::numeric_limits<double>::infinity();
+  };
+  /// The nearest to x.  \pre there are curves
+  Foot nearest(Vec2 x) const;
+
   /// Calls visit(k), ascending, for all curves with mayMatter(disc) of their discs; it must be true of
   /// a disc if it is of one inside of it.
   template <class MayMatter, class Visit>
@@ -47,6 +57,7 @@ class CurveTree {
     bool isOne() const { return end - begin == 1; }
   };
   void enclose(std::size_t node, Range range);
+  void approach(Vec2 x, std::size_t node, Range range, Foot& foot) const;
 
   template <class MayMatter, class Visit>
   void search(std::size_t node, Range range, const MayMatter& mayMatter,

@@ -50,7 +50,7 @@ struct ComplexLanes {
     bem::store(re.lane, x.re);
     bem::store(im.lane, x.im);
   }
-  std::complex<double> operator[](std::size_t lane) const {
+  EPAFI_INLINE std::complex<double> operator[](std::size_t lane) const {
     return {re.lane[lane], im.lane[lane]};
   }
   void set(int lane, const std::complex<double>& x) {

@@ -11,13 +11,6 @@ namespace epafi::contact {
 
 using bem::dot;
 
-std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
-  std::vector<int> leaves;
-  for (Index i = operators.further(); i < operators.size(); ++i)
-    leaves.push_back(operators.leafOf(i));
-  return leaves;
-}
-
 CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
                                std::size_t body, std::shared_ptr<const Holding> holding,
                                Coupling plain)
@@ -31,11 +24,7 @@ CompressedBody::CompressedBody(const BodyInput& input, const MultiplierSpace& mu
   std::fill(held + range_.densities, held + range_.last, 0);
   std::copy(holding_->clamped.begin(), holding_->clamped.end(), held + range_.first);
   addSprings();
-  // with several bodies, only the factor of CompressedFlexibility is updated
-  const bool changes = operators_->bodies() == 1;
-  factor_ = std::make_unique<const bem::CompressedFactor>(
-      *operators_, restriction_,
-      changes ? furtherLeaves(*operators_) : std::vector<int>());
+  factor_ = std::make_unique<const bem::CompressedFactor>(*operators_, restriction_);
 }
 
 // One spring per rigid motion that clamps allow, where pivoting finds the motions least dependent,
@@ -148,8 +137,8 @@ const bem::CompressedFactor& CompressedBody::densityFactor() const {
     restriction.held.assign(at(operators_->size()), 1);
     std::fill(restriction.held.begin() + range_.densities,
               restriction.held.begin() + range_.last, 0);
-    densityFactor_ = std::make_unique<const bem::CompressedFactor>(
-        *operators_, restriction, std::vector<int>{});
+    densityFactor_ =
+        std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
   }
   return *densityFactor_;
 }

@@ -5,9 +5,6 @@
 
 namespace epafi::contact {
 
-/// Leaves with multipliers, the only unknowns that become held or free between steps.
-std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
-
 /// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
 /// system regular; solve() removes their effect.
 class CompressedBody final : public ElasticBody {

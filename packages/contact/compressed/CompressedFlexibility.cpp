@@ -105,7 +105,9 @@ void CompressedFlexibility::restrictAll() {
     restriction_.entries.insert(restriction_.entries.end(), own.entries.begin(),
                                 own.entries.end());
   }
-  leaves_ = furtherLeaves(operators());
+  // with multipliers, the only unknowns that become held or free between steps
+  for (Index i = operators().further(); i < operators().size(); ++i)
+    leaves_.push_back(operators().leafOf(i));
   for (std::size_t b = 0; b < coupling_.size(); ++b)
     for (const bem::Entry& entry : coupling_[b].entries)
       leaves_.push_back(operators().leafOf(operators().range(b).first + entry.row));
@@ -219,8 +221,7 @@ const CompressedFlexibility::Along& CompressedFlexibility::eliminated(
   if (reduced == nullptr)
     reduced = std::make_unique<Along>(
         own_.size() == 1 ? own_.front()
-                         : along(bem::CompressedFactor(operators(), restriction_,
-                                                       furtherLeaves(operators()))));
+                         : along(bem::CompressedFactor(operators(), restriction_)));
   reduced->factor.update(restriction);
   reduced_ = std::move(reduced);
   eliminated_ = number;

@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse
   bem::Restriction restriction;
   restriction.held.assign(bem::at(n), 0);
   std::fill_n(restriction.held.begin(), space.displacements(), 1);
-  const bem::CompressedFactor factor(operators, restriction, {});
+  const bem::CompressedFactor factor(operators, restriction);
   Matrix x(n, 2);
   for (Index j = 0; j < 2; ++j)
     for (Index i = 0; i < n; ++i)
