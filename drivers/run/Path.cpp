@@ -292,7 +292,7 @@ class Follower {
     const double strain =
         wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain / energy -
         ofInside;
-    const double stored = system.storedEnergy(step.at);
+    const double stored = step.at.storedEnergy();
     row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
     double workError = 0;

@@ -43,10 +43,9 @@ class DenseBody final : public ElasticBody {
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
-  Vector residual(const Vector& force, const Vector& u) const override;
-  /// The rounding error is relative to the result, neither to large entries of S as nu -> 1/2 nor
+  /// The rounding error of the work is relative to it, neither to large entries of S as nu -> 1/2 nor
   /// to a rigid motion in u.
-  double stiffnessWork(const Vector& u) const override;
+  Image imageOf(const Vector& u) const override;
   Vector density(const Vector& u, const Vector& w) const override;
   Vector tractionsOf(const Vector& u) const override;
   Vector forcesOf(const Vector& w) const override;

@@ -271,7 +271,7 @@ State ContactSystem::with(const std::vector<RigidMotion>& motions, State state) 
   return state;
 }
 
-Configuration ContactSystem::configuration(State state) const {
+Configuration ContactSystem::placed(State state) const {
   Configuration result;
   if (state.multiplier.empty())
     state.multiplier.assign(at(multiplier().size()), 0.0);
@@ -288,17 +288,25 @@ Configuration ContactSystem::configuration(State state) const {
   return result;
 }
 
-double ContactSystem::strainEnergy(const Configuration& at) const {
-  double sum = 0;
+Configuration ContactSystem::withResults(Configuration placed) const {
+  placed.results.clear();
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).strainEnergy(at.state, at.displacements[b], at.contactForces[b]);
+    placed.results.push_back(body(b).results(placed.state, placed.displacements[b],
+                                             placed.contactForces[b]));
+  return placed;
+}
+
+double Configuration::strainEnergy() const {
+  double sum = 0;
+  for (const ContactBody::Results& body : results)
+    sum += body.strainEnergy;
   return sum;
 }
 
-double ContactSystem::storedEnergy(const Configuration& at) const {
+double Configuration::storedEnergy() const {
   double sum = 0;
-  for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).storedEnergy(at.state, at.displacements[b], at.contactForces[b]);
+  for (const ContactBody::Results& body : results)
+    sum += body.storedEnergy;
   return sum;
 }
 
