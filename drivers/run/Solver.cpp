@@ -262,7 +262,8 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
     SolvedProblem solved = from(first);
     if (!onPath)
       solved.reason += changingPlaces(solved.solution.report, system, spaces);
-    if (solved.solution.report.converged() || first.multiplier == otherwise.multiplier)
+    if (solved.solution.report.converged() ||
+        (first.multiplier == otherwise.multiplier && first.rigid == otherwise.rigid))
       return solved;
     SolvedProblem again = from(otherwise);
     again.solution.report =

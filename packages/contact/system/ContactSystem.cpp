@@ -192,21 +192,33 @@ void ContactSystem::setScale(double load) {
     body.setStress(numbers_.stress);
 }
 
-double ContactSystem::loadSize() const {
+Vector ContactSystem::givenToRigid() const {
   Vector given(at(multiplier().size()));
   addGiven(given);
-  double own = 0;
-  double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < size(); ++b) {
     const Loads& loads = body(b).loads();
     if (!loads.rigidPart.empty())
       axpy(1, body(b).coupling().trace.apply(loads.rigidPart), given);
     if (!loads.residual.terms.empty())  // no penetration
       axpy(-1, loads.residual.terms, given);
-    own += loads.size();
-    moved = std::max(moved, bem::largestEntry(loads.rigidPart));
   }
-  return contact::loadSize(numbers_, given, lengths(), moved, own, rigid_);
+  return given;
+}
+
+double ContactSystem::loadSize() const {
+  double own = 0;
+  Vector given(at(multiplier().size()));
+  addGiven(given);
+  double moved = bem::largestEntry(given);
+  for (std::size_t b = 0; b < size(); ++b) {
+    own += body(b).loads().size();
+    moved = std::max(moved, bem::largestEntry(body(b).loads().rigidPart));
+  }
+  return contact::loadSize(numbers_, givenToRigid(), lengths(), moved, own, rigid_);
+}
+
+State ContactSystem::start() const {
+  return {{}, placement(numbers_, givenToRigid(), lengths())};
 }
 
 Vector ContactSystem::penetration(const Configuration& at) const {

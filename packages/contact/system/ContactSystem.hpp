@@ -105,6 +105,9 @@ class ContactSystem {
   /// last state it is then the same in a run that has read it.
   void forgetIterations() { wear_.forgetIterations(); }
 
+  /// Where nothing else is known: no pressure, and free motions where their loads place them, see
+  /// placement().
+  State start() const;
   /// A state whose α of rigid bodies are those of their motions; empty: α = 0 for the free ones.  A state
   /// without motions stays one, if there are none.
   State with(const std::vector<RigidMotion>& motions, State state) const;
@@ -152,6 +155,8 @@ class ContactSystem {
   void finish();
   /// Adds the prescribed part of r: all but that of elastic bodies and free motions.
   void addGiven(Vector& r) const;
+  /// r of bodies that do not deform and free motions that are zero.
+  Vector givenToRigid() const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
 
