@@ -200,9 +200,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
         1e-9);
     TEST_COMPARE(difference(own.density, exact.density, largest(exact.density)), <, 1e-7);
     const Vector work = exact.clampWork();
-    TEST_COMPARE(
-        difference(own.clampWork(), work, 1e-2), <,
-        1e-9);
+    TEST_COMPARE(difference(own.clampWork(), work, 1e-2), <, 1e-9);
     TEST_COMPARE(difference(own.body().fixedReactions(own.force),
                             exact.body().fixedReactions(exact.force), 1e-2),
                  <, 1e-9);
@@ -303,8 +301,8 @@ struct Step {
     const Vector& u = at.displacements.front();
     const contact::ContactBody::Results own =
         body.results(at.state, u, at.contactForces.front());
-    return {{own.strainEnergy}, {own.storedEnergy}, at.state.multiplier,
-            u,                  own.clampForces,    own.density};
+    return {{own.strainEnergy}, {own.storedEnergy}, at.state.multiplier, u,
+            own.clampForces,    own.density};
   }
 };
 

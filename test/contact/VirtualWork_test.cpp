@@ -116,8 +116,8 @@ TEUCHOS_UNIT_TEST(VirtualWork, isTwiceTheEnergies) {
           TEST_COMPARE(work.strain, >, 1e-8);
           TEST_COMPARE(std::abs(work.given), >, 1e-9);
           TEST_COMPARE(std::abs(work.missing()), <, 2e-12 * work.size);
-          TEST_FLOATING_EQUALITY(work.strain + work.stabilisation,
-                                 2 * at.storedEnergy(), 1e-12);
+          TEST_FLOATING_EQUALITY(work.strain + work.stabilisation, 2 * at.storedEnergy(),
+                                 1e-12);
           TEST_EQUALITY(broken(scene, at, 1e-12), "");
         }
 }
@@ -143,7 +143,8 @@ TEUCHOS_UNIT_TEST(VirtualWork, whatBreaksItIsSeen) {
     contact::Configuration stored = at;
     for (double& pressure : stored.state.multiplier)
       pressure *= 1 + share;
-    TEST_EQUALITY(broken(scene, asItIs(stored)).find('w') != std::string::npos, share > 1e-9);
+    TEST_EQUALITY(broken(scene, asItIs(stored)).find('w') != std::string::npos,
+                  share > 1e-9);
   }
 }
 

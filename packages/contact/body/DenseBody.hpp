@@ -32,14 +32,16 @@ class DenseBody final : public ElasticBody {
 
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
-  /// D, lower triangle, with the body's part added; d: of the bodies before, or of size zero,
+  /// Coefficients of the multiplier that act on the body or its stabilisation, ascending.
+  std::vector<Index> columns() const;
+  /// The body's part of D by these,
   ///
-  ///   D + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
+  ///   M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
   ///
   /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
   ///   Fix holds, see ContactSystem
-  Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
-                       const std::vector<Vector>& reactions) const;
+  Matrix compliance(const std::vector<Vector>& motions,
+                    const std::vector<Vector>& reactions) const;
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
@@ -56,8 +58,9 @@ class DenseBody final : public ElasticBody {
   using Extended = std::vector<long double>;
 
   bem::CholeskyFactor factored() const;
-  Matrix transposedCoupling() const;
-  void addMultiplierMass(Matrix& d) const;
+  /// Columns of Bᵀ, and M, by places of coefficients.
+  Matrix transposedCoupling(const std::vector<Index>& places, Index count) const;
+  void addMultiplierMass(const std::vector<Index>& places, Matrix& d) const;
   Matrix subtractStabilisation(Matrix a) const;
   void subtractStabilisation(const Extended& u, Extended& forces) const;
   Extended withoutMotions(const Vector& u) const;

@@ -83,10 +83,10 @@ ElasticBody::Image CompressedBody::imageOf(const Vector& u) const {
   const auto& [unused, psi, images] = fieldOf(u);
   const double* ofMotions = images.column(0) + range_.first;
   const double* ofDensities = images.column(1);
-  Image image{
-      std::vector<long double>(u.size()),
-      std::inner_product(u.begin(), u.end(), ofMotions, 0.0) -
-          std::inner_product(psi.begin(), psi.end(), ofDensities + range_.densities, 0.0)};
+  Image image{std::vector<long double>(u.size()),
+              std::inner_product(u.begin(), u.end(), ofMotions, 0.0) -
+                  std::inner_product(psi.begin(), psi.end(),
+                                     ofDensities + range_.densities, 0.0)};
   std::transform(ofMotions, ofMotions + u.size(), ofDensities + range_.first,
                  image.forces.begin(), std::plus<double>());
   return image;

@@ -25,26 +25,57 @@ Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   return result;
 }
 
+Matrix unitMatrix(Index k) {
+  Matrix unit(k, k);
+  for (Index j = 0; j < k; ++j)
+    unit(j, j) = 1;
+  return unit;
+}
+
 /// Amplitudes of the motions that the rows of A constrain (held) and of those that they do not.
 struct Split {
   Matrix held;
   Matrix loose;
 };
 
+/// Do the rows hold all motions well?  By the Gram matrix, less than that of an eigenvalue: rows have few
+/// motions where bodies are many.
+bool holdsAllWell(const Matrix& a) {
+  const Index k = a.columns();
+  Matrix gram(k, k);
+  std::vector<std::vector<std::pair<Index, double>>> rows(at(a.rows()));
+  for (Index j = 0; j < k; ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      if (a(i, j) != 0)
+        rows[at(i)].push_back({j, a(i, j)});
+  for (const auto& row : rows)
+    for (const auto& [j, x] : row)
+      for (const auto& [i, y] : row)
+        gram(i, j) += x * y;
+  double largest = 0;  // at least the largest eigenvalue
+  for (Index j = 0; j < k; ++j) {
+    double sum = 0;
+    for (Index i = 0; i < k; ++i)
+      sum += std::abs(gram(i, j));
+    largest = std::max(largest, sum);
+  }
+  for (Index j = 0; j < k; ++j)
+    gram(j, j) -= wellHeld * wellHeld * largest;
+  return bem::cholesky(gram) == 0;
+}
+
 Split splitBy(Matrix a) {
   const Index k = a.columns();
+  if (holdsAllWell(a))
+    return {unitMatrix(k), Matrix(k, 0)};
   const bem::Svd svd = bem::singularValues(std::move(a));
   const double largest = svd.s.empty() ? 0 : svd.s.front();
   const Index rank = bem::rank(svd, heldThreshold * largest);
   const Matrix v = bem::transposed(svd.vt);
-  Split split{Matrix(k, k), bem::columnsBetween(v, rank, k)};
+  Split split{bem::columnsBetween(v, 0, rank), bem::columnsBetween(v, rank, k)};
   // well held: the unit vectors
-  if (rank == k && (k == 0 || svd.s.back() > wellHeld * largest)) {
-    for (Index j = 0; j < k; ++j)
-      split.held(j, j) = 1;
-    return split;
-  }
-  split.held = bem::columnsBetween(v, 0, rank);
+  if (rank == k && svd.s.back() > wellHeld * largest)
+    return {unitMatrix(k), std::move(split.loose)};
   for (Index j = 0; j < rank; ++j)
     for (Index i = 0; i < k; ++i)
       split.held(i, j) *= largest / svd.s[at(j)];
@@ -108,7 +139,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
       if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
         system.added.push_back({row, normal, factor * value});
   const Matrix combinations = withScaledRows(held_, motionScale_);
-  system.motions = multiply(problem_.rigid, combinations);
+  system.motions = bem::product(problem_.rigid, combinations);
   if (!problem_.rigidStiffness.empty())
     system.stiffness = transposedTimes(
         combinations, withScaledRows(combinations, problem_.rigidStiffness));

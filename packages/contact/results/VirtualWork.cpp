@@ -23,9 +23,8 @@ void addBody(const ContactSystem& system, const Configuration& at, std::size_t b
   const ContactBody::Results& results = at.results[b];
   add(&VirtualWork::strain, 2 * results.strainEnergy, all);
   add(&VirtualWork::stabilisation,
-      2 * (body.coupling().hasCompliance()
-               ? body.stabilisationEnergy(state, u, force)
-               : results.storedEnergy - results.strainEnergy),
+      2 * (body.coupling().hasCompliance() ? body.stabilisationEnergy(state, u, force)
+                                           : results.storedEnergy - results.strainEnergy),
       all);
   add(&VirtualWork::loads, dot(body.loads().load, u), all);
   if (bem::largestEntry(body.loads().prescribed) > 0)

@@ -208,12 +208,10 @@ ContactBody::Results ContactBody::results(const State& state, const Vector& disp
                                           const Vector& contactForce) const {
   const ElasticBody::Image image = elastic_->imageOf(displacement);
   Vector psi = density(state, displacement, contactForce);
-  const double strain =
-      strainEnergy(state, displacement, contactForce, image.work, psi);
+  const double strain = strainEnergy(state, displacement, contactForce, image.work, psi);
   const Vector none(displacement.size());
   return {std::move(psi), clampForces(image, displacement, contactForce), strain,
-          storedEnergy(state, contactForce,
-                       -dot(image.residual(none), displacement))};
+          storedEnergy(state, contactForce, -dot(image.residual(none), displacement))};
 }
 
 // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as

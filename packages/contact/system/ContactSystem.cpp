@@ -303,8 +303,8 @@ Configuration ContactSystem::placed(State state) const {
 Configuration ContactSystem::withResults(Configuration placed) const {
   placed.results.clear();
   for (std::size_t b = 0; b < size(); ++b)
-    placed.results.push_back(body(b).results(placed.state, placed.displacements[b],
-                                             placed.contactForces[b]));
+    placed.results.push_back(
+        body(b).results(placed.state, placed.displacements[b], placed.contactForces[b]));
   return placed;
 }
 

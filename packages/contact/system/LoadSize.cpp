@@ -194,9 +194,8 @@ double loadSize(const Problem& problem, const Vector& given, const Vector& lengt
   Vector pulls(motions - ofRigid);
   const Vector bySprings = drives.pulls();
   pulls.insert(pulls.end(), bySprings.begin(), bySprings.end());
-  const Bed::Point point =
-      settled(Bed(problem, given, lengths, std::move(pulls), problem.slipBounds({})),
-              motions);
+  const Bed::Point point = settled(
+      Bed(problem, given, lengths, std::move(pulls), problem.slipBounds({})), motions);
   for (const double alpha : point.alpha)
     moved = std::max(moved, std::abs(alpha));
   const double pressed = largestEntry(point.pressures);
@@ -210,8 +209,9 @@ Vector placement(const Problem& problem, const Vector& given, const Vector& leng
   for (std::size_t t = 0; t < bounds.size(); ++t)
     if (problem.tangentials[t].followsPressure() && problem.tangentials[t].carries())
       bounds[t] = std::numeric_limits<double>::infinity();
-  return settled(Bed(problem, given, lengths, problem.rigidLoad, std::move(bounds), touching),
-                 at(problem.rigidMotions()))
+  return settled(
+             Bed(problem, given, lengths, problem.rigidLoad, std::move(bounds), touching),
+             at(problem.rigidMotions()))
       .alpha;
 }
 
