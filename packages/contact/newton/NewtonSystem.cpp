@@ -13,8 +13,14 @@ namespace {
 // A combination of rigid motions counts as held if its singular value in the inactive rows exceeds
 // this fraction of the largest: contact on a millionth of a side holds a rotation.
 constexpr double heldThreshold = 1e-9;
-// Down to this fraction the motions are left as they are; else they are combined to equal values.
-constexpr double wellHeld = 1e-3;
+
+/// Down to this fraction motions are left as they are; else they are combined to equal values.  Where many
+/// bodies move, a BodyFlexibility eliminates the motions of each with its contacts, and combinations of
+/// all would fill its front.
+double leastHeldOf(const Problem& problem) {
+  constexpr Index many = 48;
+  return !problem.flexibility.isFormed() && problem.rigidMotions() > many ? 1e-6 : 1e-3;
+}
 
 /// diag(factors) M
 Matrix withScaledRows(const Matrix& m, const Vector& factors) {
@@ -40,7 +46,7 @@ struct Split {
 
 /// Do the rows hold all motions well?  By the Gram matrix, less than that of an eigenvalue: rows have few
 /// motions where bodies are many.
-bool holdsAllWell(const Matrix& a) {
+bool holdsAllWell(const Matrix& a, double wellHeld) {
   const Index k = a.columns();
   Matrix gram(k, k);
   std::vector<std::vector<std::pair<Index, double>>> rows(at(a.rows()));
@@ -64,9 +70,9 @@ bool holdsAllWell(const Matrix& a) {
   return bem::cholesky(gram) == 0;
 }
 
-Split splitBy(Matrix a) {
+Split splitBy(Matrix a, double wellHeld) {
   const Index k = a.columns();
-  if (holdsAllWell(a))
+  if (holdsAllWell(a, wellHeld))
     return {unitMatrix(k), Matrix(k, 0)};
   const bem::Svd svd = bem::singularValues(std::move(a));
   const double largest = svd.s.empty() ? 0 : svd.s.front();
@@ -104,6 +110,7 @@ std::pair<Index, double> NewtonSystem::followed(Index i) const {
 void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
+  const double leastHeld = leastHeldOf(problem_);
   for (Index m = 0; m < k; ++m) {
     double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
@@ -118,11 +125,11 @@ void NewtonSystem::splitMotions() {
       constraints(p, m) = motionScale_[at(m)] * rigid(inactive_[at(p)], m) *
                           std::sqrt(rows_.weights[at(inactive_[at(p)])]);
   if (sprung) {
-    unpressed_ = splitBy(constraints.copy()).loose;
+    unpressed_ = splitBy(constraints.copy(), leastHeld).loose;
     for (Index m = 0; m < k; ++m)
       constraints(rows + m, m) = motionScale_[at(m)] * std::sqrt(problem_.stiffness(m));
   }
-  Split split = splitBy(std::move(constraints));
+  Split split = splitBy(std::move(constraints), leastHeld);
   held_ = std::move(split.held);
   loose_ = std::move(split.loose);
 }
