@@ -34,14 +34,14 @@ class DenseBody final : public ElasticBody {
   Matrix forward(Matrix rows) const;
   /// Coefficients of the multiplier that act on the body or its stabilisation, ascending.
   std::vector<Index> columns() const;
-  /// The body's part of D by these,
+  /// D by these, lower triangle, with the body's part added; d: of the bodies before,
   ///
-  ///   M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
+  ///   d + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
   ///
   /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
   ///   Fix holds, see ContactSystem
-  Matrix compliance(const std::vector<Vector>& motions,
-                    const std::vector<Vector>& reactions) const;
+  Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
+                       const std::vector<Vector>& reactions) const;
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;

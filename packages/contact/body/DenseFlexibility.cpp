@@ -18,6 +18,13 @@ void subtractProducts(const Vector& v, const Vector& w, Matrix& d) {
       d(i, j) -= v[at(i)] * w[at(j)] + w[at(i)] * v[at(j)];
 }
 
+/// The upper triangle from the lower one.
+void mirror(Matrix& d) {
+  for (Index j = 0; j < d.columns(); ++j)
+    for (Index i = j + 1; i < d.rows(); ++i)
+      d(j, i) = d(i, j);
+}
+
 Vector entriesAt(const std::vector<Index>& places, const Vector& all) {
   Vector result;
   for (const Index i : places)
@@ -79,15 +86,14 @@ void DenseBody::addMultiplierMass(const std::vector<Index>& places, Matrix& d) c
       d(places[at(entry.column)], j) -= entry.value * column[at(entry.row)];
 }
 
-Matrix DenseBody::compliance(const std::vector<Vector>& motions,
-                             const std::vector<Vector>& reactions) const {
+Matrix DenseBody::addCompliance(Matrix d, const std::vector<Vector>& motions,
+                                const std::vector<Vector>& reactions) const {
   const std::vector<Index> columns = this->columns();
   std::vector<Index> places(coupling_.trace.rests.size(), -1);
   for (std::size_t k = 0; k < columns.size(); ++k)
     places[at(columns[k])] = static_cast<Index>(k);
   const auto count = static_cast<Index>(columns.size());
   const Matrix forwarded = forward(transposedCoupling(places, count));
-  Matrix d(count, count);
   addMultiplierMass(places, d);
   for (std::size_t k = 0; k < motions.size(); ++k) {
     Vector w = bem::times(0.5, motions[k]);
@@ -95,11 +101,7 @@ Matrix DenseBody::compliance(const std::vector<Vector>& motions,
       bem::axpy(1, reactions[k], w);
     subtractProducts(entriesAt(columns, motions[k]), entriesAt(columns, w), d);
   }
-  d = addGram(std::move(d), forwarded);
-  for (Index j = 0; j < d.columns(); ++j)
-    for (Index i = j + 1; i < d.rows(); ++i)
-      d(j, i) = d(i, j);
-  return d;
+  return addGram(std::move(d), forwarded);
 }
 
 Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>& bodies,
@@ -113,14 +115,22 @@ Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>
   Matrix whole(isSparse ? 0 : size, isSparse ? 0 : size);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     auto& [columns, entries] = parts[b];
-    entries = bodies[b]->compliance(motions[b], reactions[b]);
+    const auto count = static_cast<Index>(columns.size());
+    entries = Matrix(count, count);
+    const auto exchange = [&](const auto& action) {
+      for (Index j = 0; j < count && !isSparse; ++j)
+        for (Index i = j; i < count; ++i)
+          action(entries(i, j), whole(columns[at(i)], columns[at(j)]));
+    };
+    exchange([](double& own, double so) { own = so; });
+    entries = bodies[b]->addCompliance(std::move(entries), motions[b], reactions[b]);
+    exchange([](double own, double& sum) { sum = own; });
     if (isSparse)
-      continue;
-    for (Index j = 0; j < entries.columns(); ++j)
-      for (Index i = 0; i < entries.rows(); ++i)
-        whole(columns[at(i)], columns[at(j)]) += entries(i, j);
-    entries = {};
+      mirror(entries);
+    else
+      entries = {};
   }
+  mirror(whole);
   if (isSparse)
     return Flexibility(std::make_shared<const BodyFlexibility>(size, std::move(parts)));
   return whole;
