@@ -132,7 +132,7 @@ TEUCHOS_UNIT_TEST(Flexibility, factorsSystemsWithFollowersMotionsAndWhatYields) 
 
 /// A chain of bodies, each with two of the joints and its own motions; D a sum over bodies.
 TEUCHOS_UNIT_TEST(Flexibility, sumsOverBodiesAreWhatTheyAddUpTo) {
-  constexpr Index bodies = 12;
+  constexpr Index bodies = 20;
   constexpr Index atJoint = 3;  // normals, and as many tangentials
   constexpr Index motions = 2;  // of a body
   std::mt19937 random(41);

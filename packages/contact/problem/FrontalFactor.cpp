@@ -209,9 +209,12 @@ FrontalFactor::FrontalFactor(Index size, const std::vector<Part>& parts,
     front.add(parts[k]);
     stages_.push_back(front.eliminate());
   }
-  if (front.size() > 0)
+  Index left = size;  // an unknown of no part is one that no equation has
+  for (const Stage& stage : stages_)
+    left -= stage.lower.columns();
+  if (left > 0)
     throw SingularJacobian(
-        bem::message(singular, " (", front.size(), " unknowns of ", size, " are left)"));
+        bem::message(singular, " (", left, " unknowns of ", size, " are left)"));
 }
 
 void FrontalFactor::solve(double* x) const {

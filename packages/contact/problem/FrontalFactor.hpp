@@ -26,7 +26,7 @@ class FrontalFactor {
   /// \throws bem::NumericalError with `singular` and the pivot if there is none in the end
   FrontalFactor(Index size, const std::vector<Part>& parts, const char* singular);
 
-  /// x := A⁻¹ x; unknowns of no part are left as they are.
+  /// x := A⁻¹ x
   void solve(double* x) const;
 
  private:
