@@ -203,9 +203,10 @@ class Follower {
   SettledProblem attempt(contact::ContactSystem& system, double time) {
     // where solutions are not unique a path of one step shall find that of the load alone
     const bool isFirst = points().empty() && time == scene_.history.times.front();
-    contact::State first;
-    if (!from_.steps.empty())
-      first = atZero_.with(from_.last().rigid, from_.last().state);
+    const auto first = [&] {
+      return from_.steps.empty() ? system.start()
+                                 : atZero_.with(from_.last().rigid, from_.last().state);
+    };
     return settled(
         system,
         [&](const contact::State* before) {
@@ -213,7 +214,7 @@ class Follower {
               system, spaces_,
               [&] {
                 return before != nullptr ? *before
-                       : isFirst         ? first
+                       : isFirst         ? first()
                                          : here_.prediction.start(system);
               },
               here_.prediction.last(), run_.processes, run_.timer);
@@ -292,7 +293,7 @@ class Follower {
     const double strain =
         wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain / energy -
         ofInside;
-    const double stored = system.storedEnergy(step.at);
+    const double stored = step.at.storedEnergy();
     row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
     double workError = 0;

@@ -218,16 +218,18 @@ void solveOnce(const BodySpaces& spaces,
                const std::shared_ptr<const SolvedStep::Conditions>& conditions,
                const std::shared_ptr<contact::ContactSystem>& system, const Level& from,
                const Run& run, SolvedLevel& level) {
-  contact::State start;
-  if (!from.steps.empty())
-    start = system->with(from.last().rigid, from.last().state);
+  const bool isFirst = from.steps.empty();
+  const contact::State start =
+      isFirst ? system->start() : system->with(from.last().rigid, from.last().state);
   SettledProblem outcome = run.timer.run(Phase::Newton, [&] {
     return settled(
         *system,
         [&](const contact::State* before) {
           const contact::State& first = before != nullptr ? *before : start;
           return solve(
-              *system, spaces, [&] { return first; }, first, run.processes, run.timer);
+              *system, spaces, [&] { return first; },
+              isFirst && before == nullptr ? contact::State() : first, run.processes,
+              run.timer);
         },
         run.processes);
   });

@@ -62,11 +62,10 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
   const std::size_t count = system->size();
   bodies.reserve(count);
   for (std::size_t b = 0; b < count; ++b) {
-    densities.push_back(
-        system->body(b).density(at.state, at.displacements[b], at.contactForces[b]));
+    densities.push_back(at.results[b].density);
     contact::Solved& solved = bodies.emplace_back(contact::Solved{
         spaces.space(b), system->body(b), (*conditions)[b], spaces.scene().units(),
-        at.state, at.displacements[b], at.contactForces[b]});
+        at.state, at.displacements[b], at.contactForces[b], at.results[b]});
     solved.motions = &motions;
     if (!wear.depth.empty())
       solved.wear = &wear;

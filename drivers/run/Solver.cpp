@@ -59,7 +59,18 @@ std::string ended(const Report& report, End end) {
   return residual + ": " + report.failure;
 }
 
-std::string worded(const Report& report, const std::vector<StageRun>& stages) {
+/// Does a side slide with friction?
+bool hasFriction(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
+    const auto& contacts = body.conditions.contact;
+    return std::any_of(contacts.begin(), contacts.end(), [](const auto& contact) {
+      return contact.second.friction.law != nullptr && !contact.second.ties();
+    });
+  });
+}
+
+std::string worded(const Report& report, const std::vector<StageRun>& stages,
+                   bool hasFriction) {
   if (stages.empty())
     return report.failure;
   const StageRun& last = stages.back();
@@ -67,7 +78,7 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
     const auto before = std::find_if(
         stages.begin(), stages.end(),
         [](const StageRun& run) { return run.stage == Stage::FollowOffset; });
-    return worded(report, {stages.begin(), before}) +
+    return worded(report, {stages.begin(), before}, hasFriction) +
            ".  Complementary pivoting, which mostly solves what Newton's steps do not, "
            "was " +
            (last.end == End::TooLarge
@@ -76,15 +87,26 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
                 : message("given up after ", contact::ContactSolverOptions().mostWork,
                           " operations: with so many contact coefficients it would take "
                           "hours")) +
-           ".  Try a smaller friction coefficient, or a coarser mesh on the sides in "
-           "contact";
+           (hasFriction
+                ? ".  Try a smaller friction coefficient, or a coarser mesh on the "
+                  "sides in contact"
+                : ".  Try a coarser mesh on the sides in contact");
   }
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +
-           ".  Newton's method and complementary pivoting were tried.  There is no "
-           "solution where the load drives a body beyond what friction holds: hold the "
-           "motion, or lessen the load; with a large friction coefficient there may be "
-           "several, or none: try a smaller one, or a finer mesh";
+           ".  Newton's method and complementary pivoting were tried.  " +
+           (hasFriction
+                ? "There is no solution where the load drives a body beyond what "
+                  "friction "
+                  "holds: hold the motion, or lessen the load; with a large friction "
+                  "coefficient there may be several, or none: try a smaller one, or a "
+                  "finer mesh"
+                : "Without friction what is held has one solution: rounding has taken "
+                  "the "
+                  "digits of it, as it does where a bonded layer is thinner than 1 : "
+                  "3000 "
+                  "of its length, and a body more slender than 1 : 1000; give the layer "
+                  "and what it is bonded to one outline, or look at units and the mesh");
   if (last.stage != Stage::FixedPoint || last.parts.empty())
     return ended(report, last.end);
   std::string text;
@@ -95,9 +117,9 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
                    "Solver->Coulomb Maximum Iterations; with a large friction "
                    "coefficient there may be several solutions, or none");
   else
-    text = message(
-        "Tresca's problem of an update of the slip bound: ", worded(report, last.parts),
-        ".  Try Solver->Coulomb Iteration = 'Newton'");
+    text = message("Tresca's problem of an update of the slip bound: ",
+                   worded(report, last.parts, hasFriction),
+                   ".  Try Solver->Coulomb Iteration = 'Newton'");
   return text;
 }
 
@@ -108,7 +130,7 @@ std::string reasonOf(const Report& report, const Scene& scene) {
     return "";
   const bool unstable = !scene.stabilization.isOn() &&
                         !contact::multiplierBasis(scene.multiplier).sharesNodes;
-  return worded(report, report.stages) +
+  return worded(report, report.stages, hasFriction(scene)) +
          (unstable ? message("; Discretization->Stabilization->Form = 'None' is stable "
                              "with Multiplier 'Biorthogonal' only, not with '",
                              scene.multiplier, "'")
@@ -262,7 +284,8 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
     SolvedProblem solved = from(first);
     if (!onPath)
       solved.reason += changingPlaces(solved.solution.report, system, spaces);
-    if (solved.solution.report.converged() || first.multiplier == otherwise.multiplier)
+    if (solved.solution.report.converged() ||
+        (first.multiplier == otherwise.multiplier && first.rigid == otherwise.rigid))
       return solved;
     SolvedProblem again = from(otherwise);
     again.solution.report =

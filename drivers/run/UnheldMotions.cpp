@@ -1,6 +1,7 @@
 #include "drivers/run/UnheldMotions.hpp"
 
 #include "bem/algebra/LeastSquares.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/space/DisplacementField.hpp"
@@ -162,12 +163,24 @@ class Resistance {
   std::vector<std::pair<Vector, Vector>> added_{};  ///< orthonormal, and amplitudes
 };
 
+/// Is each motion far from all combinations of others?  By less than asking for one after the other.
+bool areIndependent(const bem::Matrix& motions) {
+  constexpr double far = 1e-12;  // of squares; what is nearer is looked at
+  bem::Matrix gram = bem::transposedProduct(motions, motions);
+  double all = 0;
+  for (bem::Index k = 0; k < gram.columns(); ++k)
+    all += gram(k, k);
+  for (bem::Index k = 0; k < gram.columns(); ++k)
+    gram(k, k) -= far * all;
+  return bem::cholesky(gram) == 0;
+}
+
 /// \throws bem::InputError naming a body and a motion of it that, with motions of others, leaves all
 /// contacts as they are
 void requireResistance(const BodySpaces& spaces, const bem::Matrix& motions,
                        const FreeMotions& free) {
   const Scene& scene = spaces.scene();
-  if (!scene.hasSeveral())
+  if (!scene.hasSeveral() || areIndependent(motions))
     return;
   Resistance resistance(motions);
   const auto resist = [&](bem::Index k, std::size_t body, const char* advice) {

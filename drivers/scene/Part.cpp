@@ -22,24 +22,24 @@ bem::Function Part::function(const std::string& key) const {
 
 namespace {
 
-/// \throws InputError for a value < 0; `where`: what it depends on besides x and y
-double checked(double value, const Place& place, const bem::SurfacePoint& x,
-               const std::string& where, bool orZero = true) {
+/// \throws InputError for a value < 0; `depends`: what it depends on besides x, y and t, asked for only
+/// then, since values are asked for at every point and time
+template <class Depends>
+double checked(double value, const Place& place, const bem::SurfacePoint& x, double t,
+               bool orZero, const Depends& depends) {
   if (value < 0 || (value == 0 && !orZero))
     throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (", x.x,
-                     ", ", x.y, ")", where, "; it must be ", orZero ? ">=" : ">",
-                     " 0 there");
+                     ", ", x.y, ")", t == 1 ? "" : bem::message(", t = ", t), depends(),
+                     "; it must be ", orZero ? ">=" : ">", " 0 there");
   return value;
 }
-
-std::string atTime(double t) { return t == 1 ? "" : bem::message(", t = ", t); }
 
 }  // namespace
 
 bem::Function Part::nonNegative(const std::string& key, bool orZero) const {
   return [function = function(key), place = at(key), t = names.t,
           orZero](const bem::SurfacePoint& x) {
-    return checked(function(x), place, x, atTime(t), orZero);
+    return checked(function(x), place, x, t, orZero, [] { return ""; });
   };
 }
 
@@ -50,8 +50,8 @@ contact::PressureCoefficient Part::ofPressure(const std::string& key) const {
     return {};
   return [function, place = at(key), t = names.t](const bem::SurfacePoint& x,
                                                   double pressure) {
-    return checked(function(x, pressure), place, x,
-                   atTime(t) + bem::message(", pressure = ", pressure));
+    return checked(function(x, pressure), place, x, t, true,
+                   [&] { return bem::message(", pressure = ", pressure); });
   };
 }
 

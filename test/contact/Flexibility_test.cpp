@@ -1,6 +1,8 @@
 #include "contact/problem/Flexibility.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "contact/RandomProblem.hpp"
+#include "contact/problem/BodyFlexibility.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -126,6 +128,85 @@ TEUCHOS_UNIT_TEST(Flexibility, factorsSystemsWithFollowersMotionsAndWhatYields) 
       }
     }
   }
+}
+
+/// A chain of bodies, each with two of the joints and its own motions; D a sum over bodies.
+TEUCHOS_UNIT_TEST(Flexibility, sumsOverBodiesAreWhatTheyAddUpTo) {
+  constexpr Index bodies = 20;
+  constexpr Index atJoint = 3;  // normals, and as many tangentials
+  constexpr Index motions = 2;  // of a body
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> number(-1, 1);
+  Problem problem;
+  problem.normals = atJoint * (bodies - 1);
+  problem.tangentials.resize(at(problem.normals), contact::Tangential(0, {}));
+  const Index n = problem.size();
+  std::vector<contact::BodyFlexibility::Part> parts;
+  problem.rigid = Matrix(n, motions * (bodies - 1));
+  for (Index b = 0; b < bodies; ++b) {
+    contact::BodyFlexibility::Part part;
+    for (const Index first : {Index{0}, problem.normals})
+      for (Index i = std::max<Index>(atJoint * (b - 1), 0);
+           i < std::min(atJoint * (b + 1), problem.normals); ++i)
+        part.columns.push_back(first + i);
+    const auto size = static_cast<Index>(part.columns.size());
+    Matrix root(size, size);
+    for (Index i = 0; i < size; ++i) {
+      for (Index j = 0; j < size; ++j)
+        root(i, j) = number(random);
+      // the first body is held
+      for (Index k = 0; b > 0 && k < motions; ++k)
+        problem.rigid(part.columns[at(i)], motions * (b - 1) + k) = number(random);
+    }
+    part.entries = bem::product(root, bem::transposed(root));
+    parts.push_back(std::move(part));
+  }
+  TEST_ASSERT(contact::BodyFlexibility::isSparse(n, parts));
+  const contact::BodyFlexibility sum(n, std::move(parts));
+  problem.flexibility = sum.formed();
+  for (Index k = 0; k < problem.rigid.columns(); ++k)
+    problem.rigidLoad.push_back(number(random));
+
+  Vector x;
+  for (Index i = 0; i < n; ++i)
+    x.push_back(number(random));
+  const Vector whole = problem.flexibility.times(x);
+  const auto [value, magnitude] = sum.product(x);
+  for (Index i = 0; i < n; ++i) {
+    TEST_COMPARE(std::abs(value[at(i)] - whole[at(i)]), <, 1e-13 * magnitude[at(i)]);
+    TEST_COMPARE(magnitude[at(i)], >=, std::abs(whole[at(i)]));
+  }
+
+  std::uniform_int_distribution<int> kind(0, 3);
+  for (int trial = 0; trial < 20; ++trial) {
+    // most joints closed; tangentials stick, follow their pressures or slip freely
+    std::vector<Row> rows(at(n));
+    for (Index i = 0; i < problem.normals; ++i) {
+      rows[at(i)].isSolved = trial == 0 || kind(random) > 0 || i % atJoint == 0;
+      Row& shear = rows[at(problem.normals + i)];
+      const int what = kind(random);
+      shear.isSolved = trial == 0 || what > 1 || i % atJoint < 2;
+      if (!shear.isSolved && what == 1 && rows[at(i)].isSolved)
+        shear = {false, i, trial % 2 == 0 ? 0.3 : -0.3};
+    }
+    const System system = systemOf(problem, rows);
+    Matrix b(n + problem.rigidMotions(), 2);
+    for (Index i = 0; i < b.rows(); ++i)
+      b(i, 0) = number(random);
+    const Matrix z = sum.factor(systemOf(problem, rows))->solve(b.copy());
+    TEST_COMPARE(residual(problem, system, b, z), <, 1e-9);
+    for (Index i = 0; i < z.rows(); ++i)
+      TEST_EQUALITY(z(i, 1), 0);
+  }
+
+  // a body that nothing holds
+  std::vector<Row> rows(at(n));
+  for (Index i = 0; i < n; ++i)
+    rows[at(i)].isSolved = i % problem.normals >= atJoint;
+  for (Index i = 0; i < n; ++i)
+    for (Index k = 0; k < motions; ++k)
+      problem.rigid(i, k) = i % problem.normals < atJoint ? problem.rigid(i, k) : 0;
+  TEST_THROW(sum.factor(systemOf(problem, rows)), contact::SingularJacobian);
 }
 
 }  // namespace epafi

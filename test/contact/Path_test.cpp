@@ -136,8 +136,7 @@ TEUCHOS_UNIT_TEST(Path, whatFixHoldsDoesNoWork) {
       const double work = 0.5 * (-traction * 4 * length) * 0.002 * length;
       TEST_COMPARE(work, >, 1e-6);
       TEST_FLOATING_EQUALITY(memory.outside(), work, 1e-12);
-      TEST_COMPARE(std::abs(memory.imbalance(step.storedEnergy(solved))), <,
-                   1e-12 * work);
+      TEST_COMPARE(std::abs(memory.imbalance(solved.storedEnergy())), <, 1e-12 * work);
     }
 }
 

@@ -116,8 +116,8 @@ TEUCHOS_UNIT_TEST(VirtualWork, isTwiceTheEnergies) {
           TEST_COMPARE(work.strain, >, 1e-8);
           TEST_COMPARE(std::abs(work.given), >, 1e-9);
           TEST_COMPARE(std::abs(work.missing()), <, 2e-12 * work.size);
-          TEST_FLOATING_EQUALITY(work.strain + work.stabilisation,
-                                 2 * scene.system().storedEnergy(at), 1e-12);
+          TEST_FLOATING_EQUALITY(work.strain + work.stabilisation, 2 * at.storedEnergy(),
+                                 1e-12);
           TEST_EQUALITY(broken(scene, at, 1e-12), "");
         }
 }
@@ -130,17 +130,21 @@ TEUCHOS_UNIT_TEST(VirtualWork, whatBreaksItIsSeen) {
   TEST_EQUALITY(broken(scene, at), "");
   const contact::Holding& holding = scene.system().body(0).holding();
   const double size = bem::largestEntry(at.displacements[0]);
+  const auto asItIs = [&](const contact::Configuration& changed) {
+    return scene.system().withResults(changed);
+  };
   for (const double share : {1e-12, 1e-6}) {
     contact::Configuration moved = at;
     bem::axpy(share * size, bem::columnOf(holding.allowed, 1), moved.displacements[0]);
-    TEST_EQUALITY(broken(scene, moved), share > 1e-9 ? "w" : "");
+    TEST_EQUALITY(broken(scene, asItIs(moved)), share > 1e-9 ? "w" : "");
     contact::Configuration bent = at;
     bem::axpy(share, bem::Vector(at.displacements[0]), bent.displacements[0]);
-    TEST_EQUALITY(broken(scene, bent), share > 1e-9 ? "w" : "");
+    TEST_EQUALITY(broken(scene, asItIs(bent)), share > 1e-9 ? "w" : "");
     contact::Configuration stored = at;
     for (double& pressure : stored.state.multiplier)
       pressure *= 1 + share;
-    TEST_EQUALITY(broken(scene, stored).find('w') != std::string::npos, share > 1e-9);
+    TEST_EQUALITY(broken(scene, asItIs(stored)).find('w') != std::string::npos,
+                  share > 1e-9);
   }
 }
 
@@ -153,7 +157,7 @@ TEUCHOS_UNIT_TEST(VirtualWork, whatBreaksItIsSeenWithoutCompression) {
   const VirtualWork work = contact::virtualWork(scene.system(), at);
   TEST_COMPARE(std::abs(work.missing()), <, 1e-12 * work.size);
   bem::axpy(5e-9, bem::Vector(at.displacements[0]), at.displacements[0]);
-  TEST_EQUALITY(broken(scene, at), "w");
+  TEST_EQUALITY(broken(scene, scene.system().withResults(at)), "w");
 }
 
 }  // namespace

@@ -40,6 +40,20 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
   TEST_ASSERT(contains(contact::told(report.stages), "follow offset 0 too long"));
 }
 
+TEUCHOS_UNIT_TEST(Reasons, blameFrictionWhereSomethingSlides) {
+  contact::Report report;
+  report.stages = {{Stage::FullSteps, 50, 1, End::Iterations},
+                   {Stage::FollowOffset, 20, 1, End::Cycling}};
+  test::SceneText text;
+  const char* blamed = "beyond what friction holds";
+  TEST_ASSERT(contains(reasonOf(report, test::read(text)), blamed));
+  for (const char* law : {"None", "Tied"}) {
+    text.base = test::parameter("Type", "Contact") + test::friction(law);
+    const std::string reason = reasonOf(report, test::read(text));
+    TEST_ASSERT(!contains(reason, blamed) && contains(reason, "rounding has taken"));
+  }
+}
+
 TEUCHOS_UNIT_TEST(PrintedTable, namesTheContactsWithTheLargestForces) {
   drivers::StepRow row;
   for (const double force : {1., 5., 2., 4., 3.}) {

@@ -46,7 +46,7 @@ std::vector<contact::Conditions> pushed(double along) {
 double forceOf(const contact::ContactSystem& step, const contact::Configuration& at,
                bem::Units units) {
   return units.stress * units.length *
-         step.body(0).clampWork(at.displacements[0], at.contactForces[0]).front();
+         step.body(0).clampWork(at.results[0].clampForces).front();
 }
 
 contact::Solution solved(const contact::Problem& problem, const contact::State& start) {

@@ -200,22 +200,13 @@ std::pair<Vector, Vector> DenseBody::answerTo(const Vector& g) const {
                    0)};
 }
 
-Vector DenseBody::residual(const Vector& force, const Vector& u) const {
+ElasticBody::Image DenseBody::imageOf(const Vector& u) const {
   const Extended inner = withoutMotions(u);
   Extended forces = stiffnessTimes(inner);
-  subtractStabilisation(inner, forces);
-  forces = balanced(std::move(forces));
-  Vector rest(u.size());
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    rest[i] = static_cast<double>(force[i] - forces[i]);
-  return rest;
-}
-
-double DenseBody::stiffnessWork(const Vector& u) const {
-  const Extended inner = withoutMotions(u);
-  const Extended forces = stiffnessTimes(inner);
-  return static_cast<double>(
+  const auto work = static_cast<double>(
       std::inner_product(inner.begin(), inner.end(), forces.begin(), 0.0L));
+  subtractStabilisation(inner, forces);
+  return {balanced(std::move(forces)), work};
 }
 
 // P u

@@ -32,9 +32,11 @@ class DenseBody final : public ElasticBody {
 
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
-  /// D, lower triangle, with the body's part added; d: of the bodies before, or of size zero,
+  /// Coefficients of the multiplier that act on the body or its stabilisation, ascending.
+  std::vector<Index> columns() const;
+  /// D by these, lower triangle, with the body's part added; d: of the bodies before,
   ///
-  ///   D + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
+  ///   d + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
   ///
   /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
   ///   Fix holds, see ContactSystem
@@ -43,10 +45,9 @@ class DenseBody final : public ElasticBody {
 
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
-  Vector residual(const Vector& force, const Vector& u) const override;
-  /// The rounding error is relative to the result, neither to large entries of S as nu -> 1/2 nor
+  /// The rounding error of the work is relative to it, neither to large entries of S as nu -> 1/2 nor
   /// to a rigid motion in u.
-  double stiffnessWork(const Vector& u) const override;
+  Image imageOf(const Vector& u) const override;
   Vector density(const Vector& u, const Vector& w) const override;
   Vector tractionsOf(const Vector& u) const override;
   Vector forcesOf(const Vector& w) const override;
@@ -57,8 +58,9 @@ class DenseBody final : public ElasticBody {
   using Extended = std::vector<long double>;
 
   bem::CholeskyFactor factored() const;
-  Matrix transposedCoupling() const;
-  void addMultiplierMass(Matrix& d) const;
+  /// Columns of Bᵀ, and M, by places of coefficients.
+  Matrix transposedCoupling(const std::vector<Index>& places, Index count) const;
+  void addMultiplierMass(const std::vector<Index>& places, Matrix& d) const;
   Matrix subtractStabilisation(Matrix a) const;
   void subtractStabilisation(const Extended& u, Extended& forces) const;
   Extended withoutMotions(const Vector& u) const;

@@ -41,10 +41,19 @@ class ElasticBody {
   /// A⁺ f, the displacement under f without allowed rigid motions, zero on clamped unknowns, where
   /// f does not matter.
   virtual Vector solve(const Vector& force) const = 0;
+  /// What a displacement takes: A u with the digits that differences from forces need, and uᵀ S u.
+  struct Image {
+    std::vector<long double> forces;
+    double work = 0;
+
+    /// f - A u
+    Vector residual(const Vector& force) const;
+  };
+  virtual Image imageOf(const Vector& u) const = 0;
   /// f - A u
-  virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// uᵀ S u
-  virtual double stiffnessWork(const Vector& u) const = 0;
+  Vector residual(const Vector& force, const Vector& u) const {
+    return imageOf(u).residual(force);
+  }
   /// ψ of a displacement and of what a multiplier puts on the densities: (V + G)⁻¹ (K u - E w).
   virtual Vector density(const Vector& u, const Vector& w) const = 0;
 
@@ -64,5 +73,12 @@ class ElasticBody {
   std::shared_ptr<const Holding> holding_;
   Coupling coupling_;
 };
+
+inline Vector ElasticBody::Image::residual(const Vector& force) const {
+  Vector rest(force.size());
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = static_cast<double>(force[i] - forces[i]);
+  return rest;
+}
 
 }  // namespace epafi::contact

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace epafi::contact {
@@ -66,22 +67,18 @@ Vector CompressedBody::solve(const Vector& force) const {
   return without(holding_->functionals, holding_->allowed, forcesIn(x));
 }
 
-// f - (W u + K' ψ), ψ that of u
-Vector CompressedBody::residual(const Vector& force, const Vector& u) const {
-  Vector rest = force;
-  const Matrix& images = fieldOf(u).images;
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    rest[i] -= images(range_.first + static_cast<Index>(i), 0) +
-               images(range_.first + static_cast<Index>(i), 1);
-  return rest;
-}
-
-// uᵀ W u + ψᵀ (V + G) ψ from Z's products
-double CompressedBody::stiffnessWork(const Vector& u) const {
+// W u + K' ψ, ψ that of u, and uᵀ W u + ψᵀ (V + G) ψ from Z's products
+ElasticBody::Image CompressedBody::imageOf(const Vector& u) const {
   const auto& [unused, psi, images] = fieldOf(u);
-  return std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
-         std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
-                            0.0);
+  const double* ofMotions = images.column(0) + range_.first;
+  const double* ofDensities = images.column(1);
+  Image image{std::vector<long double>(u.size()),
+              std::inner_product(u.begin(), u.end(), ofMotions, 0.0) -
+                  std::inner_product(psi.begin(), psi.end(),
+                                     ofDensities + range_.densities, 0.0)};
+  std::transform(ofMotions, ofMotions + u.size(), ofDensities + range_.first,
+                 image.forces.begin(), std::plus<double>());
+  return image;
 }
 
 Vector CompressedBody::density(const Vector& u, const Vector& w) const {

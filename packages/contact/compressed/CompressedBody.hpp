@@ -16,8 +16,7 @@ class CompressedBody final : public ElasticBody {
 
   Vector solve(const Vector& force) const override;
   bool isFormed() const override { return false; }
-  Vector residual(const Vector& force, const Vector& u) const override;
-  double stiffnessWork(const Vector& u) const override;
+  Image imageOf(const Vector& u) const override;
   Vector density(const Vector& u, const Vector& w) const override;
   Vector tractionsOf(const Vector& u) const override;
   Vector forcesOf(const Vector& w) const override { return onDensities(w).force; }

@@ -181,6 +181,51 @@ class NearestPoint {
   Vector weights_;
 };
 
+/// Do pressures and shear of least length that balance the load keep the laws?  Mostly they do, and
+/// no more is asked then.
+bool balancesAtOnce(const Problem& problem) {
+  constexpr double rounding = 1e-11;  // of the load
+  std::vector<Index> free;
+  for (Index j = 0; j < problem.rigidMotions(); ++j)
+    if (!(problem.stiffness(j) > 0))
+      free.push_back(j);
+  const auto k = static_cast<Index>(free.size());
+  std::vector<std::vector<std::pair<Index, double>>> rows(at(problem.size()));
+  for (Index j = 0; j < k; ++j)
+    for (Index i = 0; i < problem.size(); ++i)
+      if (const double g = problem.rigid(i, free[at(j)]); g != 0)
+        rows[at(i)].push_back({j, g});
+  Matrix gram(k, k);
+  Vector load;
+  for (const Index j : free)
+    load.push_back(problem.rigidLoad[at(j)]);
+  for (const auto& row : rows)
+    for (const auto& [j, x] : row)
+      for (const auto& [i, y] : row)
+        gram(i, j) += x * y;
+  if (bem::cholesky(gram) != 0)
+    return false;
+  Vector sizes = load;
+  bem::choleskySolve(gram, sizes.data());
+  Vector forces(rows.size());
+  Vector rest = load;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const auto& [j, g] : rows[i])
+      forces[i] += g * sizes[at(j)];
+    for (const auto& [j, g] : rows[i])
+      rest[at(j)] -= g * forces[i];
+  }
+  const auto end = forces.begin() + problem.normals;
+  if (!(bem::largestEntry(rest) <= rounding * bem::largestEntry(load)) ||
+      std::any_of(forces.begin(), end, [](double p) { return p < 0; }))
+    return false;
+  const Vector bounds = problem.slipBounds(forces);
+  for (std::size_t t = 0; t < bounds.size(); ++t)
+    if (std::abs(forces[at(problem.normals) + t]) > bounds[t])
+      return false;
+  return true;
+}
+
 }  // namespace
 
 NoBalance::NoBalance()
@@ -194,6 +239,8 @@ UnresistedMotion unresistedMotion(const Problem& problem) {
   const double size = std::sqrt(dot(load.values, load.values));
   // A resultant that is only rounding error is balanced.
   if (!(size > clear * problem.stress))
+    return {};
+  if (balancesAtOnce(problem))
     return {};
   const Forces forces(problem, load.scales);
   NearestPoint nearest(forces, load.values);

@@ -13,8 +13,14 @@ namespace {
 // A combination of rigid motions counts as held if its singular value in the inactive rows exceeds
 // this fraction of the largest: contact on a millionth of a side holds a rotation.
 constexpr double heldThreshold = 1e-9;
-// Down to this fraction the motions are left as they are; else they are combined to equal values.
-constexpr double wellHeld = 1e-3;
+
+/// Down to this fraction motions are left as they are; else they are combined to equal values.  Where many
+/// bodies move, a BodyFlexibility eliminates the motions of each with its contacts, and combinations of
+/// all would fill its front.
+double leastHeldOf(const Problem& problem) {
+  constexpr Index many = 48;
+  return !problem.flexibility.isFormed() && problem.rigidMotions() > many ? 1e-6 : 1e-3;
+}
 
 /// diag(factors) M
 Matrix withScaledRows(const Matrix& m, const Vector& factors) {
@@ -25,26 +31,57 @@ Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   return result;
 }
 
+Matrix unitMatrix(Index k) {
+  Matrix unit(k, k);
+  for (Index j = 0; j < k; ++j)
+    unit(j, j) = 1;
+  return unit;
+}
+
 /// Amplitudes of the motions that the rows of A constrain (held) and of those that they do not.
 struct Split {
   Matrix held;
   Matrix loose;
 };
 
-Split splitBy(Matrix a) {
+/// Do the rows hold all motions well?  By the Gram matrix, less than that of an eigenvalue: rows have few
+/// motions where bodies are many.
+bool holdsAllWell(const Matrix& a, double wellHeld) {
   const Index k = a.columns();
+  Matrix gram(k, k);
+  std::vector<std::vector<std::pair<Index, double>>> rows(at(a.rows()));
+  for (Index j = 0; j < k; ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      if (a(i, j) != 0)
+        rows[at(i)].push_back({j, a(i, j)});
+  for (const auto& row : rows)
+    for (const auto& [j, x] : row)
+      for (const auto& [i, y] : row)
+        gram(i, j) += x * y;
+  double largest = 0;  // at least the largest eigenvalue
+  for (Index j = 0; j < k; ++j) {
+    double sum = 0;
+    for (Index i = 0; i < k; ++i)
+      sum += std::abs(gram(i, j));
+    largest = std::max(largest, sum);
+  }
+  for (Index j = 0; j < k; ++j)
+    gram(j, j) -= wellHeld * wellHeld * largest;
+  return bem::cholesky(gram) == 0;
+}
+
+Split splitBy(Matrix a, double wellHeld) {
+  const Index k = a.columns();
+  if (holdsAllWell(a, wellHeld))
+    return {unitMatrix(k), Matrix(k, 0)};
   const bem::Svd svd = bem::singularValues(std::move(a));
   const double largest = svd.s.empty() ? 0 : svd.s.front();
   const Index rank = bem::rank(svd, heldThreshold * largest);
   const Matrix v = bem::transposed(svd.vt);
-  Split split{Matrix(k, k), bem::columnsBetween(v, rank, k)};
+  Split split{bem::columnsBetween(v, 0, rank), bem::columnsBetween(v, rank, k)};
   // well held: the unit vectors
-  if (rank == k && (k == 0 || svd.s.back() > wellHeld * largest)) {
-    for (Index j = 0; j < k; ++j)
-      split.held(j, j) = 1;
-    return split;
-  }
-  split.held = bem::columnsBetween(v, 0, rank);
+  if (rank == k && svd.s.back() > wellHeld * largest)
+    return {unitMatrix(k), std::move(split.loose)};
   for (Index j = 0; j < rank; ++j)
     for (Index i = 0; i < k; ++i)
       split.held(i, j) *= largest / svd.s[at(j)];
@@ -73,6 +110,7 @@ std::pair<Index, double> NewtonSystem::followed(Index i) const {
 void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
+  const double leastHeld = leastHeldOf(problem_);
   for (Index m = 0; m < k; ++m) {
     double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
@@ -87,11 +125,11 @@ void NewtonSystem::splitMotions() {
       constraints(p, m) = motionScale_[at(m)] * rigid(inactive_[at(p)], m) *
                           std::sqrt(rows_.weights[at(inactive_[at(p)])]);
   if (sprung) {
-    unpressed_ = splitBy(constraints.copy()).loose;
+    unpressed_ = splitBy(constraints.copy(), leastHeld).loose;
     for (Index m = 0; m < k; ++m)
       constraints(rows + m, m) = motionScale_[at(m)] * std::sqrt(problem_.stiffness(m));
   }
-  Split split = splitBy(std::move(constraints));
+  Split split = splitBy(std::move(constraints), leastHeld);
   held_ = std::move(split.held);
   loose_ = std::move(split.loose);
 }
@@ -108,7 +146,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
       if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
         system.added.push_back({row, normal, factor * value});
   const Matrix combinations = withScaledRows(held_, motionScale_);
-  system.motions = multiply(problem_.rigid, combinations);
+  system.motions = bem::product(problem_.rigid, combinations);
   if (!problem_.rigidStiffness.empty())
     system.stiffness = transposedTimes(
         combinations, withScaledRows(combinations, problem_.rigidStiffness));

@@ -55,7 +55,7 @@ bool fixWorks(const ContactSystem& step, std::size_t b) {
 Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> forces;
   for (std::size_t b = 0; b < step.size(); ++b) {
-    forces.push_back(step.body(b).clampForces(at.displacements[b], at.contactForces[b]));
+    forces.push_back(at.results[b].clampForces);
     bem::axpy(1, step.body(b).loads().load, forces.back());
     if (fixWorks(step, b))
       forces.push_back(step.body(b).fixedReactions(at.contactForces[b]));

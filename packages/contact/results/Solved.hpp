@@ -34,6 +34,7 @@ struct Solved {
   const Vector& displacement;  ///< all unknowns, dimensionless
   /// See ContactBody::displacement.
   Vector contactForce = problem.contactForce(state.multiplier);
+  ContactBody::Results results = problem.results(state, displacement, contactForce);
   ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;

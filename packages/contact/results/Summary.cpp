@@ -111,8 +111,7 @@ void addContact(const Solved& solved, const Of& of) {
 std::array<double, 3> reactionWork(const Solved& solved) {
   const Holding& holding = solved.problem.holding();
   const auto& [motions, modes, centroid] = holding.modes;
-  const Vector clamps =
-      solved.problem.clampWork(solved.displacement, solved.contactForce);
+  const Vector clamps = solved.problem.clampWork(solved.results.clampForces);
   const Vector amplitudes = solved.problem.fixedReactions(solved.contactForce);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
@@ -167,7 +166,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
     return {};
   const bem::Mesh& mesh = solved.space.mesh();
   const Vector& u = solved.displacement;
-  const Vector psi = solved.problem.density(solved.state, u, solved.contactForce);
+  const Vector& psi = solved.results.density;
   double ofForces = 0;  // ∮ t_h·u_b
   double ofHeat = 0;    // ∮ t_T·u_h
   for (int e = 0; e < mesh.size(); ++e) {
@@ -195,8 +194,7 @@ Summary summarize(const Solved& solved) {
   const bool acts = solved.conditions.inside != nullptr;
   const Loads& loads = solved.problem.loads();
   const Vector& load = loads.given.empty() ? loads.load : loads.given;
-  summary.energyStrain =
-      energy * solved.problem.strainEnergy(solved.state, u, solved.contactForce);
+  summary.energyStrain = energy * solved.results.strainEnergy;
   summary.energyLoad = energy * bem::dot(load, u);
   if (acts) {
     const EnergiesOfInside more = energiesOfInside(solved);

@@ -20,11 +20,15 @@ void addBody(const ContactSystem& system, const Configuration& at, std::size_t b
   const State& state = at.state;
   const Vector& u = at.displacements[b];
   const Vector& force = at.contactForces[b];
-  add(&VirtualWork::strain, 2 * body.strainEnergy(state, u, force), all);
-  add(&VirtualWork::stabilisation, 2 * body.stabilisationEnergy(state, u, force), all);
+  const ContactBody::Results& results = at.results[b];
+  add(&VirtualWork::strain, 2 * results.strainEnergy, all);
+  add(&VirtualWork::stabilisation,
+      2 * (body.coupling().hasCompliance() ? body.stabilisationEnergy(state, u, force)
+                                           : results.storedEnergy - results.strainEnergy),
+      all);
   add(&VirtualWork::loads, dot(body.loads().load, u), all);
   if (bem::largestEntry(body.loads().prescribed) > 0)
-    add(&VirtualWork::supports, dot(body.clampForces(u, force), u), all);
+    add(&VirtualWork::supports, dot(results.clampForces, u), all);
   // what completed ends add to the force of λ has no part in r
   add(&VirtualWork::supports, -dot(state.multiplier, body.coupling().completion.apply(u)),
       all);

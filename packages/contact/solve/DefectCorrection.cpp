@@ -40,7 +40,7 @@ double deformationOf(const ContactBody& body, const double* alpha, Vector u) {
 
 Point pointOf(const ContactSystem& system, const Equation& equation,
               const bem::Processes& processes, State state) {
-  Configuration at = system.configuration(std::move(state));
+  Configuration at = system.placed(std::move(state));
   const Vector& r = at.penetration;
   const Vector lengths = system.lengths();
   Evaluation e = equation.at(pack(system.numbers(), at.state), r);
@@ -89,7 +89,7 @@ Configuration corrected(const ContactSystem& system, State state,
   const Equation equation(system.numbers(), Equation::Bound::Differentiated, 0);
   Point best = pointOf(system, equation, processes, std::move(state));
   if (best.missed <= enough)
-    return std::move(best.at);
+    return system.withResults(std::move(best.at));
   Evaluation e = best.evaluation;
   for (int step = 0; step < mostSteps && best.missed > goal; ++step) {
     const Vector x = next(equation, e, processes);
@@ -105,7 +105,7 @@ Configuration corrected(const ContactSystem& system, State state,
     if (isSettled && !isWorthAnother)
       break;
   }
-  return std::move(best.at);
+  return system.withResults(std::move(best.at));
 }
 
 }  // namespace epafi::contact

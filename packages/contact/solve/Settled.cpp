@@ -16,7 +16,7 @@ Settled settled(ContactSystem& system,
   double halved = 1;
   int idle = 0;
   for (int k = 0; solved.report.converged() && system.wearsBySlip(); ++k) {
-    const double change = system.wearBy(system.configuration(solved.state));
+    const double change = system.wearBy(system.placed(solved.state));
     idle = change <= halved / 2 ? 0 : idle + 1;
     if (idle == 0)
       halved = change;

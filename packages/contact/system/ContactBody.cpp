@@ -204,19 +204,30 @@ Vector ContactBody::penetration(const Vector& displacement, const Vector& multip
   return sum(std::move(r), reactionsTo(forceAgainst(load_, contactForce)).terms);
 }
 
+ContactBody::Results ContactBody::results(const State& state, const Vector& displacement,
+                                          const Vector& contactForce) const {
+  const ElasticBody::Image image = elastic_->imageOf(displacement);
+  Vector psi = density(state, displacement, contactForce);
+  const double strain = strainEnergy(state, displacement, contactForce, image.work, psi);
+  const Vector none(displacement.size());
+  return {std::move(psi), clampForces(image, displacement, contactForce), strain,
+          storedEnergy(state, contactForce, -dot(image.residual(none), displacement))};
+}
+
 // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows as
 // ν -> 1/2 while γ is there.  What acts inside and what Fix holds add g to w in all places,
 // ψ_g = -(V + G)⁻¹ g.
 double ContactBody::strainEnergy(const State& state, const Vector& displacement,
-                                 const Vector& contactForce) const {
-  double twice = elastic_->stiffnessWork(displacement);
+                                 const Vector& contactForce, double stiffnessWork,
+                                 const Vector& density) const {
+  double twice = stiffnessWork;
   if (!coupling().hasCompliance())
     return 0.5 * twice;
   const Loads::InResidual residual = inResidual(contactForce);
   if (!residual.density.empty())
     twice -= 2 * dot(displacement, residual.force) +
              dot(residual.compliance, residual.density);
-  twice -= coupling().complianceWork(density(state, displacement, contactForce));
+  twice -= coupling().complianceWork(density);
   if (!coupling().byDensity() || state.multiplier.empty())
     return 0.5 * twice;
   const Vector w = coupling().weighted(state.multiplier);
@@ -226,10 +237,9 @@ double ContactBody::strainEnergy(const State& state, const Vector& displacement,
   return 0.5 * (twice + dot(w, elastic_->responsesTo(w)));
 }
 
-double ContactBody::storedEnergy(const State& state, const Vector& displacement,
-                                 const Vector& contactForce) const {
-  const Vector none(displacement.size(), 0.0);
-  double twice = -dot(elastic_->residual(none, displacement), displacement);
+double ContactBody::storedEnergy(const State& state, const Vector& contactForce,
+                                 double workOfForces) const {
+  double twice = workOfForces;
   if (!state.multiplier.empty())
     twice += dot(state.multiplier, massTimes(state.multiplier));
   const Vector force = forceAgainst(load_, contactForce);
@@ -251,14 +261,15 @@ Vector ContactBody::density(const State& state, const Vector& displacement,
   return sum(psi, inResidual(contactForce).density);
 }
 
-Vector ContactBody::clampForces(const Vector& displacement,
+Vector ContactBody::clampForces(const ElasticBody::Image& image,
+                                const Vector& displacement,
                                 const Vector& contactForce) const {
   const std::vector<char>& clamped = holding().clamped;
   Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
     return forces;
-  Vector rest = elastic_->residual(wholeForce(contactForce), displacement);
-  if (elastic_->isFormed())
+  Vector rest = image.residual(wholeForce(contactForce));
+  if (elastic_->isFormed())  // freed from rounding
     rest = elastic_->residual(rest, onlyRounding(elastic_->solve(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
@@ -266,14 +277,12 @@ Vector ContactBody::clampForces(const Vector& displacement,
   return forces;
 }
 
-Vector ContactBody::clampWork(const Vector& displacement,
-                              const Vector& contactForce) const {
+Vector ContactBody::clampWork(const Vector& clampForces) const {
   const RigidModes& modes = holding().modes;
-  const Vector forces = clampForces(displacement, contactForce);
   Vector work(3, 0.0);
-  for (std::size_t i = 0; i < forces.size(); ++i)
+  for (std::size_t i = 0; i < clampForces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
-      work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
+      work[at(k)] += clampForces[i] * modes.motions(static_cast<Index>(i), k);
   return work;
 }
 

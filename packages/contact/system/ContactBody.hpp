@@ -80,15 +80,29 @@ class ContactBody {
   Vector density(const State& state, const Vector& displacement,
                  const Vector& contactForce) const;
 
-  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
+  /// What a state and its displacement amount to, dimensionless.
+  struct Results {
+    Vector density;  ///< see density()
+    /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
+    Vector clampForces;
+    /// 1/2 <W u, u> + 1/2 <V ψ, ψ>
+    double strainEnergy = 0;
+    /// ½ uᵀ A u + ½ λᵀ M λ, λ without the reactions' tractions: the strain energy and what the
+    /// stabilisation adds to it.  What loads, clamps and friction do changes this by their work.
+    double storedEnergy = 0;
+  };
+  /// By one product with A, and one more where there are clamps.
+  Results results(const State& state, const Vector& displacement,
+                  const Vector& contactForce) const;
+  /// Those of results(), for who wants no more.
   double strainEnergy(const State& state, const Vector& displacement,
-                      const Vector& contactForce) const;
-
-  /// ½ uᵀ A u + ½ λᵀ M λ, λ without the reactions' tractions, dimensionless: the strain energy and
-  /// what the stabilisation adds to it.  What loads, clamps and friction do changes this by their
-  /// work.
+                      const Vector& contactForce) const {
+    return results(state, displacement, contactForce).strainEnergy;
+  }
   double storedEnergy(const State& state, const Vector& displacement,
-                      const Vector& contactForce) const;
+                      const Vector& contactForce) const {
+    return results(state, displacement, contactForce).storedEnergy;
+  }
 
   /// storedEnergy - strainEnergy; with Form Density by itself, as an integral: without body loads
   /// ½ Σ ∫ γ |λ + ψ - Σ ρ r|².
@@ -101,14 +115,9 @@ class ContactBody {
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
 
-  /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
-  Vector clampForces(const Vector& displacement, const Vector& contactForce) const;
-
-  /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
-  /// of RigidModes, all but the prescribed unknowns of v set to zero; u is the
-  /// state's displacement, freed from rounding.
+  /// (A u + Bᵀ λ - f) · v: work of Results::clampForces on the rigid motions v of RigidModes.
   /// Stabilisation included; what holds fixed rigid motions is not.
-  Vector clampWork(const Vector& displacement, const Vector& contactForce) const;
+  Vector clampWork(const Vector& clampForces) const;
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
@@ -149,6 +158,13 @@ class ContactBody {
   Vector wholeForce(const Vector& contactForce) const;
   /// u_D + A⁺ of such a force with what reactions add.
   Vector heldDisplacement(const Vector& force) const;
+  double strainEnergy(const State& state, const Vector& displacement,
+                      const Vector& contactForce, double stiffnessWork,
+                      const Vector& density) const;
+  double storedEnergy(const State& state, const Vector& contactForce,
+                      double workOfForces) const;
+  Vector clampForces(const ElasticBody::Image& image, const Vector& displacement,
+                     const Vector& contactForce) const;
   /// u += R β, β = ∫ u·r of what Fix holds.
   void addFixedMotions(const Vector& force, const Vector& multiplier, Vector& u) const;
 

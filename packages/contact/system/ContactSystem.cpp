@@ -192,21 +192,33 @@ void ContactSystem::setScale(double load) {
     body.setStress(numbers_.stress);
 }
 
-double ContactSystem::loadSize() const {
+Vector ContactSystem::givenToRigid() const {
   Vector given(at(multiplier().size()));
   addGiven(given);
-  double own = 0;
-  double moved = bem::largestEntry(given);
   for (std::size_t b = 0; b < size(); ++b) {
     const Loads& loads = body(b).loads();
     if (!loads.rigidPart.empty())
       axpy(1, body(b).coupling().trace.apply(loads.rigidPart), given);
     if (!loads.residual.terms.empty())  // no penetration
       axpy(-1, loads.residual.terms, given);
-    own += loads.size();
-    moved = std::max(moved, bem::largestEntry(loads.rigidPart));
   }
-  return contact::loadSize(numbers_, given, lengths(), moved, own, rigid_);
+  return given;
+}
+
+double ContactSystem::loadSize() const {
+  double own = 0;
+  Vector given(at(multiplier().size()));
+  addGiven(given);
+  double moved = bem::largestEntry(given);
+  for (std::size_t b = 0; b < size(); ++b) {
+    own += body(b).loads().size();
+    moved = std::max(moved, bem::largestEntry(body(b).loads().rigidPart));
+  }
+  return contact::loadSize(numbers_, givenToRigid(), lengths(), moved, own, rigid_);
+}
+
+State ContactSystem::start() const {
+  return {{}, placement(numbers_, givenToRigid(), lengths())};
 }
 
 Vector ContactSystem::penetration(const Configuration& at) const {
@@ -271,7 +283,7 @@ State ContactSystem::with(const std::vector<RigidMotion>& motions, State state) 
   return state;
 }
 
-Configuration ContactSystem::configuration(State state) const {
+Configuration ContactSystem::placed(State state) const {
   Configuration result;
   if (state.multiplier.empty())
     state.multiplier.assign(at(multiplier().size()), 0.0);
@@ -288,17 +300,25 @@ Configuration ContactSystem::configuration(State state) const {
   return result;
 }
 
-double ContactSystem::strainEnergy(const Configuration& at) const {
-  double sum = 0;
+Configuration ContactSystem::withResults(Configuration placed) const {
+  placed.results.clear();
   for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).strainEnergy(at.state, at.displacements[b], at.contactForces[b]);
+    placed.results.push_back(
+        body(b).results(placed.state, placed.displacements[b], placed.contactForces[b]));
+  return placed;
+}
+
+double Configuration::strainEnergy() const {
+  double sum = 0;
+  for (const ContactBody::Results& body : results)
+    sum += body.strainEnergy;
   return sum;
 }
 
-double ContactSystem::storedEnergy(const Configuration& at) const {
+double Configuration::storedEnergy() const {
   double sum = 0;
-  for (std::size_t b = 0; b < size(); ++b)
-    sum += body(b).storedEnergy(at.state, at.displacements[b], at.contactForces[b]);
+  for (const ContactBody::Results& body : results)
+    sum += body.storedEnergy;
   return sum;
 }
 

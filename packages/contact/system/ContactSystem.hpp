@@ -14,9 +14,14 @@ struct Configuration {
   std::vector<Vector> contactForces;  ///< on each elastic body, see ContactBody
   std::vector<Vector> displacements;  ///< of each elastic body, all unknowns
   std::vector<RigidMotion> rigid;     ///< of each rigid body
+  /// Of each elastic body; empty until they are asked for, see placed().
+  std::vector<ContactBody::Results> results;
   /// r of numbers() from the displacements, C u - M λ - g, since rounding errors of D dominate r
   /// on slender bodies.
   Vector penetration;
+  /// Sums over the bodies' results.
+  double strainEnergy() const;
+  double storedEnergy() const;
   /// Set by corrected(): largest violation of the conditions r = 0, over the displacement.
   double defect = 0;
 };
@@ -100,11 +105,19 @@ class ContactSystem {
   /// last state it is then the same in a run that has read it.
   void forgetIterations() { wear_.forgetIterations(); }
 
+  /// Where nothing else is known: no pressure, and free motions where their loads place them, see
+  /// placement().
+  State start() const;
   /// A state whose α of rigid bodies are those of their motions; empty: α = 0 for the free ones.  A state
   /// without motions stays one, if there are none.
   State with(const std::vector<RigidMotion>& motions, State state) const;
   /// The configuration of a state; empty vectors in it mean zero.
-  Configuration configuration(State state) const;
+  Configuration configuration(State state) const {
+    return withResults(placed(std::move(state)));
+  }
+  /// The same without results, on the way to a solution, and what is left to do for them.
+  Configuration placed(State state) const;
+  Configuration withResults(Configuration placed) const;
 
   /// Motions or forces of the rigid bodies at this time.
   const std::vector<Drive>& drives() const { return rigid_.drives(); }
@@ -118,11 +131,6 @@ class ContactSystem {
   double energyOfSprings(const State& state) const {
     return rigid_.energyOfSprings(state.multiplier);
   }
-
-  /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies.
-  double strainEnergy(const Configuration& at) const;
-  /// The same with the part of the stabilisation, see ContactBody.
-  double storedEnergy(const Configuration& at) const;
 
  private:
   ContactSystem(const ContactSystem& atZero, const std::vector<Conditions>& conditions,
@@ -147,6 +155,8 @@ class ContactSystem {
   void finish();
   /// Adds the prescribed part of r: all but that of elastic bodies and free motions.
   void addGiven(Vector& r) const;
+  /// r of bodies that do not deform and free motions that are zero.
+  Vector givenToRigid() const;
   void setScale(double load);
   Vector penetration(const Configuration& at) const;
 

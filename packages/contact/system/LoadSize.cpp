@@ -17,10 +17,12 @@ namespace {
 /// The bed of springs and surfaces, a convex function of α.
 class Bed {
  public:
-  Bed(const Problem& problem, const Vector& given, const Vector& lengths, Vector pulls)
+  Bed(const Problem& problem, const Vector& given, const Vector& lengths, Vector pulls,
+      Vector bounds, double touching = 0)
       : problem_(problem),
         given_(given),
-        bounds_(problem.slipBounds({})),
+        bounds_(std::move(bounds)),
+        touching_(touching),
         pulls_(std::move(pulls)),
         lengths_(lengths),
         compliances_(given.size(), 1.0),
@@ -128,7 +130,7 @@ class Bed {
     const double least = i < at(problem_.normals) ? 0 : -most;
     const double free = z / compliances_[i];
     const double p = std::clamp(free, least, most);
-    return {p, least < free && free < most ? 1 / compliances_[i] : 0,
+    return {p, least - touching_ < free && free < most ? 1 / compliances_[i] : 0,
             std::abs(p) * compliances_[i], p * (z - compliances_[i] * p / 2)};
   }
   double mostOf(std::size_t i) const {
@@ -139,6 +141,7 @@ class Bed {
   const Problem& problem_;
   const Vector& given_;
   Vector bounds_;
+  double touching_;  ///< sides closer than this are as stiff as closed ones
   Vector pulls_;
   const Vector& lengths_;
   Vector compliances_;                       ///< of springs with linear surfaces
@@ -191,13 +194,25 @@ double loadSize(const Problem& problem, const Vector& given, const Vector& lengt
   Vector pulls(motions - ofRigid);
   const Vector bySprings = drives.pulls();
   pulls.insert(pulls.end(), bySprings.begin(), bySprings.end());
-  const Bed::Point point =
-      settled(Bed(problem, given, lengths, std::move(pulls)), motions);
+  const Bed::Point point = settled(
+      Bed(problem, given, lengths, std::move(pulls), problem.slipBounds({})), motions);
   for (const double alpha : point.alpha)
     moved = std::max(moved, std::abs(alpha));
   const double pressed = largestEntry(point.pressures);
   return own + drives.loadSize(point.alpha.data() + (motions - ofRigid)) +
          (point.closing > rounding * moved ? pressed : 0);
+}
+
+Vector placement(const Problem& problem, const Vector& given, const Vector& lengths) {
+  constexpr double touching = 1e-12;  // rounding of gaps, dimensionless
+  Vector bounds = problem.slipBounds({});
+  for (std::size_t t = 0; t < bounds.size(); ++t)
+    if (problem.tangentials[t].followsPressure() && problem.tangentials[t].carries())
+      bounds[t] = std::numeric_limits<double>::infinity();
+  return settled(
+             Bed(problem, given, lengths, problem.rigidLoad, std::move(bounds), touching),
+             at(problem.rigidMotions()))
+      .alpha;
 }
 
 }  // namespace epafi::contact

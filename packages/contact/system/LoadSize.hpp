@@ -25,4 +25,9 @@ Vector lengthsOf(const MultiplierSpace& multiplier);
 double loadSize(const Problem& problem, const Vector& given, const Vector& lengths,
                 double moved, double own, const RigidDrives& drives);
 
+/// α where the free motions settle on the same springs under all that pulls at them, q in place of f,
+/// and where what has friction by its pressure does not slide: a start for Newton's method, which
+/// would else hand the load from body to body, a step for each.
+Vector placement(const Problem& problem, const Vector& given, const Vector& lengths);
+
 }  // namespace epafi::contact
