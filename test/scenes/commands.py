@@ -29,6 +29,8 @@ for name in names:
     fails("%s: an unknown option" % name, ["'--help'"], name, "--hepl")
 # the Python that draws
 os.environ["EPAFI_PYTHON"] = os.path.join(WORK, "nopython")
+if os.path.exists(os.environ["EPAFI_PYTHON"]):
+    os.remove(os.environ["EPAFI_PYTHON"])
 fails("a Python that is none", ["nopython' cannot be started", "EPAFI_PYTHON"], "plot", WORK)
 with open(os.environ["EPAFI_PYTHON"], "w") as stream:
     stream.write('#!/bin/sh\necho "another one: $(basename "$1")"\n')

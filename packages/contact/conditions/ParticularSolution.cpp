@@ -85,7 +85,8 @@ ParticularSolution::Part ParticularSolution::ofForces(const BodyLoads& loads,
   const Complex turning(0, loads.linear.imag());
   const Complex cubic = -(outwards * (1 - 2 * nu) / (2 * (1 - nu)) + turning) / (8 * mu);
   return {{{2, 0, -(1 - 2 * nu) / (4 * mu) * b}, {2, 1, cubic}},
-          {{1, 0, -b}, {0, 1, -loads.uniform}, {1, 1, -outwards / (2 * (1 - nu))}}};
+          {{1, 0, -b}, {0, 1, -loads.uniform}, {1, 1, -outwards / (2 * (1 - nu))}},
+          {}};
 }
 
 // Of a temperature Re f(z)  w = α' ∫ f dz;  of the other terms  w = m/2 ∫ T dz, z̄ held.
