@@ -203,8 +203,8 @@ VirtualWork Balance::workOf(const ContactSystem& system, const Configuration& at
   for (std::size_t b = 0; b < motions_.size(); ++b) {
     work.rounding += ofWork(compressibilities_[b], isFormed) * shearModuli[b] *
                      motions_[b] * motions_[b];
-    if (isIncompressible(
-            compressibilities_[b]))  // a pressure does no work, but by rounding
+    // without compression a pressure does no work, but by rounding
+    if (isIncompressible(compressibilities_[b]))
       work.rounding += ofWork(1, isFormed) / shearModuli[b] *
                        std::pow(system.body(b).loads().largestTraction, 2);
     moved += system.body(b).holding().free() == 0 ? 0 : motions_[b];
