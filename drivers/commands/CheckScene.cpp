@@ -2,7 +2,7 @@
 #include "contact/body/Loads.hpp"
 #include "contact/opposite/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/output/Csv.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/NextLevel.hpp"
@@ -129,17 +129,17 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
 
 /// Condition, traction and gap at a point x of a boundary; if x is not `inside`, it may
 /// be a corner, where loads and gaps need not exist.
-std::vector<std::string> conditionAt(const contact::Conditions& conditions,
-                                     const std::string& boundary,
-                                     const bem::SurfacePoint& x, bool inside) {
+std::vector<Value> conditionAt(const contact::Conditions& conditions,
+                               const std::string& boundary, const bem::SurfacePoint& x,
+                               bool inside) {
   const auto value = [&](const bem::Function& f) {
-    return inside ? f ? exactly(f(x)) : "0" : "";
+    return inside ? Value(f ? f(x) : 0.0) : Value("");
   };
   const auto contact = conditions.contact.find(boundary);
   const bool isSupport = contact != conditions.contact.end() && contact->second.isSupport;
   if (contact != conditions.contact.end() && !isSupport)
     return {"Contact", "", "",
-            contact->second.name.empty() ? value(contact->second.gap) : ""};
+            contact->second.name.empty() ? value(contact->second.gap) : Value("")};
   if (!conditions.isBoundary(boundary))
     return {"symmetry", "", "", ""};
   const auto load = conditions.neumann.find(boundary);
@@ -165,15 +165,14 @@ std::string sceneCsv(const Scene& scene) {
   const BodySpaces spaces(scene, firstLevel(scene));
   const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
                        const std::string& boundary, int element,
-                       const std::vector<std::string>& there,
-                       const std::string& contact) {
-    addRow({{"x", exactly(x.x)},
-            {"y", exactly(x.y)},
-            {"nx", exactly(n.x)},
-            {"ny", exactly(n.y)},
+                       const std::vector<Value>& there, const std::string& contact) {
+    addRow({{"x", x.x},
+            {"y", x.y},
+            {"nx", n.x},
+            {"ny", n.y},
             {"body", body},
             {"boundary", boundary},
-            {"element", number(element)},
+            {"element", element},
             {"condition", there[0]},
             {"tx", there[1]},
             {"ty", there[2]},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/commands/Command.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/scene/Scene.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
@@ -19,6 +20,9 @@ namespace epafi::drivers {
 ///   are written.
 /// Collective; `out` and the files belong to the first rank.
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks);
+
+/// What --smallest-eigenvalue adds to history.csv, empty.
+Cells eigenvalueColumn();
 
 /// `epafi version`
 int versionCommand(const Given& given, std::ostream& out);
@@ -39,6 +43,8 @@ const std::vector<Parameter>& studyParameters();
 /// \throws bem::InputError for a folder without a solution and for boundaries and steps that
 ///   there are not.
 int fieldsCommand(const Given& given, std::ostream& out);
+/// All columns of fields.csv.
+Cells columnsOfFields();
 
 /// `epafi plot DIR`: pictures of a run or a study by the Python package python/epafi/plot.
 /// Returns 0, or 1 if matplotlib or files of the folder are missing.  The package starts `epafi

@@ -1,6 +1,10 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/output/BoundaryLines.hpp"
+#include "drivers/output/ContactTable.hpp"
+#include "drivers/output/HistoryTables.hpp"
+#include "drivers/output/TrueError.hpp"
 #include "drivers/process/ChildProgram.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -177,6 +181,37 @@ std::string commandAsJson(const Command& command) {
                  {"options", array(command.options, optionAsJson)}});
 }
 
+std::string columnAsJson(const Cell& cell) {
+  return object({{"name", quoted(cell.name)},
+                 {"meaning", quoted(cell.meaning)},
+                 {"unit", quoted(cell.unit)}});
+}
+
+/// All columns of all files.
+Members columns() {
+  LevelRow level;
+  level.contacts.emplace_back("<contact>", contact::Summary());
+  Cells history = cellsOf(level);
+  append(history, errorColumns());
+  append(history, eigenvalueColumn());
+  StepRow step;
+  step.contacts = level.contacts;
+  step.rigid.emplace_back("<body>", contact::Summary());
+  ContactHistory path;
+  BoundaryRow boundary;
+  path.around = boundary.around = 0;
+  Members files;
+  for (const auto& [name, cells] : std::vector<std::pair<std::string, Cells>>{
+           {"history.csv", history},
+           {"contact.csv", cellsOf(ContactRow(), path)},
+           {"boundary.csv", cellsOf(boundary)},
+           {"fields.csv", columnsOfFields()},
+           {"bodies.csv", cellsOf(StepRow(), "", contact::Summary())},
+           {"steps.csv", cellsOf(step)}})
+    files.emplace_back(name, array(cells, columnAsJson));
+  return files;
+}
+
 std::string exitAsJson(const ExitMeaning& exit) {
   return object({{"code", quoted(nameOf(exit))}, {"meaning", quoted(exit.meaning)}});
 }
@@ -190,7 +225,8 @@ std::string description(const std::vector<Command>& commands) {
   return object({{"title", quoted(programTitle)},
                  {"commands", array(commands, commandAsJson)},
                  {"exit codes", array(exitCodes, exitAsJson)},
-                 {"keys", object(keys)}}) +
+                 {"keys", object(keys)},
+                 {"columns", object(columns())}}) +
          "\n";
 }
 

@@ -2,11 +2,11 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SideStarts.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
@@ -100,7 +100,8 @@ bool isInside(const InsidePoint& point, const BodyInsides& insides) {
 
 Box windowOf(const std::string& text) {
   std::vector<double> ends;
-  for (const std::string& piece : csvCells(text))
+  std::string_view line = text;
+  for (const std::string& piece : csvCells(line))
     ends.push_back(
         trimmedNumber(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]) ||
@@ -157,11 +158,28 @@ Points pointsOf(const std::string& file, const BodyInsides& insides) {
   return points;
 }
 
+/// Further columns of points along a boundary, and of those of all steps.
+Cells alongCells(bem::Vec2 n, int element, double s) {
+  return {{"n_x", n.x,
+           "along a boundary (`--along`): its outward normal, at 2 (degree + 1) points "
+           "in the "
+           "middles of equal parts of each element",
+           "1"},
+          {"n_y", n.y},
+          {"element", element, "likewise: the element"},
+          {"s", s, "likewise: arc length as in contact.csv", "length"}};
+}
+Cells stepCells(std::size_t step, double t) {
+  return {{"step", static_cast<long long>(step),
+           "with `--step all`: rows of all steps, in this order"},
+          {"t", t}};
+}
+
 /// Points with what is there, and further cells of each one's row, or of none.
 struct Evaluated {
   Points points;
   std::vector<InsideValue> values;
-  std::vector<CsvRow> more;
+  std::vector<Cells> more;
 };
 
 /// At a depth below a boundary, 2(p+1) points per element; points outside are left out.
@@ -193,12 +211,9 @@ Evaluated alongPoints(const std::string& where, double depth,
         if (depth > 0 && !mesh.outline().contains(x))
           continue;
         all.points.push_back({b, x});
-        all.more.push_back(
-            {{"n_x", exactly(n.x)},
-             {"n_y", exactly(n.y)},
-             {"element", number(e)},
-             {"s", exactly(insides.scene().units().length *
-                           (starts[bem::at(e)] + mesh[e].half * (1 + t)))}});
+        all.more.push_back(alongCells(n, e,
+                                      insides.scene().units().length *
+                                          (starts[bem::at(e)] + mesh[e].half * (1 + t))));
         if (depth == 0)
           all.values.push_back(insides.atBoundary(b, e, t));
       }
@@ -303,7 +318,7 @@ void writeTable(const Given& given, const std::string& step, std::ostream& out) 
   const std::string file = outputOf(given, "fields.csv");
   std::string csv;
   std::string told;
-  const auto add = [&](const std::string& name, const CsvRow& at) {
+  const auto add = [&](const std::string& name, const Cells& at) {
     const BodyInsides insides = run.insides(name);
     auto [points, values, more] = chosenPoints(given, insides);
     if (points.empty())
@@ -314,7 +329,7 @@ void writeTable(const Given& given, const std::string& step, std::ostream& out) 
           : InputError(
                 "fields: --grid: none of its points lies inside a body; take more");
     more.resize(points.size());
-    for (CsvRow& cells : more)
+    for (Cells& cells : more)
       append(cells, at);
     insides.addTo(csv, points, values, more);
     told += message(at.empty() ? "" : "step " + name + "  ",
@@ -323,7 +338,7 @@ void writeTable(const Given& given, const std::string& step, std::ostream& out) 
   if (step == "all") {
     const std::vector<double> times = run.times();
     for (std::size_t k = 0; k < times.size(); ++k)
-      add(std::to_string(k + 1), {{"step", number(k + 1)}, {"t", exactly(times[k])}});
+      add(std::to_string(k + 1), stepCells(k + 1, times[k]));
   } else {
     add(step, {});
   }
@@ -331,6 +346,13 @@ void writeTable(const Given& given, const std::string& step, std::ostream& out) 
 }
 
 }  // namespace
+
+Cells columnsOfFields() {
+  Cells cells = insideCells({}, {}, nullptr, false);
+  append(cells, alongCells({}, 0, 0));
+  append(cells, stepCells(0, 0));
+  return cells;
+}
 
 int fieldsCommand(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;

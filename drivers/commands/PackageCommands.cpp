@@ -23,8 +23,8 @@ int callPlot(const std::vector<std::string>& arguments) {
 
 int drawScene(const std::string& csv, const std::string& title, const std::string& file) {
   /// A temporary file, deleted also if drawing fails.
-  struct Table {
-    ~Table() {
+  struct Temporary {
+    ~Temporary() {
       std::error_code ignored;
       std::filesystem::remove(file, ignored);
     }

@@ -53,8 +53,9 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
   if (!folder_)
     return;
   if (earlier_) {  // without rows of levels that did not make it
-    added_.assign(rowsOf(tables_.history).size(), more_(nullptr, {}));
-    folder_->write("history.csv", history());
+    for (std::size_t k = 0; k < tables_.history.rows(); ++k)
+      added_.add(more_(nullptr, {}));
+    folder_->write("history.csv", tables_.history.csv(added_));
   }
   folder_->write("used.xml", tables_.used);
   folder_->drop("interior.csv");  // of an earlier level
@@ -63,7 +64,7 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
 void Recorder::beginWith(const std::string& folder) {
   if (!folder_)
     return;
-  restored_ = folder + "/";
+  waiting_.restored = folder + "/";
   std::vector<std::string> names{"contact.csv", "bodies.csv"};
   std::vector<std::string> ofSteps{"contact.csv"};
   if (scene_.output.fields) {
@@ -74,8 +75,9 @@ void Recorder::beginWith(const std::string& folder) {
     for (const std::string& name : ofSteps)
       names.push_back(stepFile(k, name));
   for (const std::string& name : names)
-    if (std::filesystem::exists(restored_ + name))
-      files_.emplace_back(name, [file = restored_ + name] { return readText(file); });
+    if (std::filesystem::exists(waiting_.restored + name))
+      waiting_.files.emplace_back(
+          name, [file = waiting_.restored + name] { return readText(file); });
 }
 
 void Recorder::take(const SolvedLevel& level) {
@@ -85,39 +87,41 @@ void Recorder::take(const SolvedLevel& level) {
   const double begin = cpuSeconds();
   const bool onPath = level.level.onPath();
   tables_.addLevel(level, row);
-  added_.push_back(more_(&level, row));
-  files_ = {{"history.csv", made(history())}};
-  std::move(stepFiles_.begin(), stepFiles_.end(), std::back_inserter(files_));
-  stepFiles_.clear();
+  added_.add(more_(&level, row));
+  waiting_.files = {{"history.csv", made(tables_.history.csv(added_))}};
+  std::move(way_.files.begin(), way_.files.end(), std::back_inserter(waiting_.files));
   if (scene_.output.fields) {
     grid_ = std::make_shared<const VtkGrid>(boundaryLines(level.last()));
     if (onPath)
-      files_.emplace_back("steps.pvd", made(stepsPvd(times_, "boundary.vtu")));
+      waiting_.files.emplace_back("steps.pvd",
+                                  made(stepsPvd(way_.times, "boundary.vtu")));
   }
   if (scene_.hasContact())
-    files_.emplace_back("contact.csv", made(onPath ? std::exchange(contactOfStep_, {})
-                                                   : contact_.next(level.last())));
+    waiting_.files.emplace_back("contact.csv",
+                                made(onPath ? std::exchange(way_.contact, {})
+                                            : way_.contacts.next(level.last())));
   if (scene_.output.fields)
-    files_.emplace_back("boundary.csv",
-                        [this, grid = grid_] { return boundaryCsv(scene_, *grid); });
+    waiting_.files.emplace_back(
+        "boundary.csv", [this, grid = grid_] { return boundaryCsv(scene_, *grid); });
   if (scene_.tellsBodies())
-    files_.emplace_back("bodies.csv", made(tables_.bodies));
-  times_.clear();
-  contact_ = {};
-  stages_ += bem::message("level ", row.level, ": ", contact::told(row.report.stages),
-                          "\n", contact::meritsTold(row.report.stages));
-  pressure_ = pressureLine(level);
-  warnings_ = warningsOf(level);
+    waiting_.files.emplace_back("bodies.csv", made(tables_.bodies.csv()));
+  way_ = {};
+  told_.stages +=
+      bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n",
+                   contact::meritsTold(row.report.stages));
+  told_.pressure = pressureLine(level);
+  told_.warnings = warningsOf(level);
   if (row.operators == denseInstead)
-    told_.push_back(bem::message("level ", row.level, ": ", row.note));
-  warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
+    told_.fallbacks.push_back(bem::message("level ", row.level, ": ", row.note));
+  told_.warnings.insert(told_.warnings.begin(), told_.fallbacks.begin(),
+                        told_.fallbacks.end());
   tables_.take(level, row);
-  isTaken_ = true;
+  waiting_.isTaken = true;
   writeIfDue();  // who reads the line may look for its row in the file
   progress_.clear();
   table_ << tableLine(row) << notesOn(row, scene_.stabilization.firstGamma0())
          << std::flush;
-  apart_ += cpuSeconds() - begin;
+  pace_.apart += cpuSeconds() - begin;
 }
 
 void Recorder::takeStep(const SolvedLevel& level) {
@@ -127,67 +131,69 @@ void Recorder::takeStep(const SolvedLevel& level) {
   const double begin = cpuSeconds();
   const SolvedStep& step = level.last();
   tables_.addStep(step);
-  if (times_.empty())
-    overlaps_.clear();  // those of the level before
-  times_.push_back(step.row.t);
+  if (way_.times.empty())
+    told_.overlaps.clear();  // those of the level before
+  way_.times.push_back(step.row.t);
   if (scene_.hasContact()) {
-    contactOfStep_ = contact_.next(step);
-    stepFiles_.emplace_back(stepFile(times_.size(), "contact.csv"), made(contactOfStep_));
+    way_.contact = way_.contacts.next(step);
+    way_.files.emplace_back(stepFile(way_.times.size(), "contact.csv"),
+                            made(way_.contact));
   }
   std::shared_ptr<const VtkGrid> grid;
   if (scene_.output.fields) {
     grid = std::make_shared<const VtkGrid>(boundaryLines(step));
-    stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
+    way_.files.emplace_back(stepFile(way_.times.size(), "boundary.vtu"),
                             made(vtuText(*grid)));
-    if (overlaps_.empty())
-      findOverlap(scene_, *grid, overlaps_);
+    if (told_.overlaps.empty())
+      findOverlap(scene_, *grid, told_.overlaps);
   }
   if (!isKnown(level.level)) {
     grid_ = grid;
     tables_.take(level, row);
-    isTaken_ = true;
+    waiting_.isTaken = true;
     writeIfDue();
     progress_.clear();
     table_ << tableLine(step.row) << std::flush;
   }
-  apart_ += cpuSeconds() - begin;
+  pace_.apart += cpuSeconds() - begin;
 }
 
 void Recorder::writeIfDue() {
-  if (cpuSeconds() - writtenAt_ > std::max(longestWait, workPerWriting * writingTook_))
+  if (cpuSeconds() - pace_.writtenAt >
+      std::max(longestWait, workPerWriting * pace_.writingTook))
     write();
 }
 
 void Recorder::write() {
-  if (!isTaken_ && restored_.empty())
+  if (!waiting_.isTaken && waiting_.restored.empty())
     return;
   const double begin = cpuSeconds();
-  for (const auto& [name, text] : files_)
+  for (const auto& [name, text] : waiting_.files)
     folder_->stage(name, text());
-  if (!tables_.steps.empty())
-    folder_->stage("steps.csv", tables_.steps);
+  if (tables_.steps.rows() > 0)
+    folder_->stage("steps.csv", tables_.steps.csv());
   if (scene_.output.fields)
-    folder_->stage("solution.hdf", isTaken_ ? solutionFile(scene_, tables_, *grid_)
-                                            : readText(restored_ + "solution.hdf"));
+    folder_->stage("solution.hdf", waiting_.isTaken
+                                       ? solutionFile(scene_, tables_, *grid_)
+                                       : readText(waiting_.restored + "solution.hdf"));
   folder_->dropMade();
   folder_->commit();
-  if (isTaken_ && tables_.level.onPath() && tables_.level.complete)
+  if (waiting_.isTaken && tables_.level.onPath() && tables_.level.complete)
     folder_->dropStepsBehind(tables_.level.steps.size());
-  if (isTaken_)
+  if (waiting_.isTaken)
     written_(tables_.level);
-  files_.clear();
-  restored_.clear();
-  isTaken_ = false;
-  writtenAt_ = cpuSeconds();
-  writingTook_ = writtenAt_ - begin;
+  waiting_ = {};
+  pace_.writtenAt = cpuSeconds();
+  pace_.writingTook = pace_.writtenAt - begin;
 }
 
 void Recorder::finish(PhaseTimer& timer) {
   if (folder_) {
     write();  // before a phase begins, which an interrupted run does not do any more
     if (grid_ && !scene_.history)
-      findOverlap(scene_, *grid_, overlaps_);
-    warnings_.insert(warnings_.end(), overlaps_.begin(), overlaps_.end());
+      findOverlap(scene_, *grid_, told_.overlaps);
+    told_.warnings.insert(told_.warnings.end(), told_.overlaps.begin(),
+                          told_.overlaps.end());
     if (!tables_.level.steps.empty() && !scene_.output.interiorPoints.empty())
       timer.run(Phase::Results, [&] { writeInterior(scene_, tables_.level, *folder_); });
   }
@@ -196,24 +202,12 @@ void Recorder::finish(PhaseTimer& timer) {
 
 void Recorder::writeTimings(PhaseTimer& timer) {
   if (folder_)
-    folder_->write("timings.txt", timer.report() + stages_);
-}
-
-std::string Recorder::history() const {
-  std::vector<CsvRow> rows = rowsOf(tables_.history);
-  if (added_.empty() || added_.front().empty())
-    return tables_.history;
-  std::string text;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    append(rows[k], added_[k]);
-    addRow(rows[k], text);
-  }
-  return text;
+    folder_->write("timings.txt", timer.report() + told_.stages);
 }
 
 LevelRow Recorder::rowOf(const SolvedLevel& level) const {
   LevelRow row = level.row;
-  row.secondsTotal -= apart_;
+  row.secondsTotal -= pace_.apart;
   if (earlier_) {
     row.secondsTotal += earlier_->secondsTotal;
     row.secondsWall += earlier_->secondsWall;

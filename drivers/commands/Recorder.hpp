@@ -43,21 +43,49 @@ class Recorder {
   void writeTimings(PhaseTimer& timer);
 
   /// pressureLine of the last level.
-  const std::string& pressure() const { return pressure_; }
+  const std::string& pressure() const { return told_.pressure; }
   /// Warnings of the last level.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& warnings() const { return told_.warnings; }
 
  private:
   /// A file's name and, made when it is written, its text: what it is made from is good after
   /// the operators are gone.
   using File = std::pair<std::string, std::function<std::string()>>;
 
-  std::string history() const;
   /// With the times of the earlier run, without those of files and errors.
   LevelRow rowOf(const SolvedLevel& level) const;
   /// Does the earlier run have a later step?  Then its files must not be replaced.
   bool isKnown(const Level& level) const;
   void writeIfDue();
+
+  /// What is written, but for the tables, until it is written.
+  struct Waiting {
+    std::vector<File> files{};  ///< of the last level
+    std::string restored{};     ///< folder whose solution.hdf stands for that of tables_
+    bool isTaken = false;       ///< has that of tables_ to be written?
+  };
+  /// The steps of the level that is solved now.
+  struct Way {
+    std::vector<File> files{};
+    std::vector<double> times{};
+    std::string contact{};  ///< contact.csv of the last one
+    ContactTable contacts{};
+  };
+  /// What there is to say at the end.
+  struct Told {
+    std::string pressure{};
+    std::vector<std::string> warnings{};   ///< of the last level
+    std::vector<std::string> overlaps{};   ///< the first of it or of its path's steps
+    std::vector<std::string> fallbacks{};  ///< of all levels
+    std::string stages =
+        "\nSolver stages, steps, how they ended; the merit before and after each step\n";
+  };
+  /// CPU seconds.
+  struct Pace {
+    double apart = cpuSeconds();  ///< what is not the solution's
+    double writtenAt = apart;
+    double writingTook = 0;
+  };
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;
@@ -66,27 +94,13 @@ class Recorder {
   std::ostream& table_;
   std::function<void(const Level&)> written_;
   MoreColumns more_;
-  std::vector<CsvRow> added_;  ///< by it, to each level
-  Checkpoint tables_;          ///< with the last level or a step behind it
-  // of the level that is solved now
-  std::vector<File> stepFiles_;
-  std::vector<double> times_;
-  std::string contactOfStep_;  ///< contact.csv
-  ContactTable contact_;
-
-  std::string stages_ =
-      "\nSolver stages, steps, how they ended; the merit before and after each step\n";
-  std::vector<File> files_;  ///< of the last level, until they are written
-  std::string restored_;     ///< folder whose solution.hdf stands for that of tables_
-  bool isTaken_ = false;     ///< has that of tables_ to be written?
+  Table added_;                          ///< by it, to each level
+  Checkpoint tables_;                    ///< with the last level or a step behind it
   std::shared_ptr<const VtkGrid> grid_;  ///< of it; without Fields empty
-  double apart_ = cpuSeconds();          ///< what is not the solution's
-  double writtenAt_ = apart_;
-  double writingTook_ = 0;
-  std::string pressure_;
-  std::vector<std::string> warnings_;
-  std::vector<std::string> overlaps_;  ///< the first of the level or of its path's steps
-  std::vector<std::string> told_;      ///< likewise, of all levels
+  Waiting waiting_;
+  Way way_;
+  Told told_;
+  Pace pace_;
 };
 
 }  // namespace epafi::drivers

@@ -146,10 +146,11 @@ MoreColumns moreColumns(const Given& given, const Scene& scene) {
     errors = errorsAgainst(given.value("--reference"), scene);
   const bool eigenvalue = given.has("--smallest-eigenvalue");
   return [=](const SolvedLevel* level, const LevelRow& row) {
-    CsvRow cells = errors ? errors(level, row) : CsvRow();
+    Cells cells = errors ? errors(level, row) : Cells();
     if (eigenvalue)
-      cells.emplace_back("smallest_eigenvalue",
-                         level == nullptr ? "" : number(smallestEigenvalue(*level)));
+      append(cells, eigenvalueColumn());
+    if (eigenvalue && level != nullptr)
+      cells.back().value = smallestEigenvalue(*level);
     return cells;
   };
 }
@@ -174,6 +175,13 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 }
 
 }  // namespace
+
+Cells eigenvalueColumn() {
+  return {{"smallest_eigenvalue", "",
+           "with `--smallest-eigenvalue`: of the stabilised stiffness relative to the "
+           "stiffness without stabilisation",
+           "1"}};
+}
 
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const bool quiet = given.has("--quiet");

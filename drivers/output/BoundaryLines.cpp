@@ -1,9 +1,9 @@
 #include "drivers/output/BoundaryLines.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/SurfaceStress.hpp"
+#include "drivers/output/Table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -291,6 +291,37 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
     }
 }
 
+Cells cellsOf(const BoundaryRow& row) {
+  Cells cells = {{"x", row.x.x, "the point", "length"},
+                 {"y", row.x.y},
+                 {"ux", row.displacement.x, "displacement", "length"},
+                 {"uy", row.displacement.y},
+                 {"tx", row.traction.x, "traction σ n", "stress"},
+                 {"ty", row.traction.y},
+                 {"boundary", row.boundary,
+                  "the boundary, element, body and edge of its outline (from 0, holes "
+                  "last) on which "
+                  "it lies; the element's degree"},
+                 {"element", row.element},
+                 {"degree", row.degree},
+                 {"body", row.body},
+                 {"edge", row.edge},
+                 {"stress_t", row.along,
+                  "on the boundary itself: normal stress along it, tension positive, of "
+                  "the traction "
+                  "and of the strain along it; von Mises stress",
+                  "stress"},
+                 {"von_mises", row.vonMises}};
+  if (row.around)
+    cells.push_back(
+        {hoop, *row.around,
+         "of [solids of revolution](tutorial.md#revolution): stress around the "
+         "axis, on the boundary itself; on the axis that of the inside, as all "
+         "columns there",
+         "stress"});
+  return cells;
+}
+
 std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
   std::string csv;
   const std::vector<std::string> names = namesOfBoundaries(scene);
@@ -299,25 +330,23 @@ std::string boundaryCsv(const Scene& scene, const VtkGrid& grid) {
     return grid.cellData[field].at<int>(line);
   };
   const auto addPoint = [&](std::size_t line, long long point) {
-    const auto at = [&](const DataArray& field, int component, int components = 3) {
-      return exactly(field.at<double>(components * point + component));
+    const auto vector = [&](const DataArray& field) {
+      return bem::Vec2{field.at<double>(3 * point), field.at<double>(3 * point + 1)};
     };
-    CsvRow row = {{"x", at(grid.points, 0)},
-                  {"y", at(grid.points, 1)},
-                  {"ux", at(fields[Displacement], 0)},
-                  {"uy", at(fields[Displacement], 1)},
-                  {"tx", at(fields[Traction], 0)},
-                  {"ty", at(fields[Traction], 1)},
-                  {"boundary", names[of(line, Boundary)]},
-                  {"element", number(of(line, Element))},
-                  {"degree", number(of(line, Degree))},
-                  {"body", scene.bodies[of(line, OfBody)].name},
-                  {"edge", number(of(line, Edge))},
-                  {"stress_t", at(fields[Along], 0, 1)},
-                  {"von_mises", at(fields[VonMises], 0, 1)}};
+    const auto number = [&](int field) { return fields[field].at<double>(point); };
+    BoundaryRow row{vector(grid.points),
+                    vector(fields[Displacement]),
+                    vector(fields[Traction]),
+                    names[of(line, Boundary)],
+                    of(line, Element),
+                    of(line, Degree),
+                    scene.bodies[of(line, OfBody)].name,
+                    of(line, Edge),
+                    number(Along),
+                    number(VonMises)};
     if (fields.size() > Hoop)
-      row.emplace_back(hoop, at(fields[Hoop], 0, 1));
-    addRow(row, csv);
+      row.around = number(Hoop);
+    addRow(cellsOf(row), csv);
   };
   const std::size_t lines = grid.corners.size() / 2;
   const auto deforms = [&](std::size_t line) {

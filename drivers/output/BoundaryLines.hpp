@@ -1,9 +1,11 @@
 #pragma once
 
 #include "contact/results/Solved.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,22 @@ void findOverlap(const Scene& scene, const VtkGrid& grid,
 inline int numberOf(contact::ContactState friction) {
   return friction == contact::ContactState::Frictionless ? 0 : slips(friction) ? 2 : 1;
 }
+
+/// A point of boundary.csv, in the user's units.
+struct BoundaryRow {
+  bem::Vec2 x{};
+  bem::Vec2 displacement{};
+  bem::Vec2 traction{};
+  std::string boundary{};
+  int element = 0;
+  int degree = 0;
+  std::string body{};
+  int edge = 0;
+  double along = 0;  ///< stress along the boundary
+  double vonMises = 0;
+  std::optional<double> around{};  ///< of solids of revolution
+};
+Cells cellsOf(const BoundaryRow& row);
 
 /// boundary.csv: displacement and traction at the points of all elastic bodies, element
 /// by element, with boundary, number and degree of the element, and the edge of the outline

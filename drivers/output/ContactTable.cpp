@@ -4,9 +4,9 @@
 #include "contact/path/PathMemory.hpp"
 #include "contact/results/Resolution.hpp"
 #include "drivers/output/BoundaryLines.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/SideStarts.hpp"
+#include "drivers/output/Table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +68,113 @@ std::vector<const contact::Conditions::Contact*> contactsOf(
 
 }  // namespace
 
-CsvRow ContactTable::pathCells(const contact::Solved& solved,
-                               const bem::Material& material, const bem::Vector& work,
-                               const Element& element, double t, const ContactPoint& p) {
+Cells cellsOf(const ContactRow& row, const std::optional<ContactHistory>& history) {
+  const ContactPoint& p = row.point;
+  Cells cells = {
+      {"boundary", row.boundary,
+       "the boundary, with several bodies body:boundary; the element's number in the "
+       "mesh"},
+      {"element", row.element},
+      {"x", p.place.x, "the point", "length"},
+      {"y", p.place.y},
+      {"lambda_n", p.pressure,
+       "pressure along d and shear along t, λ = -σ n = `lambda_n` d + `lambda_t` t; d is "
+       "the "
+       "[direction of contact](theory/contact.md#directions), before obstacles given by "
+       "`Gap` and in bonds the outward normal n; t is d turned counter-clockwise. The "
+       "[coefficients](theory/multipliers.md) satisfy pressure >= 0 and shear within "
+       "`bound`; between their points the polynomial may exceed these limits a little "
+       "where the state changes",
+       "stress"},
+      {"lambda_t", p.shear},
+      {"u_n", p.normal,
+       "displacement along d and t, between bodies the relative displacement; `u_n` "
+       "without "
+       "what arcs that turn about their own centres would add",
+       "length"},
+      {"u_t", p.tangential},
+      {"gap", p.gap, "gap along d in the undeformed state", "length"},
+      {"bound", p.bound,
+       "the largest shear that the friction law allows there at the pressure `lambda_n`; "
+       "`inf` where the law is Tied",
+       "stress"},
+      {"contact", p.closed, "0 open, 1 closed"},
+      {"friction", numberOf(p.friction),
+       "0 none, 1 stick, 2 slip; under Tresca also where open"},
+      {"body", row.body,
+       "the body; the name under `Contacts`, or of the boundary if the opposite side is "
+       "an "
+       "obstacle"},
+      {"contact_name", row.contact},
+      {"s", row.s, "arc length from the side's start, along the outline", "length"}};
+  if (history) {
+    const ContactHistory& h = *history;
+    append(
+        cells,
+        {{"slip", h.slip,
+          "with a History ([load paths](theory/paths.md)): sliding since the end of the "
+          "first step, a prescribed sliding of the opposite side included",
+          "length"},
+         {"work", h.work, "likewise: friction's work so far per unit of length",
+          "stress length"},
+         {"slip_amplitude", h.amplitude, "likewise: half the range of `slip` so far",
+          "length"},
+         {"stress_t", h.along,
+          "likewise: stress along the surface, tension positive, of the strain along it "
+          "and "
+          "the stress -`lambda_n` across it ([fretting](theory/paths.md#fretting)); "
+          "where "
+          "`Rigid Motions->Fix` holds a body by a uniform traction, ν/(1-ν) times its "
+          "component along n is missing (ν times in plane stress)",
+          "stress"},
+         {"ruiz_1", h.shear * h.amplitude, "likewise: Ruiz' fretting parameters",
+          "stress length, stress² length"},
+         {"ruiz_2", h.tension * h.shear * h.amplitude},
+         {"worn_depth", p.worn,
+          "likewise: what has worn off so far ([surfaces](theory/surfaces.md), Wear); 0 "
+          "without it",
+          "length"},
+         {"slip_distance", p.distance,
+          "likewise: how far the sides have slid so far while closed, forth and back, "
+          "`Cycle "
+          "Jump` times in a step",
+          "length"}});
+    if (h.around)
+      cells.push_back(
+          {hoop, *h.around,
+           "likewise, of [solids of revolution](tutorial.md#revolution): stress "
+           "around the axis, at the surface",
+           "stress"});
+  }
+  append(
+      cells,
+      {{"normal_closing", p.closing,
+        "distance by which the surfaces close under the pressure "
+        "([surfaces](theory/surfaces.md)); 0 without a normal law",
+        "length"},
+       {"pressure", row.shown.normal,
+        "λ without its jumps at nodes, which have no effect in the discrete equations; "
+        "where a state changes they are closer to the exact stress than `lambda_n` and "
+        "`lambda_t` ([multipliers](theory/multipliers.md), What is shown)",
+        "stress"},
+       {"shear", row.shown.tangential},
+       {"pressure_error", row.doubt.normal,
+        "by how much `lambda_n` and `lambda_t` may be wrong on the element, the sum of "
+        "the "
+        "sizes of the two highest Legendre coefficients (degree 1: of the highest). "
+        "Beside "
+        "singular points one to two times the error, elsewhere more than it",
+        "stress"},
+       {"shear_error", row.doubt.tangential},
+       {"d_x", p.direction.unit.x, "the direction d", "1"},
+       {"d_y", p.direction.unit.y}});
+  return cells;
+}
+
+ContactHistory ContactTable::historyAt(const contact::Solved& solved,
+                                       const bem::Material& material,
+                                       const bem::Vector& work, const Element& element,
+                                       double t, const ContactPoint& p) {
   const auto [stress, around] =
       stressAt(solved, material, element.element, t, p.pressure);
   const double slip = p.tangential - p.sliding;
@@ -81,20 +185,16 @@ CsvRow ContactTable::pathCells(const contact::Solved& solved,
   here.most = std::max(here.most, slip);
   here.shear = std::max(here.shear, std::abs(p.shear));
   here.tension = std::max(here.tension, stress);
-  const double amplitude = (here.most - here.least) / 2;
-  CsvRow row = {
-      {"slip", exactly(slip - here.first)},
-      {"work", exactly(solved.units.stress * solved.units.length *
-                       solved.problem.multiplier().at(work, element, t).tangential)},
-      {"slip_amplitude", exactly(amplitude)},
-      {"stress_t", exactly(stress)},
-      {"ruiz_1", exactly(here.shear * amplitude)},
-      {"ruiz_2", exactly(here.tension * here.shear * amplitude)},
-      {"worn_depth", exactly(p.worn)},
-      {"slip_distance", exactly(p.distance)}};
+  ContactHistory history{slip - here.first,
+                         solved.units.stress * solved.units.length *
+                             solved.problem.multiplier().at(work, element, t).tangential,
+                         (here.most - here.least) / 2,
+                         stress,
+                         here.shear,
+                         here.tension};
   if (solved.units.isAxisymmetric)
-    row.emplace_back(hoop, exactly(around));
-  return row;
+    history.around = around;
+  return history;
 }
 
 std::string ContactTable::next(const SolvedStep& step) {
@@ -116,35 +216,21 @@ std::string ContactTable::next(const SolvedStep& step) {
       const auto doubt = contact::resolutionOf(fields, element).error;
       for (int k = 0; k < samples; ++k) {
         const double t = -1 + (2.0 * k + 1) / samples;
-        const ContactPoint p = fields.at(element, t);
         const std::string& name = element.condition->name;
-        CsvRow row = {{"boundary", scene.boundaryName({false, b, *element.boundary})},
-                      {"element", number(element.element)},
-                      {"x", exactly(p.place.x)},
-                      {"y", exactly(p.place.y)},
-                      {"lambda_n", exactly(p.pressure)},
-                      {"lambda_t", exactly(p.shear)},
-                      {"u_n", exactly(p.normal)},
-                      {"u_t", exactly(p.tangential)},
-                      {"gap", exactly(p.gap)},
-                      {"bound", exactly(p.bound)},
-                      {"contact", number(p.closed)},
-                      {"friction", number(numberOf(p.friction))},
-                      {"body", scene.bodies[b].name},
-                      {"contact_name", name.empty() ? *element.boundary : name},
-                      {"s", exactly(solved.units.length *
-                                    (start + mesh[element.element].half * (1 + t)))}};
+        ContactRow row{
+            scene.boundaryName({false, b, *element.boundary}),
+            scene.bodies[b].name,
+            name.empty() ? *element.boundary : name,
+            element.element,
+            solved.units.length * (start + mesh[element.element].half * (1 + t)),
+            fields.at(element, t),
+            fields.inUnits(continuous, element, t),
+            doubt};
+        std::optional<ContactHistory> history;
         if (scene.history)
-          append(row, pathCells(solved, scene.bodies[b].material, work, element, t, p));
-        const auto stress = fields.inUnits(continuous, element, t);
-        append(row, {{"normal_closing", exactly(p.closing)},
-                     {"pressure", exactly(stress.normal)},
-                     {"shear", exactly(stress.tangential)},
-                     {"pressure_error", exactly(doubt.normal)},
-                     {"shear_error", exactly(doubt.tangential)},
-                     {"d_x", exactly(p.direction.unit.x)},
-                     {"d_y", exactly(p.direction.unit.y)}});
-        addRow(row, csv);
+          history =
+              historyAt(solved, scene.bodies[b].material, work, element, t, row.point);
+        addRow(cellsOf(row, history), csv);
       }
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/Csv.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
 #include <optional>
@@ -10,23 +10,25 @@
 namespace epafi::drivers {
 
 /// A row of history.csv, a row per level.
-CsvRow cellsOf(const LevelRow& row);
+Cells cellsOf(const LevelRow& row);
 /// Strain and surface energy - fᵀ u + work of friction, in such a row [stress length²].
-double energyOf(const CsvRow& row);
+double energyOf(const Table& history, std::size_t row);
 
 /// A row of steps.csv, a row per level and step: columns of the step, of each contact and of
 /// each rigid body.
-CsvRow cellsOf(const StepRow& row);
-/// Work of friction up to each step of a level, from steps.csv; empty for an empty text.
-std::vector<double> dissipatedOf(const std::string& steps, int level);
+Cells cellsOf(const StepRow& row);
+/// Work of friction up to each step of a level, from steps.csv; empty without rows.
+std::vector<double> dissipatedOf(const Table& steps, int level);
 
-/// The first line of bodies.csv, a row per level, step (0 without a path) and body:
-/// resultants of loads, body loads, contact forces and reactions, which sum to zero, and the
-/// motion: of an elastic body the mean over its boundary, of a rigid one that of its
-/// reference point.
-std::string bodiesHead();
-/// The same of history.csv, which names the scene's contacts.
-std::string historyHead(const Scene& scene);
+/// A row of bodies.csv, a row per level, step (0 without a path) and body: resultants of loads, body
+/// loads, contact forces and reactions, which sum to zero, and the motion: of an elastic body the mean
+/// over its boundary, of a rigid one that of its reference point.
+Cells cellsOf(const StepRow& step, const std::string& body, const contact::Summary& s);
+
+/// The columns of history.csv and of steps.csv, which name the scene's contacts, and of bodies.csv.
+Table historyTable(const Scene& scene);
+Table stepsTable(const BodySpaces& spaces);
+Table bodiesTable();
 
 /// The table that a run prints: its head, and a line per level.
 std::string tableHead();
@@ -45,14 +47,15 @@ std::string pressureLine(const SolvedLevel& level);
 /// CPU and elapsed time, time of each phase and peak memory, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 
-/// A level with the tables of its run as text: the content of solution.hdf, for a restart or
+/// A level with the tables of its run: the content of solution.hdf, for a restart or
 /// for the reference of a study.
 struct Checkpoint {
   Level level{};
-  std::string used{};     ///< used.xml
-  std::string history{};  ///< history.csv up to the level
-  std::string steps{};    ///< steps.csv up to the step; empty without a History
-  std::string bodies{};   ///< bodies.csv up to the level; may be empty, see tellsBodies
+  std::string used{};  ///< used.xml
+  Table history{};     ///< history.csv up to the level
+  Table steps{};       ///< steps.csv up to the step; without columns without a History
+  Table
+      bodies{};  ///< bodies.csv up to the level; may be without columns, see tellsBodies
   double secondsTotal = 0;
   double secondsWall = 0;
 

@@ -3,7 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
-#include "drivers/output/Csv.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/ChildProgram.hpp"
 
@@ -134,19 +134,28 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
   return values;
 }
 
+Cells insideCells(bem::Vec2 x, InsideValue value, const std::string* body,
+                  bool isAxisymmetric) {
+  Cells cells = {{"x", x.x, "the point", "length"}, {"y", x.y}};
+  for (const InsideField& field : insideFields) {
+    cells.push_back({nameOf(field, isAxisymmetric),
+                     body == nullptr ? Value("") : Value(field.of(value)), field.meaning,
+                     field.unit});
+    if (&field.of(value) == &value.vonMises)
+      cells.push_back(
+          {"body", body == nullptr ? "" : *body, "the body in which the point lies"});
+  }
+  return cells;
+}
+
 void BodyInsides::addTo(std::string& csv, const std::vector<InsidePoint>& points,
                         const std::vector<InsideValue>& values,
-                        const std::vector<CsvRow>& more) const {
+                        const std::vector<Cells>& more) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool outside = points[i].body == size();
-    InsideValue value = values[i];
-    CsvRow row = {{"x", exactly(points[i].x.x)}, {"y", exactly(points[i].x.y)}};
-    for (const InsideField& field : insideFields) {
-      row.emplace_back(nameOf(field, scene_.isAxisymmetric),
-                       outside ? "" : exactly(field.of(value)));
-      if (&field.of(value) == &value.vonMises)
-        row.emplace_back("body", outside ? "" : scene_.bodies[points[i].body].name);
-    }
+    const std::size_t b = points[i].body;
+    Cells row = insideCells(points[i].x, values[i],
+                            b == size() ? nullptr : &scene_.bodies[b].name,
+                            scene_.isAxisymmetric);
     if (!more.empty())
       append(row, more[i]);
     addRow(row, csv);

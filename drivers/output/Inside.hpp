@@ -2,8 +2,8 @@
 
 #include "bem/base/Vec2.hpp"
 #include "bem/fields/Interior.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/SurfaceStress.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <array>
@@ -43,23 +43,37 @@ InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& mater
 struct InsideField {
   const char* name;
   double& (*of)(InsideValue& value);
+  const char* meaning = "";  ///< see Cell
+  const char* unit = "";
 };
 inline constexpr InsideField insideFields[] = {
-    {"ux", [](InsideValue& v) -> double& { return v.displacement.x; }},
+    {"ux", [](InsideValue& v) -> double& { return v.displacement.x; }, "displacement",
+     "length"},
     {"uy", [](InsideValue& v) -> double& { return v.displacement.y; }},
-    {"sxx", [](InsideValue& v) -> double& { return v.xx; }},
+    {"sxx", [](InsideValue& v) -> double& { return v.xx; }, "stress, tension positive",
+     "stress"},
     {"syy", [](InsideValue& v) -> double& { return v.yy; }},
     {"sxy", [](InsideValue& v) -> double& { return v.xy; }},
-    {"von_mises", [](InsideValue& v) -> double& { return v.vonMises; }},
-    {"szz", [](InsideValue& v) -> double& { return v.zz; }},
-    {"principal_1", [](InsideValue& v) -> double& { return v.principal1; }},
+    {"von_mises", [](InsideValue& v) -> double& { return v.vonMises; },
+     "von Mises stress, with `szz` or `hoop`", "stress"},
+    {"szz", [](InsideValue& v) -> double& { return v.zz; },
+     "stress across the plane, 0 in plane stress; `hoop` in its place, of [solids of "
+     "revolution](tutorial.md#revolution): stress around the axis",
+     "stress"},
+    {"principal_1", [](InsideValue& v) -> double& { return v.principal1; },
+     "the larger and the smaller principal stress in the plane", "stress"},
     {"principal_2", [](InsideValue& v) -> double& { return v.principal2; }},
-    {"temperature", [](InsideValue& v) -> double& { return v.temperature; }},
+    {"temperature", [](InsideValue& v) -> double& { return v.temperature; },
+     "difference from the stress-free state; 0 if none is given", "temperature"},
 };
 
 /// The name of szz of solids of revolution.
 constexpr const char* hoop = "hoop";
 std::string nameOf(const InsideField& field, bool isAxisymmetric);
+
+/// The columns of interior.csv and fields.csv at a point; without a body (null) all but x and y are empty.
+Cells insideCells(bem::Vec2 x, InsideValue value, const std::string* body,
+                  bool isAxisymmetric);
 
 /// A point inside a body, in the user's coordinates.  Bodies may overlap in the
 /// undeformed state, so that the point alone does not determine its body.
@@ -84,11 +98,10 @@ class BodyInsides {
 
   /// Computed in parallel, see bem::Interior.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
-  /// x, y, the columns of insideFields and, after von_mises, body: a row per point; outside of
-  /// all bodies only x and y are given.  `more`: further cells of each, or empty.
+  /// A row per point, see insideCells.  `more`: further cells of each, or empty.
   void addTo(std::string& csv, const std::vector<InsidePoint>& points,
              const std::vector<InsideValue>& values,
-             const std::vector<CsvRow>& more = {}) const;
+             const std::vector<Cells>& more = {}) const;
 
  private:
   const Scene& scene_;

@@ -69,8 +69,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
         "they were");
 }
 
-void checkHead(const std::string& table, const std::string& head) {
-  if (table.rfind(head, 0) != 0)
+void checkColumns(const Table& table, const Table& wanted) {
+  if (!table.hasColumnsOf(wanted))
     throw InputError(
         "has tables with other columns than this version of Epafi; solve the "
         "scene again");
@@ -79,26 +79,26 @@ void checkHead(const std::string& table, const std::string& head) {
 /// Checks that sizes, indices and columns fit the meshes.
 void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
   checkLevel(checkpoint.level, scene);
-  if (!checkpoint.steps.empty())
-    checkHead(checkpoint.steps,
-              headOf(cellsOf(BodySpaces(scene, checkpoint.level).stepRow())));
+  const Level& level = checkpoint.level;
+  if (scene.history && level.isSolved() &&
+      checkpoint.steps.rowsWith("level", level.number).size() != level.steps.size())
+    throw InputError("has not one row of steps.csv per step");
+  if (checkpoint.steps.rows() > 0)
+    checkColumns(checkpoint.steps, stepsTable(BodySpaces(scene, checkpoint.level)));
 }
 
-/// A table whose rows begin with the level, without those of a level that is solved again.
-std::string rowsBehind(const std::string& text, const Level& level) {
-  if (level.isSolved())
-    return text;
-  const auto row = text.find("\n" + std::to_string(level.number) + ",");
-  return row == std::string::npos ? text : text.substr(0, row + 1);
+/// Takes the rows of a level that is solved again from a table.
+void leaveSolved(const Level& level, Table& table) {
+  if (level.isSolved() || !table.hasColumns())
+    return;
+  if (const auto rows = table.rowsWith("level", level.number); !rows.empty())
+    table.keep(rows.front());
 }
 
-std::string historyBehind(const std::string& text, const Level& level,
-                          const Scene& scene) {
-  checkHead(text, historyHead(scene));
-  const int rows = level.number + (level.complete ? 1 : 0);
-  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
+void checkHistory(const Table& history, const Level& level, const Scene& scene) {
+  checkColumns(history, historyTable(scene));
+  if (history.rows() != bem::at(level.number + (level.complete ? 1 : 0)))
     throw InputError("has not one row of history.csv per level");
-  return rowsBehind(text, level);
 }
 
 bem::Index freeMotions(const std::vector<RigidBody>& bodies) {
@@ -156,18 +156,18 @@ namespace {
 /// Level::doubts of the last level, from the tables.
 bem::Vector doubtsIn(const Checkpoint& checkpoint, const Scene& scene) {
   bem::Vector doubts;
-  const auto rows = rowsOf(scene.history ? checkpoint.steps : checkpoint.history);
+  const Table& table = scene.history ? checkpoint.steps : checkpoint.history;
   for (const auto& [name, ignored] :
        BodySpaces(scene, checkpoint.level).stepRow().contacts) {
     double largest = 0;
     double doubt = 0;
-    for (const CsvRow& row : rows) {
-      const double value = valueOf(row, name + ".pressure_max");
-      if (valueOf(row, "level") == checkpoint.level.number && value > largest) {
+    for (const std::size_t row : table.rowsWith("level", checkpoint.level.number)) {
+      const double value = table.number(row, name + ".pressure_max");
+      if (value > largest) {
         largest = value;
-        doubt = valueOf(row, name + ".pressure_unbounded") > 0
+        doubt = table.number(row, name + ".pressure_unbounded") > 0
                     ? 0
-                    : valueOf(row, name + ".pressure_max_error") / value;
+                    : table.number(row, name + ".pressure_max_error") / value;
       }
     }
     doubts.push_back(doubt);
@@ -178,22 +178,17 @@ bem::Vector doubtsIn(const Checkpoint& checkpoint, const Scene& scene) {
 /// Level::energies of the last level, from the tables.
 bem::Vector energiesIn(const Checkpoint& checkpoint, const Scene& scene) {
   bem::Vector energies(scene.bodies.size(), 0.0);
-  const auto add = [&](std::size_t b, const CsvRow& row, double share) {
-    energies[b] = std::max(energies[b], share * valueOf(row, "energy_strain"));
-  };
-  if (!scene.tellsBodies()) {
-    for (const CsvRow& row :
-         rowsOf(scene.history ? checkpoint.steps : checkpoint.history))
-      if (valueOf(row, "level") == checkpoint.level.number)
-        add(0, row, 1);
-    return energies;
-  }
-  for (CsvRow row : rowsOf(checkpoint.bodies))
+  const Table& table = scene.tellsBodies() ? checkpoint.bodies
+                       : scene.history     ? checkpoint.steps
+                                           : checkpoint.history;
+  for (const std::size_t row : table.rowsWith("level", checkpoint.level.number))
     for (std::size_t b = 0; b < energies.size(); ++b)
-      if (valueOf(row, "level") == checkpoint.level.number &&
-          cellOf(row, "body") == scene.bodies[b].name)
-        add(b, row,
-            scene.symmetry.cuts(*scene.bodies[b].outline) ? 1 : scene.symmetry.copies());
+      if (!scene.tellsBodies() || table.word(row, "body") == scene.bodies[b].name) {
+        const bool isHalf =
+            scene.tellsBodies() && !scene.symmetry.cuts(*scene.bodies[b].outline);
+        energies[b] = std::max(energies[b], (isHalf ? scene.symmetry.copies() : 1) *
+                                                table.number(row, "energy_strain"));
+      }
   return energies;
 }
 
@@ -207,17 +202,17 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkScene(checkpoint, scene);
       checkMeaning(checkpoint, scene);
       Level& level = checkpoint.level;
-      checkpoint.history = historyBehind(checkpoint.history, level, scene);
-      checkpoint.steps = rowsBehind(checkpoint.steps, level);
-      checkpoint.bodies = rowsBehind(checkpoint.bodies, level);
+      checkHistory(checkpoint.history, level, scene);
+      if (checkpoint.bodies.hasColumns())
+        checkColumns(checkpoint.bodies, bodiesTable());
+      for (Table* table : {&checkpoint.history, &checkpoint.steps, &checkpoint.bodies})
+        leaveSolved(level, *table);
       if (level.isSolved()) {
         level.relativeEstimate =
-            valueOf(rowsOf(checkpoint.history).back(), "estimate_relative");
+            checkpoint.history.number(checkpoint.history.rows() - 1, "estimate_relative");
         level.energies = energiesIn(checkpoint, scene);
         level.doubts = doubtsIn(checkpoint, scene);
       }
-      if (!checkpoint.bodies.empty())
-        checkHead(checkpoint.bodies, bodiesHead());
     });
     return checkpoint;
   });

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Hdf5File.hpp"
+#include "drivers/process/Versions.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
@@ -16,8 +17,9 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 9;  // formats 1 to 8 were never released
+constexpr int format = 10;
 const std::string group = "/Epafi";
+const std::string columnsOf = "_columns";  ///< of a table: behind its name
 
 /// The numbers of a level in the order of the checksum: body by body, the multiplier as solvers number
 /// it; for a path step by step, within a step likewise.
@@ -254,10 +256,11 @@ Level levelOf(Arrays arrays) {
   return level;
 }
 
-/// Calls number(name, value) and text(name, value) for what there is beside the arrays, in the
-/// order of the checksum.
-template <class Number, class Text>
-void visit(Checkpoint& checkpoint, const Number& number, const Text& text) {
+/// Calls number(name, value), text(name, value) and table(name, value) for what there is beside the
+/// arrays, in the order of the checksum.
+template <class Number, class Text, class OfTable>
+void visit(Checkpoint& checkpoint, const Number& number, const Text& text,
+           const OfTable& table) {
   Level& level = checkpoint.level;
   int converged = level.status == contact::Status::Converged ? 1 : 0;
   int complete = level.complete ? 1 : 0;
@@ -268,9 +271,9 @@ void visit(Checkpoint& checkpoint, const Number& number, const Text& text) {
   number("seconds_wall", checkpoint.secondsWall);
   text("reason", level.reason);
   text("used", checkpoint.used);
-  text("history", checkpoint.history);
-  text("steps", checkpoint.steps);
-  text("resultants", checkpoint.bodies);
+  table("history", checkpoint.history);
+  table("steps", checkpoint.steps);
+  table("resultants", checkpoint.bodies);
   level.status =
       converged == 1 ? contact::Status::Converged : contact::Status::NotConverged;
   level.complete = complete == 1;
@@ -284,7 +287,12 @@ unsigned long long checksum(Checkpoint& checkpoint, const Arrays& arrays) {
   };
   visit(
       checkpoint, [&](const char*, auto value) { add(std::array{value}); },
-      [&](const char*, const std::string& value) { add(value); });
+      [&](const char*, const std::string& value) { add(value); },
+      [&](const char*, const Table& value) {
+        const auto [columns, numbers] = value.packed();
+        add(columns);
+        add(numbers);
+      });
   for (const DataArray& array : arrays)
     std::visit(add, array.numbers);
   return sum.checksum();
@@ -297,8 +305,13 @@ void writeCheckpoint(Checkpoint checkpoint, Hdf5Writer& writer) {
   };
   number("format", format);
   number("checksum", checksum(checkpoint, arrays));
-  visit(checkpoint, number, [&](const char* name, const std::string& value) {
+  const auto text = [&](const std::string& name, const std::string& value) {
     writer.text(group + "/" + name, value);
+  };
+  visit(checkpoint, number, text, [&](const std::string& name, const Table& value) {
+    const auto [columns, numbers] = value.packed();
+    text(name + columnsOf, columns);
+    writer.array(group + "/" + name, numbers, std::max<hsize_t>(value.columns(), 1));
   });
   for (const DataArray& array : arrays)
     write(group, array, writer);
@@ -308,8 +321,9 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   if (!reader.has(group))
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   if (const int other = reader.attribute<int>(group, "format"); other != format)
-    throw bem::InputError("is of format ", other, "; this version of Epafi reads format ",
-                          format, "; solve the scene again");
+    throw bem::InputError("is of format ", other, ", of another version; Epafi ",
+                          versions().epafi, " reads format ", format,
+                          "; solve the scene again");
   Arrays arrays = emptyArrays();
   for (DataArray& array : arrays)
     std::visit(
@@ -328,6 +342,12 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
       },
       [&](const char* name, std::string& value) {
         value = reader.text(group + "/" + name);
+      },
+      [&](const std::string& name, Table& value) {
+        value = Table::unpacked(
+            reader.text(group + "/" + name + columnsOf), [&](std::size_t columns) {
+              return reader.array<double>(group + "/" + name, columns);
+            });
       });
   if (reader.attribute<unsigned long long>(group, "checksum") !=
       checksum(checkpoint, arrays))

@@ -11,7 +11,6 @@
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <regex>
@@ -141,15 +140,12 @@ struct Reference {
   }
 };
 
-constexpr std::array<const char*, 9> names{
-    "error",          "error_multiplier", "error_energy",          "counted",
-    "effectivity",    "error_path",       "error_path_multiplier", "error_path_friction",
-    "error_path_step"};
-
-/// In the order of the names.
+/// In the order of the columns.
 std::vector<double> errorsOf(const SolvedLevel& level, const LevelRow& row,
                              const Reference& reference) {
   const Scene& scene = level.last().spaces.scene();
+  Table history;
+  history.add(cellsOf(row));
   std::vector<double> dissipated;
   for (const auto& step : level.steps)
     dissipated.push_back(step->row.energyDissipated);
@@ -178,7 +174,7 @@ std::vector<double> errorsOf(const SolvedLevel& level, const LevelRow& row,
   const double unit = std::sqrt(scene.energy());
   std::vector<double> errors{
       last.norm / norm, last.multiplier / norm,
-      std::abs(energyOf(cellsOf(row)) / reference.energy - 1),
+      std::abs(energyOf(history, 0) / reference.energy - 1),
       (worst == 0 ? last : farthest).norm * unit >= 10 * reference.estimate ? 1.0 : 0.0,
       row.estimate / (last.norm * unit)};
   if (worst > 0)
@@ -243,9 +239,11 @@ Reference readReference(const std::string& file, const Scene& scene) {
     throw bem::InputError(what, "was written by a run of another problem: ", different,
                           " differs; errors compare solutions of one problem");
   Reference reference;
-  reference.steps =
-      takeSnapshots(of, kept.level, dissipatedOf(kept.steps, kept.level.number));
-  reference.energy = energyOf(rowsOf(kept.history).back());
+  const std::vector<double> work = dissipatedOf(kept.steps, kept.level.number);
+  if (of.history && work.size() != kept.level.steps.size())
+    throw bem::InputError(what, "has not one row of steps.csv per step");
+  reference.steps = takeSnapshots(of, kept.level, work);
+  reference.energy = energyOf(kept.history, kept.history.rows() - 1);
   reference.estimate = kept.level.estimate();
   for (const Snapshot& step : reference.steps) {
     double norm = 0;
@@ -258,6 +256,33 @@ Reference readReference(const std::string& file, const Scene& scene) {
 
 }  // namespace
 
+Cells errorColumns() {
+  return {
+      {"error", "",
+       "with `--reference`: true relative errors against it: in the energy norm, of the "
+       "contact stress, of the energy",
+       "1"},
+      {"error_multiplier", ""},
+      {"error_energy", ""},
+      {"counted", "",
+       "likewise: 1 if the error, on a path the largest of all steps, is at least ten "
+       "times "
+       "the reference's estimate"},
+      {"effectivity", "", "likewise: estimate over true error", "1"},
+      {"error_path", "",
+       "likewise, on a path: the largest error of all steps in the energy norm, and of "
+       "the "
+       "contact stress, over the largest norm of all steps",
+       "1"},
+      {"error_path_multiplier", ""},
+      {"error_path_friction", "",
+       "likewise: the largest error over all steps of friction's work so far, over the "
+       "reference's total friction work",
+       "1"},
+      {"error_path_step", "", "likewise: the step of `error_path`"},
+  };
+}
+
 MoreColumns errorsAgainst(const std::string& file, const Scene& scene) {
   const auto reference = std::make_shared<const Reference>(
       within("--reference: ", [&] { return readReference(file, scene); }));
@@ -266,10 +291,9 @@ MoreColumns errorsAgainst(const std::string& file, const Scene& scene) {
     // a path that broke off ends under other loads
     if (level != nullptr && (!level->level.onPath() || level->last().row.converged))
       errors = errorsOf(*level, row, *reference);
-    CsvRow cells;
-    for (const char* name : names)
-      cells.emplace_back(
-          name, cells.size() < errors.size() ? number(errors[cells.size()]) : "");
+    Cells cells = errorColumns();
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      cells[k].value = errors[k];
     return cells;
   };
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/Csv.hpp"
+#include "drivers/output/Table.hpp"
 #include "drivers/run/SolvedStep.hpp"
 
 #include <functional>
@@ -9,7 +9,10 @@
 namespace epafi::drivers {
 
 /// Further columns of history.csv: the cells of a level, empty ones for null.
-using MoreColumns = std::function<CsvRow(const SolvedLevel* level, const LevelRow& row)>;
+using MoreColumns = std::function<Cells(const SolvedLevel* level, const LevelRow& row)>;
+
+/// The columns of errors, empty.
+Cells errorColumns();
 
 /// The errors of a scene's levels against the solution in a solution.hdf:
 ///

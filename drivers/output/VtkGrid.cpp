@@ -1,7 +1,7 @@
 #include "drivers/output/VtkGrid.hpp"
 
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/Hdf5File.hpp"
+#include "drivers/output/Table.hpp"
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>

@@ -27,11 +27,12 @@ def iterations(folder):
 
 
 def datasets(folder):
-    """All arrays; texts hold seconds."""
+    """All arrays; tables, whose columns are told, hold seconds."""
     result = {}
     with h5py.File(os.path.join(folder, "solution.hdf"), "r") as file:
         file.visititems(lambda name, item: result.update({name: item[()]})
-                        if isinstance(item, h5py.Dataset) and item.dtype.kind != "S" else None)
+                        if isinstance(item, h5py.Dataset) and item.dtype.kind != "S" and
+                        name + "_columns" not in file else None)
     return result
 
 

@@ -1,16 +1,50 @@
-"""Every column of every file stands on doc/columns.md, under the file's name.
+"""doc/columns.md: its tables are what the program says of its columns, and every column of every
+file stands there, under the file's name.
 
-    columns.py EPAFI SCENES WORK PAGE.md
+    columns.py EPAFI SCENES WORK PAGE.md            --write: mends the page
 """
 import csv
+import json
 import os
 import re
 import sys
 
 from runs import WORK, claim, epafi, finish, fresh, run, saved, scene
 
+
+def table(columns):
+    """Columns that share a meaning stand in one row."""
+    groups = []
+    for column in columns:
+        if groups and not column["meaning"] and not column["unit"]:
+            groups[-1][0].append(column["name"])
+        else:
+            groups.append(([column["name"]], column["meaning"], column["unit"]))
+    return "| column | holds | unit |\n|---|---|---|\n" + "".join("| %s | %s |%s |\n" % (
+        ", ".join("`%s`" % name for name in names), meaning, unit and " " + unit)
+        for names, meaning, unit in groups)
+
+
+def written(page, columns):
+    """The page with the tables of the program, each the last of its file's section."""
+    parts = re.split(r"^(?=## )", page, flags=re.M)
+    for k, part in enumerate(parts):
+        file = re.search(r"\w+\.csv(?=\n)", part)
+        if file and file[0] in columns:
+            parts[k] = re.sub(r"\| column \| holds \| unit \|\n(\|.*\n)+",
+                              lambda _: table(columns[file[0]]), part)
+    return "".join(parts)
+
+
 with open(sys.argv[4], encoding="utf-8") as stream:
-    parts = re.split(r"^## ", stream.read(), flags=re.M)[1:]
+    page = stream.read()
+columns = json.loads(epafi("help", "--format", "json")[1])["columns"]
+now = written(page, columns)
+if "--write" in sys.argv:
+    with open(sys.argv[4], "w", encoding="utf-8") as stream:
+        stream.write(now)
+claim(now == page, "the tables of the page; --write mends them")
+parts = re.split(r"^## ", page, flags=re.M)[1:]
 known = {}
 for part in parts:
     head, text = part.split("\n", 1)

@@ -182,15 +182,16 @@ not_read("somebody else's HDF5 file", foreign, "/Epafi")
 other_format = copy(base, "format")
 with h5py.File(os.path.join(other_format, SOLUTION), "r+") as data:
     data["Epafi"].attrs.modify("format", numpy.int32(4))
-not_read("another format", other_format, "format 4", "reads format 9", SOLUTION)
+not_read("another format", other_format, "format 4", "reads format 10", SOLUTION)
 
 # a file whose checksum is right, but not its meaning
 def seal(group):
     """Writes the checksum, as drivers/output/SolutionFile.cpp forms it."""
     head = [numpy.int32(group.attrs[name]) for name in ("level", "converged", "complete")]
     head += [group.attrs[name] for name in ("seconds_total", "seconds_wall")]
-    texts = [bytes(group[name][()]) for name in (
-        "reason", "used", "history", "steps", "resultants")]
+    texts = [bytes(group[name][()]) for name in ("reason", "used")]
+    texts += [part for name in ("history", "steps", "resultants")
+              for part in (bytes(group[name + "_columns"][()]), group[name][()].tobytes())]
     numbers = [group[name][()] for name in (
         "edge", "degree", "position", "indicators", "multiplier", "rigid", "contact_state",
         "friction_state", "displacement", "density", "bodies", "rigid_bodies", "path_t",
@@ -219,7 +220,27 @@ def short_path(group):
 
 
 def other_head(group):
-    group["steps"][...] = group["steps"][()].replace(b",parts,", b",Parts,", 1)
+    columns = group["steps_columns"]
+    columns[...] = columns[()].replace(b",parts,", b",Parts,", 1)
+
+
+def no_kind(group):
+    columns = group["steps_columns"]
+    columns[...] = columns[()].replace(b"whole", b"whale", 1)
+
+
+def no_word(group):
+    group["history"][0, group["history_columns"][()].split(b",").index(b"status")] = 7
+
+
+def half_a_level(group):
+    group["history"][0, 0] = 0.5
+
+
+def a_row_less(group):
+    rest = group["steps"][:-1]
+    del group["steps"]
+    group["steps"] = rest
 
 
 more = ["--set", "Adaptivity->Maximum Levels=2"]
@@ -227,7 +248,11 @@ for of, rest, change, words in (
         (base, [scene("tresca.xml"), *more], foreign_edge, "on edge 100"),
         (pathed, [scene("coulomb.xml"), *options(path), *more], no_path, "has no path"),
         (pathed, [scene("coulomb.xml"), *options(path), *more], short_path, "a path that does"),
-        (pathed, [scene("coulomb.xml"), *options(path), *more], other_head, "other columns")):
+        (pathed, [scene("coulomb.xml"), *options(path), *more], other_head, "other columns"),
+        (pathed, [scene("coulomb.xml"), *options(path), *more], no_kind, "table that is damaged"),
+        (pathed, [scene("coulomb.xml"), *options(path), *more], a_row_less, "not one row of steps.csv"),
+        (base, [scene("tresca.xml"), *more], no_word, "table that is damaged"),
+        (base, [scene("tresca.xml"), *more], half_a_level, "table that is damaged")):
     changed = copy(of, "changed")
     with h5py.File(os.path.join(changed, SOLUTION), "r+") as data:
         before_seal = data["Epafi"].attrs["checksum"]
@@ -236,7 +261,7 @@ for of, rest, change, words in (
         change(data["Epafi"])
         seal(data["Epafi"])
     refused(words, [words, SOLUTION], "run", *rest, "--restart", changed)
-    if change is not other_head:  # of which fields know nothing
+    if change not in (other_head, a_row_less):  # of which fields know nothing
         refused(words + ", of fields", [words, SOLUTION], "fields", changed)
 
 # a folder or disk that takes nothing

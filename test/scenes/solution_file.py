@@ -1,5 +1,6 @@
 """solution.hdf as h5py reads it: the structure that ParaView 5.11 wants, and the same numbers
 as in the other files."""
+import csv
 import math
 import os
 
@@ -77,11 +78,17 @@ def check_numbers(name, file, vtk, folder):
     for data in ("contact", "friction"):
         claim(numpy.array_equal(vtk["PointData"][data][:] >= 0, touches),
               name + ": %s on the contact boundary only" % data)
+    numbers, columns = (list(csv.reader(lines.splitlines())) for lines in (
+        text(folder, "history.csv"), epafi["history_columns"][()].decode()))
     claim(epafi["used"][()].decode() == text(folder, "used.xml") and
-          epafi["history"][()].decode() == text(folder, "history.csv"),
+          columns[0] == numbers[0] and len(columns[1]) == len(columns[2]) == len(columns[0]) and
+          all(float(cell) == number if kind != "word" else cell == columns[3][int(number)]
+              for cells, row in zip(numbers[1:], epafi["history"][()])
+              for kind, cell, number in zip(columns[1], cells, row)) and
+          epafi["history"].shape == (len(numbers) - 1, len(columns[0])),
           name + ": used.xml and history.csv are inside")
     row = table(os.path.join(folder, "history.csv"))[-1]
-    claim(epafi.attrs["level"] == row["level"] and epafi.attrs["format"] == 9 and
+    claim(epafi.attrs["level"] == row["level"] and epafi.attrs["format"] == 10 and
           len(epafi["multiplier"]) == row["dof_multiplier"] and
           len(epafi["edge"]) == row["elements"], name + ": /Epafi is the last level")
     claim(abs(math.sqrt(epafi["indicators"][:].sum()) - row["estimate"]) <
