@@ -77,8 +77,11 @@ recipe = read("cmake", "packaging", "spack", "package.py")
 version = re.search(r"project\(Epafi VERSION (\S+)", read("CMakeLists.txt"))[1]
 complaints = ["debian/control: " + name for name in missing_in_debian(packages)]
 complaints += ["package.py: " + name for name in missing_in_spack(recipe, packages)]
-if 'version("%s")' % version not in recipe:
-    complaints.append("package.py: version " + version)
+for file, words in ((("cmake", "packaging", "spack", "package.py"), 'version("%s")'),
+                    (("python", "pyproject.toml"), '\nversion = "%s"\n'),
+                    (("CITATION.cff",), "\nversion: %s\n")):
+    if words % version not in read(*file):
+        complaints.append("%s: version %s" % (file[-1], version))
 for line in re.findall(r".*depends_on\(.*\n", recipe):
     if not re.search(r'"(c|cmake@.*)"', line) and not missing_in_spack(recipe.replace(line, ""), packages):
         complaints.append("this test does not miss " + line.strip())

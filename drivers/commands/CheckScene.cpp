@@ -257,21 +257,20 @@ std::string checkScene(const Scene& scene) {
 }
 
 int checkCommand(const Given& given, std::ostream& out) {
-  if (given.has("--read") || given.has("--format")) {
+  const std::string format = given.value("--format", "xml");
+  const auto print = [&](const Teuchos::ParameterList& list, const std::string& title) {
+    out << (format == "json" ? toJson : format == "yaml" ? toYaml : toXml)(list, title);
+    return 0;
+  };
+  const bool complete = given.has("--used") || given.has("--numbers");
+  if (given.has("--format") && !complete) {
     const std::string& file = given.argument;
     const RawScene raw = naming(file, [&] { return rawScene(readText(file), file); });
-    out << (given.value("--format") == "yaml" ? toYaml : toXml)(raw.list, raw.title);
-    return 0;
+    return print(raw.list, raw.title);
   }
   const Scene scene = readScene(given.argument, given.values("--set"));
-  if (given.has("--used")) {
-    out << usedXml(scene);
-    return 0;
-  }
-  if (given.has("--numbers")) {
-    out << numbersXml(scene);
-    return 0;
-  }
+  if (complete)
+    return print(given.has("--used") ? usedList(scene) : numbersOf(scene), scene.title);
   out << checkScene(scene);
   return given.has("--plot")
              ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"))

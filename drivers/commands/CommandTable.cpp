@@ -153,11 +153,14 @@ std::vector<Command> makeCommands() {
        "read and validate only, evaluate every expression",
        scene,
        {set,
-        {"--read", "",
-         "print the scene as it is read, as XML, without defaults; check no more"},
-        {"--format", "xml|yaml", "the same as XML or as YAML", {"xml", "yaml"}},
+        {"--format",
+         "xml|yaml|json",
+         "print the scene as it is read, without defaults; check no more",
+         {"xml", "yaml", "json"}},
         {"--used", "",
-         "print the complete scene, as used.xml of a run; evaluate nothing"},
+         "print the complete scene, as used.xml of a run or in another --format; "
+         "evaluate "
+         "nothing"},
         {"--numbers", "",
          "the same with the number of each expression that is the same everywhere, at "
          "the end of the path"},

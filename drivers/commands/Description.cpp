@@ -8,6 +8,7 @@
 #include "drivers/process/ChildProgram.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
@@ -113,22 +114,12 @@ int schemaCommand(const Given& given, std::ostream& out) {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
 using Members = std::vector<std::pair<std::string, std::string>>;
 
 std::string object(const Members& members) {
   std::string text;
   for (const auto& [name, value] : members)
-    text += (text.empty() ? "{" : ", ") + quoted(name) + ": " + value;
+    text += (text.empty() ? "{" : ", ") + jsonText(name) + ": " + value;
   return text.empty() ? "{}" : text + "}";
 }
 
@@ -152,39 +143,39 @@ std::string limits(const bem::Interval& interval) {
 }
 
 std::string keyAsJson(const Parameter& row) {
-  return object({{"path", quoted(row.path)},
-                 {"type", quoted(typeOf(row))},
+  return object({{"path", jsonText(row.path)},
+                 {"type", jsonText(typeOf(row))},
                  {"free", row.kind == Kind::Free ? "true" : "false"},
                  {"required", row.required ? "true" : "false"},
-                 {"default", quoted(standardOf(row))},
-                 {"sample", quoted(textOf(row.kind).sample)},
-                 {"range", quoted(row.range())},
+                 {"default", jsonText(standardOf(row))},
+                 {"sample", jsonText(textOf(row.kind).sample)},
+                 {"range", jsonText(row.range())},
                  {"limits", limits(row.interval)},
-                 {"allowed", array(row.allowed, quoted)},
-                 {"only", quoted(restriction(row))},
-                 {"meaning", quoted(row.meaning)},
-                 {"unit", quoted(row.unit)}});
+                 {"allowed", array(row.allowed, jsonText)},
+                 {"only", jsonText(restriction(row))},
+                 {"meaning", jsonText(row.meaning)},
+                 {"unit", jsonText(row.unit)}});
 }
 
 std::string optionAsJson(const Option& option) {
-  return object({{"name", quoted(option.name)},
-                 {"value", quoted(option.value)},
-                 {"meaning", quoted(meaningOf(option))},
-                 {"words", array(option.words, quoted)}});
+  return object({{"name", jsonText(option.name)},
+                 {"value", jsonText(option.value)},
+                 {"meaning", jsonText(meaningOf(option))},
+                 {"words", array(option.words, jsonText)}});
 }
 
 std::string commandAsJson(const Command& command) {
-  return object({{"name", quoted(command.name)},
-                 {"usage", quoted(usageLine(command))},
-                 {"purpose", quoted(command.purpose)},
-                 {"argument", quoted(command.argument.name)},
+  return object({{"name", jsonText(command.name)},
+                 {"usage", jsonText(usageLine(command))},
+                 {"purpose", jsonText(command.purpose)},
+                 {"argument", jsonText(command.argument.name)},
                  {"options", array(command.options, optionAsJson)}});
 }
 
 std::string columnAsJson(const Cell& cell) {
-  return object({{"name", quoted(cell.name)},
-                 {"meaning", quoted(cell.meaning)},
-                 {"unit", quoted(cell.unit)}});
+  return object({{"name", jsonText(cell.name)},
+                 {"meaning", jsonText(cell.meaning)},
+                 {"unit", jsonText(cell.unit)}});
 }
 
 /// All columns of all files.
@@ -213,7 +204,7 @@ Members columns() {
 }
 
 std::string exitAsJson(const ExitMeaning& exit) {
-  return object({{"code", quoted(nameOf(exit))}, {"meaning", quoted(exit.meaning)}});
+  return object({{"code", jsonText(nameOf(exit))}, {"meaning", jsonText(exit.meaning)}});
 }
 
 }  // namespace
@@ -222,7 +213,7 @@ std::string description(const std::vector<Command>& commands) {
   Members keys;
   for (const Grammar& grammar : grammars())
     keys.emplace_back(grammar.name, array(*grammar.rows, keyAsJson));
-  return object({{"title", quoted(programTitle)},
+  return object({{"title", jsonText(programTitle)},
                  {"commands", array(commands, commandAsJson)},
                  {"exit codes", array(exitCodes, exitAsJson)},
                  {"keys", object(keys)},

@@ -239,6 +239,7 @@ Reference readReference(const std::string& file, const Scene& scene) {
     throw bem::InputError(what, "was written by a run of another problem: ", different,
                           " differs; errors compare solutions of one problem");
   Reference reference;
+  within(what, [&] { checkLevel(kept.level, of); });
   const std::vector<double> work = dissipatedOf(kept.steps, kept.level.number);
   if (of.history && work.size() != kept.level.steps.size())
     throw bem::InputError(what, "has not one row of steps.csv per step");

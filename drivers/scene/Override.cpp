@@ -12,26 +12,6 @@ using bem::InputError;
 using bem::lastOf;
 using Teuchos::ParameterList;
 
-struct RemovedKey {
-  const char* path;          ///< A->B->Key, only with names of the schema
-  const char* defaultValue;  ///< its former default
-  const char* instead;
-};
-
-constexpr RemovedKey removedKeys[] = {
-    {"Solver->Load Steps", "1",
-     "a History applies a load in steps, and halves one that fails"},
-    {"Solver->Complementarity", "Projection",
-     "Newton's steps are the projection's; Fischer-Burmeister's function is the merit of "
-     "NOX's line searches"},
-    {"Adaptivity->Grading->Reach", "1",
-     "nodes stay where refinement made them: use Transitions Node"},
-};
-
-[[noreturn]] void refuse(const RemovedKey& key) {
-  throw InputError(key.path, ": is no longer a key; ", key.instead);
-}
-
 /// The names A and B of A->B->Key.
 std::vector<std::string> parents(const std::string& path) {
   std::vector<std::string> names = bem::namesOf(path);
@@ -141,18 +121,6 @@ void setAt(ParameterList& list, const std::string& path, const std::string& valu
 
 }  // namespace
 
-void dropRemovedKeys(ParameterList& scene) {
-  for (const RemovedKey& key : removedKeys) {
-    ParameterList* holder = holderOf(scene, key.path);
-    if (holder == nullptr)
-      continue;
-    const std::string name = lastOf(key.path);
-    if (Teuchos::toString(holder->getEntry(name).getAny()) != key.defaultValue)
-      refuse(key);
-    holder->remove(name);
-  }
-}
-
 void applyOverride(ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
@@ -164,9 +132,6 @@ void applyOverride(ParameterList& list, const std::string& assignment) {
   const std::string path = trimmed(assignment.substr(0, equal));
   const std::string value = trimmed(assignment.substr(equal + 1));
   within("--set ", [&] {
-    for (const RemovedKey& key : removedKeys)
-      if (path == key.path)
-        refuse(key);
     try {
       setAt(list, path, value);
     } catch (const InputError& error) {

@@ -80,14 +80,11 @@ Teuchos::ParameterEntry readValue(const std::string& type, const std::string& va
 ///   type, or if there is nothing to remove.
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
 
-/// Removes keys of earlier versions that have their former default, as in every used.xml
-/// of these versions: they have no effect.
-/// \throws bem::InputError for another value, with the replacement of the key.
-void dropRemovedKeys(Teuchos::ParameterList& scene);
-
 /// The list as XML; reading it gives the same list, numbers to the last bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
-/// The same as YAML.
+/// The same as JSON, which is YAML, too: every text in quotes, reals with a point or an exponent.
+std::string toJson(const Teuchos::ParameterList& list, const std::string& title);
+/// The same as YAML for readers.
 std::string toYaml(const Teuchos::ParameterList& list, const std::string& title);
 
 }  // namespace epafi::drivers

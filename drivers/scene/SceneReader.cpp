@@ -29,6 +29,18 @@ void checkAnyBody(const ParameterList& list) {
     throw InputError("Bodies: no body is given; at least one is needed");
 }
 
+/// Refuses the used.xml of versions that had other keys.
+void checkVersion(const ParameterList& list) {
+  if (!list.isSublist("Versions") ||
+      !list.sublist("Versions").isType<std::string>("Epafi"))
+    return;
+  const auto& by = list.sublist("Versions").get<std::string>("Epafi");
+  for (const char* former : {"0.0.", "0.1."})
+    if (by.rfind(former, 0) == 0)
+      throw InputError("was written by Epafi ", by, "; Epafi ", versions().epafi,
+                       " reads what 0.2 and later ones write; take the scene itself");
+}
+
 void checkLinear(const Scene& scene) {
   const LinearMethod& method = linearMethods().at(scene.solver.linear.method);
   const std::string reason = contact::whyNotCompressed(scene.stabilization);
@@ -253,12 +265,12 @@ Scene sceneOf(const std::string& text, const std::string& file,
       throw InputError("is a study, not a scene; to run it: epafi study " + file);
     for (const std::string& assignment : overrides)
       applyOverride(raw.list, assignment);
-    dropRemovedKeys(raw.list);
+    checkVersion(raw.list);
     return build(file, raw);
   });
 }
 
-std::string usedXml(const Scene& scene) {
+ParameterList usedList(const Scene& scene) {
   ParameterList list(*scene.used);
   putBackTexts(scene.given, list);
   const Versions current = versions();
@@ -268,16 +280,18 @@ std::string usedXml(const Scene& scene) {
       .set("Trilinos", current.trilinos)
       .set("MPI", current.mpi)
       .set("BLAS Core", current.blasCore);
-  return toXml(list, scene.title);
+  return list;
 }
 
-std::string numbersXml(const Scene& scene) {
+std::string usedXml(const Scene& scene) { return toXml(usedList(scene), scene.title); }
+
+ParameterList numbersOf(const Scene& scene) {
   Part root = scene.root().then(scene.endOfPath());
   root.names.onBoundary = true;
   root.names.ofPressure = true;
   ParameterList list(*scene.used);
   putNumbers(root, list);
-  return toXml(list, scene.title);
+  return list;
 }
 
 }  // namespace epafi::drivers

@@ -34,12 +34,13 @@ Scene readScene(const std::string& file, const std::vector<std::string>& overrid
 Scene sceneOf(const std::string& text, const std::string& file,
               const std::vector<std::string>& overrides = {});
 
-/// The text of used.xml: the scene with overrides and defaults, and the versions that
-/// compute it.  Reading it gives the same scene, bit by bit.
+/// The scene with overrides and defaults, and the versions that compute it; the text of used.xml.
+/// Reading it gives the same scene, bit by bit.
+Teuchos::ParameterList usedList(const Scene& scene);
 std::string usedXml(const Scene& scene);
 
 /// The complete scene in numbers: an expression that is the same everywhere is its value at
 /// the end of the path, another one its text.
-std::string numbersXml(const Scene& scene);
+Teuchos::ParameterList numbersOf(const Scene& scene);
 
 }  // namespace epafi::drivers

@@ -119,6 +119,22 @@ bool isBalanced(const std::string& text) {
   return depth == 0;
 }
 
+std::string jsonText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      quoted += '\\';
+    if (static_cast<unsigned char>(c) >= ' ') {
+      quoted += c;
+      continue;
+    }
+    char escaped[8];  // control characters
+    std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c));
+    quoted += escaped;
+  }
+  return quoted + "\"";
+}
+
 std::vector<std::string> pieces(const std::string& text) {
   const bool nested = isBalanced(text);
   std::vector<std::string> result(1);

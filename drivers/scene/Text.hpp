@@ -46,6 +46,9 @@ std::string whyNoName(const std::string& name);
 /// "1 step", "2 steps"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
+/// A text in quotes, as JSON and YAML read it.
+std::string jsonText(const std::string& text);
+
 /// A text as one word of a POSIX shell: unchanged if it has no special characters, else
 /// in single quotes.
 std::string shellWord(const std::string& text);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -40,15 +41,19 @@ bool isPlain(const std::string& text, bool inArray) {
 std::string wordOf(const bem::Written& written, const std::string& text, bool inArray) {
   if (!written.isText() || isPlain(text, inArray))
     return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' || c == '\\' ? std::string("\\") + c
-              : c == '\n'           ? "\\n"
-                                    : std::string(1, c);
-  return quoted + "\"";
+  return jsonText(text);
 }
 
-std::string valueOf(const bem::Written& written) {
+/// The same in JSON, where reals show that they are.
+std::string jsonWordOf(const bem::Written& written, const std::string& text, bool) {
+  if (written.isText())
+    return jsonText(text);
+  const bool isReal = written.type == "double" && numberIn<long long>(text);
+  return isReal ? text + ".0" : text;
+}
+
+template <class WordOf>
+std::string valueOf(const bem::Written& written, const WordOf& wordOf) {
   using Shape = bem::Written::Shape;
   if (written.shape == Shape::One)
     return wordOf(written, written.texts.front(), false);
@@ -75,12 +80,32 @@ void write(const Teuchos::ParameterList& list, std::size_t indent, std::ostream&
       out << (inner.numParams() == 0 ? " {}\n" : "\n");
       write(inner, indent + 2, out);
     } else if (const auto written = bem::writtenIn(item.second)) {
-      out << " " << valueOf(*written) << "\n";
+      out << " " << valueOf(*written, wordOf) << "\n";
     }
   }
 }
 
+void writeJson(const Teuchos::ParameterList& list, std::ostream& out) {
+  const char* before = "{";
+  for (const auto& item : list) {
+    out << std::exchange(before, ", ") << jsonText(item.first) << ": ";
+    if (item.second.isList())
+      writeJson(list.sublist(item.first), out);
+    else
+      out << valueOf(bem::writtenIn(item.second).value(), jsonWordOf);
+  }
+  out << (list.numParams() == 0 ? "{}" : "}");
+}
+
 }  // namespace
+
+std::string toJson(const Teuchos::ParameterList& list, const std::string& title) {
+  std::ostringstream out;
+  out << "{" << jsonText(title) << ": ";
+  writeJson(list, out);
+  out << "}\n";
+  return out.str();
+}
 
 std::string toYaml(const Teuchos::ParameterList& list, const std::string& title) {
   std::ostringstream out;

@@ -96,8 +96,8 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
          scene: str = "") -> str:
     """Runs epafi; returns what it printed, each line told to `said` as it comes.
 
-    EpafiError where it fails; its sentence does not name `scene`, a file that is about to
-    vanish.  KeyboardInterrupt is told to the program, too, which then keeps what is solved.
+    EpafiError where it fails; its sentence names neither `scene`, a file that is about to
+    vanish, nor places in it.  KeyboardInterrupt is told to the program, too, which then keeps what is solved.
     """
     lines = []
     with tempfile.TemporaryFile("w+") as complaints:
@@ -135,7 +135,8 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
         if code != 0:
             text = "".join(line for line in text.splitlines(True)
                            if not line.startswith("epafi: warning: "))
-            raise failure(code, text.replace(scene + ": ", "") if scene else text)
+            raise failure(code, re.sub(r" \(line \d+, column \d+\)", "", text.replace(
+                scene + ": ", "")) if scene else text)
     return "".join(lines)
 
 
@@ -146,7 +147,7 @@ def schema() -> dict[str, Any]:
 
 
 def version() -> dict[str, str]:
-    """What the program is made of: {"Epafi": "0.1.0", "Trilinos": ..., "MPI": "Open MPI 4.1.4",
+    """What the program is made of: {"Epafi": "0.2.0", "Trilinos": ..., "MPI": "Open MPI 4.1.4",
     "BLAS core": ...}."""
     lines = call(["version"]).splitlines()
     return {name: line.removeprefix(name + " ") for name, line in zip(

@@ -7,13 +7,12 @@ import html
 import os
 import tempfile
 import weakref
-import xml.etree.ElementTree as xml
 from typing import TYPE_CHECKING, Any, Callable, Collection, Mapping, Optional, Sequence
 
 import numpy as np
 
 from epafi.program import InputError, NotConverged, call
-from epafi.scenes import Scene, tree_of
+from epafi.scenes import Scene, printed
 from epafi.tables import HISTORY, Table, counted, html_table, nearest, own, read, shown_step
 
 if TYPE_CHECKING:
@@ -100,8 +99,7 @@ class Run:
     def numbers(self) -> dict[str, Any]:
         """The complete scene with the number of each expression that is the same everywhere, at the
         end of the path; other expressions are texts."""
-        return tree_of(xml.fromstring(call(
-            ["check", own(self.folder, "used.xml"), "--numbers"])))
+        return printed(own(self.folder, "used.xml"), "--numbers")[1]
 
     @property
     def converged(self) -> bool:
@@ -349,7 +347,7 @@ def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
     with contextlib.ExitStack() as kept, tempfile.TemporaryDirectory(prefix="epafi-") as place:
         folder = os.fspath(output) if output is not None else os.path.join(
             kept.enter_context(tempfile.TemporaryDirectory(prefix="epafi-")), "run")
-        file = os.path.join(place, "scene.xml")
+        file = os.path.join(place, "scene.yaml")
         scene.write(file)
         arguments = ["run", file, "--output", folder]
         if threads is not None:

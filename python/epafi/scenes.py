@@ -1,12 +1,13 @@
-"""Scenes as dictionaries, checked against the program's schema, read from and written as XML."""
+"""Scenes as dictionaries, checked against the program's schema; the program reads and writes their
+files, which come and go as JSON."""
 from __future__ import annotations
 
 import copy
+import json
 import os
 import re
 import tempfile
-import xml.etree.ElementTree as xml
-from typing import Any, Callable, Mapping, Optional
+from typing import Any, Mapping, Optional
 
 import numpy as np
 
@@ -34,8 +35,8 @@ class Scene(dict[str, Any]):
     def read(cls, file: str | os.PathLike[str]) -> Scene:
         """From an XML or a YAML file, as the program reads it."""
         name = os.fspath(file)
-        root = xml.fromstring(call(["check", "--read", name]))
-        return cls(tree_of(root), root.get("name", ""), os.path.dirname(name) or ".")
+        title, tree = printed(name)
+        return cls(tree, title, os.path.dirname(name) or ".")
 
     def changed(self, settings: Mapping[str, Any]) -> Scene:
         """A copy with other values: {"A->B->Key": value}; None removes a key or a list."""
@@ -56,21 +57,41 @@ class Scene(dict[str, Any]):
         return Scene(tree, self.title, self.folder)
 
     def write(self, file: str | os.PathLike[str]) -> None:
-        """As XML, which `epafi run` reads, into a file whose name ends so."""
-        if not os.fspath(file).lower().endswith(".xml"):
-            raise InputError("'%s': scenes are written as XML; let the name end with .xml" %
-                             os.fspath(file))
+        """Into a file that `epafi run` reads: XML, or JSON if its name ends with .yaml."""
+        name = os.fspath(file)
+        kind = os.path.splitext(name)[1].lower()
+        if kind not in (".xml", ".yaml"):
+            raise InputError("'%s': scenes are written as XML or JSON; let the name end with .xml or, "
+                             "since JSON is YAML, .yaml" % name)
         _check(self, schema(), "")  # it may have been changed in place
-        root = _list(self.title, self, schema(), self.folder)
-        xml.indent(root)
-        xml.ElementTree(root).write(file, encoding="utf-8", xml_declaration=True)
+        text = json.dumps({self.title: self._absolute(self)}, indent=1, default=_plain)
+        if kind == ".xml":
+            with tempfile.TemporaryDirectory() as folder:
+                draft = os.path.join(folder, "scene.yaml")
+                with open(draft, "w", encoding="utf-8") as stream:
+                    stream.write(text)
+                text = call(["check", "--format", "xml", draft], scene=draft)
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write(text)
+
+    def _absolute(self, tree: Mapping[str, Any], *parents: str) -> dict[str, Any]:
+        """With the paths of files from the root."""
+        return {key: self._absolute(value, *parents, key) if isinstance(value, Mapping)
+                else os.path.join(self.folder, value) if key == "File" and (
+                    parents[-1:] == ("Geometry",) or parents[:-1] == ("Tables",))
+                else value for key, value in tree.items()}
 
     def check(self) -> str:
         """What `epafi check` says: every expression is evaluated, nothing is solved."""
         with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "scene.xml")
+            file = os.path.join(folder, "scene.yaml")
             self.write(file)
             return call(["check", file], scene=file)
+
+
+def printed(file: str, *options: str) -> tuple[str, dict[str, Any]]:
+    """Title and content of a scene or a study as the program prints it."""
+    return next(iter(json.loads(call(["check", *options, "--format", "json", file])).items()))
 
 
 def _child(rules: Mapping[str, Any], key: str) -> Optional[Mapping[str, Any]]:
@@ -120,83 +141,3 @@ def _check(value: Any, rules: Mapping[str, Any], path: str) -> None:
             raise InputError("%s: unknown%s known: %s" % (
                 here, nearest(key, known), ", ".join(map(repr, known))))
         _check(entry, rule, here)
-
-
-def entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
-    """Teuchos' type and text of a value; without rules by what it is."""
-    value = _plain(value)
-    kinds = rules.get("type")
-    if isinstance(value, list):
-        table = bool(value) and isinstance(value[0], list)
-        cells = [x for row in value for x in row] if table else value
-        if table and len({len(row) for row in value}) != 1:
-            raise InputError("a table has rows of one length: %r" % (value,))
-        wanted = rules.get("items", {}).get("type", "number")
-        if wanted == "string" or any(isinstance(cell, str) for cell in cells):
-            type_, words = "string", [str(cell) for cell in cells]
-        elif "integer" in wanted or not rules and all(isinstance(cell, int) for cell in cells):
-            type_, words = "int", [str(cell) for cell in cells]
-        else:
-            type_, words = "double", [repr(float(cell)) for cell in cells]
-        text = "{%s}" % ", ".join(words)
-        if table:
-            return "TwoDArray(%s)" % type_, "%dx%d:%s" % (len(value), len(value[0]), text)
-        return "Array(%s)" % type_, text
-    if isinstance(value, bool):
-        return "bool", "true" if value else "false"
-    if isinstance(value, str):
-        return "string", value
-    if isinstance(value, int) and (kinds is None or "integer" in kinds):
-        return "int", str(value)
-    return "double", repr(float(value))
-
-
-def _list(name: str, tree: Mapping[str, Any], rules: Mapping[str, Any],
-          folder: str, parent: str = "") -> xml.Element:
-    element = xml.Element("ParameterList", name=name)
-    for key, value in tree.items():
-        rule = _child(rules, key) or {}
-        if isinstance(value, Mapping):
-            element.append(_list(key, value, rule, folder, name))
-            continue
-        if key == "File" and (name == "Geometry" or parent == "Tables"):
-            value = os.path.join(folder, value)
-        kind, text = entry(value, rule)
-        xml.SubElement(element, "Parameter", name=key, type=kind, value=text)
-    return element
-
-
-def tree_of(element: xml.Element) -> dict[str, Any]:
-    """What a list in XML holds, as the program writes it."""
-    tree: dict[str, Any] = {}
-    for child in element:
-        name = child.get("name", "")
-        tree[name] = (tree_of(child) if child.tag == "ParameterList"
-                      else _value(child.get("type", "string"), child.get("value", "")))
-    return tree
-
-
-def _pieces(text: str) -> list[str]:
-    """Splits "a, f(b, c), {d, e}" at commas outside of parentheses and braces."""
-    pieces, depth = [""], 0
-    for sign in text:
-        depth += (sign in "({") - (sign in ")}")
-        if sign == "," and depth == 0:
-            pieces.append("")
-        else:
-            pieces[-1] += sign
-    return pieces
-
-
-def _value(kind: str, text: str) -> Any:
-    read: dict[str, Callable[[str], Any]] = {
-        "double": float, "int": int, "string": str, "bool": lambda word: word.strip() == "true"}
-    if kind in read:
-        return read[kind](text)
-    inner = kind[kind.index("(") + 1:-1]
-    body = text[text.index("{") + 1:text.rindex("}")]
-    entries = [read[inner](text.strip()) for text in _pieces(body)] if body.strip() else []
-    if not kind.startswith("TwoD"):
-        return entries
-    columns = int(text[:text.index(":")].split("x")[1])
-    return [entries[k:k + columns] for k in range(0, len(entries), columns)]

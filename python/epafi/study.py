@@ -17,14 +17,13 @@ import subprocess
 import sys
 import tempfile
 import warnings
-import xml.etree.ElementTree as xml
 from typing import Any, Iterator, Mapping, NamedTuple, Optional, Sequence
 
 sys.dont_write_bytecode = True  # nothing beside what was installed
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path = [os.path.dirname(HERE), *(p for p in sys.path if p != HERE)]
 from epafi.program import EpafiError, InputError, NotConverged, call  # noqa: E402
-from epafi.scenes import entry, tree_of  # noqa: E402
+from epafi.scenes import printed  # noqa: E402
 from epafi.tables import nearest, own  # noqa: E402
 
 HEAD = "  level    dof  density   estimate      error  effectivity  steps   CPU s"
@@ -47,11 +46,24 @@ class Variant(NamedTuple):
     scene: str
     name: str
     arguments: list[str]  # of `epafi run`: the scene's file, --set
-    used: str  # the complete scene
+    used: str  # the complete scene, as JSON
     value: Optional[str] = None  # of a sweep
 
     def get(self, part: str, key: str, default: Any = None) -> Any:
-        return tree_of(xml.fromstring(self.used)).get(part, {}).get(key, default)
+        tree, = json.loads(self.used).values()
+        return tree.get(part, {}).get(key, default)
+
+
+def setting(value: Any) -> str:
+    """A value as --set reads it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if not isinstance(value, list):
+        return str(value)
+    table = bool(value) and isinstance(value[0], list)
+    text = "{%s}" % ", ".join(
+        setting(cell) for row in (value if table else [value]) for cell in row)
+    return "%dx%d:%s" % (len(value), len(value[0]), text) if table else text
 
 
 def settings(*lists: Mapping[str, Any]) -> list[str]:
@@ -61,7 +73,7 @@ def settings(*lists: Mapping[str, Any]) -> list[str]:
             if isinstance(value, Mapping):
                 yield from assignments(value, path + key + "->")
             else:
-                yield "%s%s=%s" % (path, key, entry(value, {})[1])
+                yield "%s%s=%s" % (path, key, setting(value))
 
     return [word for rules in lists
             for text in (*rules.get("Set", ()), *assignments(rules.get("Override", {}), ""))
@@ -72,7 +84,8 @@ def variant(where: str, scene: str, name: str, arguments: list[str],
             value: Optional[str] = None) -> Variant:
     """Errors begin with the place in the study that wants it."""
     try:
-        return Variant(scene, name, arguments, call(["check", *arguments, "--used"]), value)
+        return Variant(scene, name, arguments, call(
+            ["check", *arguments, "--used", "--format", "json"]), value)
     except InputError as error:
         raise InputError("%s: %s" % (where, error.words)) from None
 
@@ -292,10 +305,10 @@ class Study:
 
 def solve_all(file: str, folder: str, threads: str, *options: str) -> int:
     part = os.path.join(folder, ".used.xml.part")
-    root = xml.parse(part).getroot()
-    study = Study(folder, tree_of(root), options)
+    title, tree = printed(part)
+    study = Study(folder, tree, options)
     try:
-        scenes = scenes_of(tree_of(root))
+        scenes = scenes_of(tree)
     except InputError as error:
         os.remove(part)
         raise InputError("%s: %s" % (file, error)) from None
@@ -303,7 +316,7 @@ def solve_all(file: str, folder: str, threads: str, *options: str) -> int:
         if not os.path.isdir(os.path.join(folder, name)):
             os.remove(os.path.join(folder, name))
     os.replace(part, os.path.join(folder, "used.xml"))
-    study.say("%s, %s" % (root.get("name"), threads))
+    study.say("%s, %s" % (title, threads))
     for reference, variants in scenes:
         solution = study.reference(reference) if reference else None
         study.say(HEAD)

@@ -104,22 +104,13 @@ TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
   TEST_COMPLAINT(withHistory(times("{1}") + real("Step", "1")), "History->Step", "Steps");
 }
 
-/// A used.xml of an earlier program holds all defaults of its time.
-TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
-  const auto withSolver = [](const std::string& content) {
-    return withRest(list("Solver", content));
+TEUCHOS_UNIT_TEST(BadScenes, versionsBeforeTheFirstReleaseAreRefused) {
+  const auto by = [](const std::string& version) {
+    return withRest(list("Versions", parameter("Epafi", version)));
   };
-  TEST_COMPLAINT(withSolver(entry("Load Steps", "int", "4")).xml(), "Solver->Load Steps",
-                 "History");
-  TEST_NOTHROW(test::read(withSolver(entry("Load Steps", "int", "1"))));
-  TEST_COMPLAINT(withSolver(parameter("Complementarity", "Fischer-Burmeister")).xml(),
-                 "Solver->Complementarity", "merit");
-  TEST_NOTHROW(test::read(withSolver(parameter("Complementarity", "Projection"))));
-  const auto withReach = [](const std::string& reach) {
-    return withRest(list("Adaptivity", list("Grading", real("Reach", reach))));
-  };
-  TEST_COMPLAINT(withReach("0.5").xml(), "Adaptivity->Grading->Reach", "nodes stay");
-  TEST_NOTHROW(test::read(withReach("1.0")));
+  TEST_COMPLAINT(by("0.1.0").xml(), "written by Epafi 0.1.0", "0.2");
+  TEST_NOTHROW(test::read(by("0.2.0")));
+  TEST_NOTHROW(test::read(by("0.10.0")));
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, theMeshFitsTheOutline) {

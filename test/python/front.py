@@ -81,7 +81,7 @@ for settings, words in [
         ({"Output->Fields": 1}, ["boolean"]),
         ({FRICTION + "->Law": "Coulom"}, ["allowed", "'Coulomb'"]),
         ({"Bodies->block->Geometry->Vertices": [[0, 0, 1]] * 4}, ["2 coordinates"]),
-        ({"Bodies->block->Geometry->Vertices": [[0, 0], [1]]}, ["one length"]),
+        ({"Bodies->block->Geometry->Vertices": [[0, 0], [1]]}, ["entry 1 is not an array of 2 numbers"]),
         ({"Output->Nothing": None}, ["cannot be removed"]),
         ({"Constants": {"f": 1}, "Constants->f->g": 1}, ["Constants->f->g", "'f' is a value"]),
         ({"Discretization->Degree": 99}, ["Discretization->Degree = 99", "from 1 to 25"])]:
@@ -273,7 +273,7 @@ for words, slip in (
         ("x0, y0, x1, y1", lambda: worn.plot("deformed", window=(1, 0, 0, 1))),
         ("(width, height)", lambda: worn.plot("contact", size=3)),
         ("shape (n, 2)", lambda: worn.fields([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])),
-        ("end with .xml", lambda: worn.scene.write(os.path.join(WORK, "written.yaml"))),
+        ("end with .xml", lambda: worn.scene.write(os.path.join(WORK, "written.json"))),
         ("LENGTH,STRESS", lambda: worn.plot("contact", units="mm")),
         ("'bottom'", lambda: worn.profiles("worn_depth", "botom")),
         ("steps 1 to 3", lambda: worn.step(4)),

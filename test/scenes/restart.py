@@ -263,6 +263,9 @@ for of, rest, change, words in (
     refused(words, [words, SOLUTION], "run", *rest, "--restart", changed)
     if change not in (other_head, a_row_less):  # of which fields know nothing
         refused(words + ", of fields", [words, SOLUTION], "fields", changed)
+    if change is not other_head:  # neither do errors, of single columns
+        refused(words + ", of a reference", [words, SOLUTION], "run", *rest, "--reference",
+                os.path.join(changed, SOLUTION), "--output", fresh("referring"))
 
 # a folder or disk that takes nothing
 refused("a folder that cannot be made", ["cannot be made"], "run", scene("tresca.xml"),

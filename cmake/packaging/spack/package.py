@@ -6,12 +6,12 @@ class Epafi(CMakePackage):
     a program, a Python module and C++ libraries.
 
     Of a repository of Spack's this file is packages/epafi/package.py. No release has an address
-    yet: `spack develop --path TREE epafi@0.1.0` takes the sources from a clone. The build and
+    yet: `spack develop --path TREE epafi@0.2.0` takes the sources from a clone. The build and
     `epafi plot` start /usr/bin/python3, `epafi plot` with its matplotlib and h5py."""
 
     license("BSD-3-Clause")
 
-    version("0.1.0")
+    version("0.2.0")
 
     generator("ninja")
 
