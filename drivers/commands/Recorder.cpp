@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Inside.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneFile.hpp"
 

@@ -4,6 +4,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/Recorder.hpp"
 #include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"

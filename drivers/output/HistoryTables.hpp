@@ -30,23 +30,6 @@ Table historyTable(const Scene& scene);
 Table stepsTable(const BodySpaces& spaces);
 Table bodiesTable();
 
-/// The table that a run prints: its head, and a line per level.
-std::string tableHead();
-std::string tableLine(const LevelRow& row);
-
-/// One line per step of a path.
-std::string tableLine(const StepRow& row);
-
-/// Lines below that of a level, if there are any: a smaller γ₀ than `gamma0`, a fallback or a
-/// cheaper choice of its operators, the step of a path that has the largest estimated error.
-std::string notesOn(const LevelRow& row, double gamma0);
-
-/// The largest contact pressure of a level, of all steps, for the end of a run; empty: none.
-std::string pressureLine(const SolvedLevel& level);
-
-/// CPU and elapsed time, time of each phase and peak memory, for the end of a run.
-std::string timeSummary(const PhaseTimer& timer);
-
 /// A level with the tables of its run: the content of solution.hdf, for a restart or
 /// for the reference of a study.
 struct Checkpoint {

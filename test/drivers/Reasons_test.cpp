@@ -1,5 +1,5 @@
 #include "contact/solve/ContactSolver.hpp"
-#include "drivers/output/HistoryTables.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/run/Solver.hpp"
 #include "test/drivers/SceneText.hpp"
 
