@@ -2,6 +2,7 @@
 
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 #include "adaptivity/estimate/Layer.hpp"
+#include "adaptivity/estimate/TurningArcs.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
@@ -57,6 +58,7 @@ class Residuals {
         lame_(lame),
         mesh_(solved.space.mesh()),
         amplitudes_(solved.problem.fixedReactions(solved.contactForce)),
+        turning_(turningTraction(solved)),
         known_(solved.problem.knownTraction()) {}
 
   /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
@@ -171,12 +173,15 @@ class Residuals {
                                             : Layer{};
   }
 
-  /// Σ ρ_k r_k, what holds fixed rigid motions, dimensionless.
+  /// Σ ρ_k r_k, what holds fixed rigid motions, and what takes off moments on arcs, dimensionless.
   Vec2 fixedTraction(int e, double t) const {
     if (!solved_.conditions.isBoundary(mesh_.boundary(e)))
       return {};
-    const Vec2 arm = mesh_.scaledPoint(e, t) - solved_.problem.holding().modes.centroid;
-    return Vec2{amplitudes_[0], amplitudes_[1]} + amplitudes_[2] * turnLeft(arm);
+    const Vec2 x = mesh_.scaledPoint(e, t);
+    const Vec2 arm = x - solved_.problem.holding().modes.centroid;
+    const Vec2 held =
+        Vec2{amplitudes_[0], amplitudes_[1]} + amplitudes_[2] * turnLeft(arm);
+    return turning_ == 0 ? held : held + turning_ * solved_.space.rotation()->at(x);
   }
 
   const contact::Solved& solved_;
@@ -184,6 +189,7 @@ class Residuals {
   const bem::Lame& lame_;
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
+  double turning_;     ///< see turningTraction
   contact::BoundaryTraction known_;
 };
 

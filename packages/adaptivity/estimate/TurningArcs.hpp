@@ -1,0 +1,14 @@
+#pragma once
+
+#include "contact/results/Solved.hpp"
+
+namespace epafi::adaptivity {
+
+/// The amplitude T of the traction T r on the whole boundary, r of bem::Rotation, which takes off the
+/// moment of contact forces on arcs that turn about their centres, where the direction of contact is
+/// not their normal; dimensionless.                     [doc/theory/contact.md, Arcs that turn]
+///
+///   T <r_I, r> = ∫ λ_n turn ds on its own sides - ∫ λ_n turn ds on those that face it
+double turningTraction(const contact::Solved& solved);
+
+}  // namespace epafi::adaptivity
