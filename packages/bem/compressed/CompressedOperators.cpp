@@ -14,25 +14,6 @@ namespace epafi::bem {
 
 namespace {
 
-// Both of a node, and across the line to the node that is farthest from it.
-std::vector<Index> restingDisplacements(const Space& space) {
-  const Mesh& mesh = space.mesh();
-  if (mesh.outline().loops() == 1)
-    return {};
-  int farthest = 0;
-  Vec2 offset{};
-  for (int e = 0; mesh.outline().edge(mesh[e].piece.edge).loop == 0; ++e) {
-    const Vec2 d = mesh.difference(mesh.at(e, -1), mesh.at(0, -1));
-    if (length(d) > length(offset)) {
-      farthest = e;
-      offset = d;
-    }
-  }
-  const int across = std::abs(offset.x) > std::abs(offset.y) ? 1 : 0;
-  return {space.displacement(0, 0, 0), space.displacement(0, 0, 1),
-          space.displacement(farthest, 0, across)};
-}
-
 /// All unknowns of all bodies.
 struct AllUnknowns {
   std::vector<BodyShare> shares;
@@ -115,10 +96,11 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     const auto first = static_cast<Index>(all.owners.size());
     ranges_.push_back({first, first + space.displacements(),
                        first + space.displacements() + space.densities(),
-                       youngOf(bodies[b].lame)});
+                       bodies[b].kernel->stiffness()});
     spaces.push_back(&space);
-    for (const Index i : restingDisplacements(space))
-      springUnknowns_.push_back(first + i);
+    if (space.mesh().outline().loops() > 1)
+      for (const Index i : bodies[b].kernel->resting(space))
+        springUnknowns_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
       all.add(b, unknown);
   }
@@ -139,7 +121,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, processes);
   all.setAbroad(across, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    skeletonise(all.shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
+    skeletonise(all.shares[b], bodies[b].space, *bodies[b].kernel, trees_[b], options,
                 *subtrees_);
   parts_ = all.shares.size() == 1
                ? std::move(all.shares.front().parts)

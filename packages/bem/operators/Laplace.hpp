@@ -1,19 +1,21 @@
 #pragma once
 
-#include "bem/algebra/LuFactor.hpp"
+#include "bem/compressed/CompressedFactor.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
 #include "bem/space/Space.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace epafi::bem {
 
-// Vector of the Cauchy data of a harmonic function: its fluxes q = ∂T/∂n as Legendre series on the
-// elements, then T by nodes and bubbles; both numbered as one component of a Space.
-inline Index flowOf(const Space& space, int e, int i) {
-  return space.density(e, i, 0) / 2;
-}
+// Vector of the Cauchy data of a harmonic function on a Space of one component: T by nodes and
+// bubbles, then its fluxes q = ∂T/∂n as Legendre series on the elements.
 inline Index potentialOf(const Space& space, int e, int k) {
-  return (space.densities() + space.displacement(e, k, 0)) / 2;
+  return space.displacement(e, k, 0);
+}
+inline Index flowOf(const Space& space, int e, int i) {
+  return space.displacements() + space.density(e, i, 0);
 }
 
 /// Interior mixed problem of Laplace: T given on some elements, q on the others.  With w = x - y
@@ -21,20 +23,21 @@ inline Index potentialOf(const Space& space, int e, int k) {
 ///   V q = -1/2π ∫ log|w| q ds,  K T = 1/2π ∫ (w·n_y)/|w|² T ds,  W T = -d/ds V (dT/ds),
 ///   V q = (1/2 + K) T,          W T = (1/2 - K') q,
 ///
-/// the first equation is tested where T is given, the second where q is.  On a hole where only q is
-/// given, the second leaves a constant of T free; the mean of the first over the hole fixes it.
-/// Dense.  Dimensionless, diameter of the outline at most 1.      [doc/theory/operators.md]
+/// the first equation is tested where T is given, the second where q is: these are the rows of
+/// CompressedOperators without what is given, since given q and free T have no node in common.  On
+/// a hole where only q is given, the second leaves a constant of T free: T is held in a node, and
+/// the mean of the first over the hole gives the constant.
+/// Dimensionless, diameter of the outline at most 1.              [doc/theory/operators.md]
 class MixedLaplace {
  public:
+  /// Refers to the space.
   /// \param isPotentialGiven by element: is T given on it?
-  /// \pre T is given on an element; each element has as many densities as its degree
-  MixedLaplace(const Space& space, const std::vector<bool>& isPotentialGiven);
+  /// \pre one component; T is given on an element
+  MixedLaplace(const Space& space, const std::vector<bool>& isPotentialGiven,
+               const Compression& options = {});
 
   /// Complete Cauchy data; entries of `data` that are not given are ignored.
   Vector solve(Vector data) const;
-
-  /// [V, -(K + 1/2); K' - 1/2, W], with a term in W for the constants on such holes.
-  const Matrix& operators() const { return all_; }
 
  private:
   /// A hole where only q is given: its constant fluxes, and the nodes of the constant T.
@@ -43,13 +46,15 @@ class MixedLaplace {
     std::vector<Index> nodes;
     double length = 0;
   };
-  void assemble(const Space& space);
-  void holdConstants(const Space& space, const std::vector<bool>& isPotentialGiven);
+  void findFreeLoops(const std::vector<bool>& isPotentialGiven);
+  /// The rows above, right sides minus left ones.
+  Vector residual(const Vector& data) const;
 
-  Matrix all_;
-  std::vector<Index> unknown_;
-  LuFactor factor_;
+  const Space& space_;
   std::vector<FreeLoop> freeLoops_;
+  std::vector<bool> isUnknown_;
+  std::unique_ptr<const CompressedOperators> operators_;
+  std::unique_ptr<const CompressedFactor> factor_;
 };
 
 }  // namespace epafi::bem
