@@ -1,7 +1,7 @@
 // The mixed problem of Laplace, by its compressed system, finds harmonic polynomials.
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
-#include "bem/operators/Laplace.hpp"
+#include "bem/compressed/Laplace.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -3,7 +3,7 @@ import cmath
 import math
 
 from runs import (acting, claim, epafi, finish, fresh, largest, points, refused, rows, run, saved,
-                  scene, solved)
+                  scene)
 from written import (CLAMPED, NONE, block, body, condition, contact, disc, friction, geometry, history,
                      keys, listed, loop, points_at, primed, rigid, round_hole, with_more, written)
 

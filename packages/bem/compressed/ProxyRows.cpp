@@ -37,8 +37,11 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
     for (const auto& [function, column] : functions)
       for (int c = 0; c < components; ++c) {
         double* to = out.column(column) + c * points_;
-        for (int p = 0; p < points_; ++p)
-          to[p] += far_->field(p / lanes, function, c)[p % lanes];
+        for (int p = 0; p < points_; p += lanes) {
+          const double* from = far_->field(at(p / lanes), function, c);
+          for (int lane = 0; lane < lanes; ++lane)
+            to[p + lane] += from[lane];
+        }
       }
   }
   return out;

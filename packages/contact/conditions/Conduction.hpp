@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/compressed/Laplace.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
 

@@ -1,4 +1,4 @@
-#include "bem/operators/Laplace.hpp"
+#include "bem/compressed/Laplace.hpp"
 
 #include "bem/operators/LocalFunctions.hpp"
 
