@@ -42,6 +42,42 @@ TEUCHOS_UNIT_TEST(Compressed, productsAreTheDenseOnes) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Compressed, translationsCauseNoForcesWhateverTheTolerance) {
+  for (const CompressedSample& sample : compressedSamples()) {
+    const bem::Lame lame({1, sample.nu, false});
+    for (const auto& kernel :
+         {bem::elasticKernel(sample.mesh.outline(), lame), bem::laplaceKernel()}) {
+      const bem::Space space(sample.mesh, kernel->components());
+      bem::Compression coarse = smallLeaves();
+      coarse.tolerance = 1e-7;
+      const bem::CompressedOperators z({{space, kernel}}, coarse, {}, test::processes());
+      const int components = kernel->components();
+      Matrix x(z.size(), components);
+      for (int e = 0; e < sample.mesh.size(); ++e)
+        for (int c = 0; c < components; ++c)
+          x(space.displacement(e, 0, c), c) = 1;
+      const Matrix forces = z.times(x);
+      double along = 0;  // at a node
+      double all = 0;    // of all nodes
+      for (int k = 0; k < components; ++k)
+        for (int c = 0; c < components; ++c) {
+          double sum = 0;
+          for (int e = 0; e < sample.mesh.size(); ++e) {
+            const double force = forces(space.displacement(e, 0, c), k);
+            sum += force;
+            if (c == k)
+              along = std::max(along, std::abs(force));
+          }
+          all = std::max(all, std::abs(sum));
+        }
+      out << sample.name << ", " << components << " components: " << along << ", " << all
+          << '\n';
+      TEST_COMPARE(along, <, 1e-11);
+      TEST_COMPARE(all, <, 1e-13);
+    }
+  }
+}
+
 /// Tractions that change from element to element, and displacements likewise: <f, φ> and
 /// <g, P>, without bubbles.
 Matrix loads(const bem::Space& space) {

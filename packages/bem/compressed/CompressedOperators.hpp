@@ -96,6 +96,7 @@ class CompressedOperators {
   std::size_t bytes() const;
 
  private:
+  void takeTranslations(const std::vector<Body>& bodies);
   void addRotations(const std::vector<Body>& bodies);
 
   LocalCoupling local_;
