@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
-#include "contact/conditions/Conduction.hpp"
 #include "drivers/process/Resources.hpp"
 
 #include <algorithm>
@@ -214,14 +213,6 @@ std::string aboveCap(int level, const LevelRow& size, const Scene& scene) {
 std::string tooLarge(int level, const LevelRow& planned, const BodySpaces& spaces,
                      const Ranks& ranks) {
   const Scene& scene = spaces.scene();
-  for (std::size_t b = 0; b < spaces.size() && level > 0; ++b)
-    if (scene.bodies[b].conditions.heat &&
-        contact::Conduction::sizeOn(spaces.space(b).mesh()) >
-            contact::Conduction::largestSize)
-      return bem::message(
-          "level ", level, " would have more than ", contact::Conduction::largestSize,
-          " degrees of all elements of ", "Bodies->", scene.bodies[b].name,
-          ", which conducts heat by dense operators");
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
   const double memory = planned.memoryForecast;
   const double allowed = planned.memoryAllowed;

@@ -23,35 +23,37 @@ using bem::Matrix;
 using test::largest;
 
 TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
-  for (const CompressedSample& sample : compressedSamples()) {
-    const bem::Space space(sample.mesh);
-    const bem::Lame lame({1, sample.nu, false});
-    const Matrix z = wholeSystem(space, lame);
-    // V and W by their lower triangles
-    const bem::Operators all = bem::assemblePolynomialOperators(space, lame);
-    const Index n = space.displacements();
-    double v = 0;
-    double k = 0;
-    double w = 0;
-    double skew = 0;
-    for (Index j = 0; j < z.columns(); ++j)
-      for (Index i = 0; i < z.rows(); ++i) {
-        skew = std::max(skew, std::abs(z(i, j) - z(j, i)));
-        if (i >= j && i < n)
-          w = std::max(w, std::abs(z(i, j) - all.hypersingular(i, j)));
-        else if (i >= j && j >= n)
-          v = std::max(v, std::abs(z(i, j) + all.singleLayer(i - n, j - n)));
-        else if (i >= n && j < n)
-          k = std::max(k, std::abs(z(i, j) - all.doubleLayer(i - n, j)));
-      }
-    out << sample.name << ": V " << v / largest(all.singleLayer) << ", K "
-        << k / largest(all.doubleLayer) << ", W " << w / largest(all.hypersingular)
-        << "\n";
-    TEST_COMPARE(v, <, 1e-12 * largest(all.singleLayer));
-    TEST_COMPARE(k, <, 1e-12 * largest(all.doubleLayer));
-    TEST_COMPARE(w, <, 1e-12 * largest(all.hypersingular));
-    TEST_COMPARE(skew, <, 1e-12 * largest(z));
-  }
+  for (const CompressedSample& sample : compressedSamples())
+    for (const auto& kernel :
+         {bem::elasticKernel(sample.mesh.outline(), bem::Lame({1, sample.nu, false})),
+          bem::laplaceKernel()}) {
+      const bem::Space space(sample.mesh, kernel->components());
+      const Matrix z = wholeSystem(space, *kernel);
+      // V and W by their lower triangles
+      const bem::Operators all = bem::assemblePolynomialOperators(space, *kernel);
+      const Index n = space.displacements();
+      double v = 0;
+      double k = 0;
+      double w = 0;
+      double skew = 0;
+      for (Index j = 0; j < z.columns(); ++j)
+        for (Index i = 0; i < z.rows(); ++i) {
+          skew = std::max(skew, std::abs(z(i, j) - z(j, i)));
+          if (i >= j && i < n)
+            w = std::max(w, std::abs(z(i, j) - all.hypersingular(i, j)));
+          else if (i >= j && j >= n)
+            v = std::max(v, std::abs(z(i, j) + all.singleLayer(i - n, j - n)));
+          else if (i >= n && j < n)
+            k = std::max(k, std::abs(z(i, j) - all.doubleLayer(i - n, j)));
+        }
+      out << sample.name << ", " << kernel->components() << " components: V "
+          << v / largest(all.singleLayer) << ", K " << k / largest(all.doubleLayer)
+          << ", W " << w / largest(all.hypersingular) << "\n";
+      TEST_COMPARE(v, <, 1e-12 * largest(all.singleLayer));
+      TEST_COMPARE(k, <, 1e-12 * largest(all.doubleLayer));
+      TEST_COMPARE(w, <, 1e-12 * largest(all.hypersingular));
+      TEST_COMPARE(skew, <, 1e-12 * largest(z));
+    }
 }
 
 /// Small elements in two corners of a square, where W by parts has no digits left.
@@ -182,12 +184,13 @@ TEUCHOS_UNIT_TEST(CompressedEntries, translatedDiscsHaveNoFieldOnCirclesAround) 
   for (const int arcs : {2, 3, 4, 12}) {
     const bem::Space space(
         bem::makeMesh(outlineOf(disc(arcs, 0.5)), std::vector<int>(arcs, 1), 1));
+    const auto kernel = bem::elasticKernel(space.mesh().outline(), lame);
     const bem::ClusterTree tree(space, 1000);
     const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
     std::vector<Index> nodes(space.displacements());
     std::iota(nodes.begin(), nodes.end(), 0);
     for (const double ratio : {2.0, 10.0, 100.0}) {
-      bem::ProxyRows fields(space, lame, unknowns, ratio, 1e-12);
+      bem::ProxyRows fields(space, *kernel, unknowns, ratio, 1e-12);
       const Matrix k = fields(tree, 0, nodes);
       Matrix field = bem::product(k, space.rigidMotions());
       field.shrink(2);  // rotations are no polynomials on arcs

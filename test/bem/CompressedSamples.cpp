@@ -81,11 +81,15 @@ std::vector<CompressedSample> compressedSamples() {
 }
 
 Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame) {
+  return wholeSystem(space, *bem::elasticKernel(space.mesh().outline(), lame));
+}
+
+Matrix wholeSystem(const bem::Space& space, const bem::Kernel& kernel) {
   const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
   const bem::ClusterTree tree(space, 60);
   const std::vector<char> everywhere(space.mesh().size(), 1);
-  const bem::NearBlocks near(space, lame, tree, everywhere, everywhere);
-  bem::CoupledEntries entries(space, lame, near, unknowns);
+  const bem::NearBlocks near(space, kernel, tree, everywhere, everywhere);
+  bem::CoupledEntries entries(space, kernel, near, unknowns);
   std::vector<Index> all(unknowns.size());
   std::iota(all.begin(), all.end(), 0);
   return entries(all, all);

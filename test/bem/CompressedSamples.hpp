@@ -21,6 +21,7 @@ std::vector<CompressedSample> compressedSamples();
 bem::Compression smallLeaves();
 
 /// The whole system by its entries.
+bem::Matrix wholeSystem(const bem::Space& space, const bem::Kernel& kernel);
 bem::Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame);
 
 /// Pᵀ Z P: with arcs, displacements hold the rotation exactly.

@@ -2,7 +2,6 @@
 // instruction set that this processor has.
 #include "Largest.hpp"
 #include "bem/fields/PointSources.hpp"
-#include "bem/operators/TileBlocks.hpp"
 #include "bem/operators/TileWriter.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/QuadOperators.hpp"
@@ -109,15 +108,13 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
     bem::Operators written = untouched(space);
     bem::GhostNodes ghosts(space, runs);
     bem::TileWriter writer(space, written, ghosts);
-    bem::TileBlocks blocks(space, lame);
-    bem::Tile tile;
+    const auto pairs = bem::elasticKernel(space.mesh().outline(), lame)->pairs(space);
     const int first = runs[group].first;
     for (int r = group; r < runs.size(); ++r) {
       writer.begin(runs[group], runs[r]);
       for (int f = first; f < runs[group].last; ++f) {
-        tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
-        blocks.evaluate(tile);
-        writer.add(blocks);
+        pairs->evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
+        writer.add(*pairs);
       }
       writer.finish();
     }
@@ -132,12 +129,12 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
 }
 
 /// All that blocks hold, column after column.
-bem::Vector entries(const bem::TileBlocks& blocks, int degree) {
+bem::Vector entries(const bem::PairColumns& blocks, int degree) {
   bem::Vector all;
   const auto append = [&](const double* column, int size) {
     all.insert(all.end(), column, column + size);
   };
-  for (int c = 0; c < 2; ++c)
+  for (int c = 0; c < blocks.components(); ++c)
     for (int k = 0; k <= degree; ++k) {
       const auto [slopes, scale] = blocks.hypersingular(k, c);
       append(blocks.doubleLayer(k, c), blocks.densities());
@@ -152,25 +149,25 @@ bem::Vector entries(const bem::TileBlocks& blocks, int degree) {
 }
 
 TEUCHOS_UNIT_TEST(TileBlocks, areTheSameForEveryInstructionSet) {
-  for (const Sample& sample : samples()) {
-    const bem::Space space(sample.mesh);
-    const bem::ElementRuns runs(space.mesh());
-    bem::TileBlocks blocks(space, lame);
-    bem::Tile tile;
-    const int degree = space.mesh()[0].degree;
-    for (int r = 0; r < runs.size(); ++r) {
-      const auto evaluated = [&](bem::InstructionSet set) {
-        tile.evaluate(runs, 0, r, {runs[r].first, runs[r].last}, set);
-        blocks.evaluate(tile, set);
-        return entries(blocks, degree);
-      };
-      const bem::Vector baseline = evaluated(bem::InstructionSet::Baseline);
-      for (const bem::InstructionSet set : bem::instructionSets()) {
-        const bem::Vector other = evaluated(set);
-        TEST_COMPARE(test::relativeDifference(other, baseline), <, 1e-13);
+  for (const Sample& sample : samples())
+    for (const auto& kernel :
+         {bem::elasticKernel(sample.mesh.outline(), lame), bem::laplaceKernel()}) {
+      const bem::Space space(sample.mesh, kernel->components());
+      const bem::ElementRuns runs(space.mesh());
+      const auto pairs = kernel->pairs(space);
+      const int degree = space.mesh()[0].degree;
+      for (int r = 0; r < runs.size(); ++r) {
+        const auto evaluated = [&](bem::InstructionSet set) {
+          pairs->evaluate(runs, 0, r, {runs[r].first, runs[r].last}, set);
+          return entries(*pairs, degree);
+        };
+        const bem::Vector baseline = evaluated(bem::InstructionSet::Baseline);
+        for (const bem::InstructionSet set : bem::instructionSets()) {
+          const bem::Vector other = evaluated(set);
+          TEST_COMPARE(test::relativeDifference(other, baseline), <, 1e-13);
+        }
       }
     }
-  }
 }
 
 TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {

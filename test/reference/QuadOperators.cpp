@@ -32,16 +32,27 @@ struct Block {
   Quad norm = 0;  // what errors are measured by
 };
 
+/// Of the kernels as LogKernel and DoubleLayerKernel have them.
 struct Constants {
-  explicit Constants(const bem::Lame& lame) : nu(lame.nu) {
-    const Quad pi = acos(Quad(-1));
+  explicit Constants(const bem::Lame& lame) {
+    const Quad nu = lame.nu;
     const Quad mu = lame.mu;
     b = 1 / (8 * pi * mu * (1 - nu));
     a = (3 - 4 * nu) * b;
-    c3 = 1 / (4 * pi * (1 - nu));
-    d = mu / (2 * pi * (1 - nu));
+    const Quad c3 = 1 / (4 * pi * (1 - nu));
+    layer = {c3 * (1 - 2 * nu), 2 * c3, c3 * (1 - 2 * nu)};
+    d = dyad = mu / (2 * pi * (1 - nu));
   }
-  Quad nu, a, b, c3, d;
+  /// Laplace's of each component.
+  Constants() : a(1 / (2 * pi)), b(0), d(a), dyad(0), layer{a, 0, 0} {}
+
+  struct Layer {
+    Quad diagonal, dyad, turn;
+  };
+  const Quad pi = acos(Quad(-1));
+  Quad a, b;     // V
+  Quad d, dyad;  // V*
+  Layer layer;   // K
 };
 
 /// A scalar function on an element as its Legendre coefficients.
@@ -127,10 +138,9 @@ struct LogKernel {
   }
 };
 
-/// c3 [(shear I + 2 dd'/r²) (d.n)/r² - shear (dn' - nd')/r²],  shear = 1-2nu
+/// (diagonal I + dyad dd'/r²) (d.n)/r² - turn (dn' - nd')/r²
 struct DoubleLayerKernel {
-  Quad c3;
-  Quad shear;
+  Constants::Layer of;
   const PairMoments& moments;
   QuadVec n;
 
@@ -141,13 +151,12 @@ struct DoubleLayerKernel {
     const Quad yyy = moments(Field::Yyy, i, j);
     const Quad dx = xxx + xyy;  // d/r²
     const Quad dy = xxy + yyy;
-    const Quad diagonal = shear * (dx * n.x + dy * n.y);
-    const Quad turn = shear * (dx * n.y - dy * n.x);
-    const Quad xx = 2 * (xxx * n.x + xxy * n.y);
-    const Quad xy = 2 * (xxy * n.x + xyy * n.y);
-    const Quad yy = 2 * (xyy * n.x + yyy * n.y);
-    return {{{c3 * (diagonal + xx), c3 * (xy - turn)},
-             {c3 * (xy + turn), c3 * (diagonal + yy)}}};
+    const Quad diagonal = of.diagonal * (dx * n.x + dy * n.y);
+    const Quad turn = of.turn * (dx * n.y - dy * n.x);
+    const Quad xx = of.dyad * (xxx * n.x + xxy * n.y);
+    const Quad xy = of.dyad * (xxy * n.x + xyy * n.y);
+    const Quad yy = of.dyad * (xyy * n.x + yyy * n.y);
+    return {{{diagonal + xx, xy - turn}, {xy + turn, diagonal + yy}}};
   }
 };
 
@@ -158,8 +167,7 @@ Block doubleLayerBlock(const Constants& constants, int densities,
   const auto psi = legendreBasis(densities - 1);
   const auto phi = displacementBasis(secondDegree);
   const QuadVec n = second.normal(0);
-  return tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n},
-                phi);
+  return tested(psi, DoubleLayerKernel{constants.layer, moments, n}, phi);
 }
 
 Meeting meeting(const bem::Mesh& mesh, int e, int f) {
@@ -198,7 +206,7 @@ PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<QuadCurve>& segme
           doubleLayerBlock(constants, m, moments, second, q),
           doubleLayerBlock(constants, n, moments.transposed(), first, p),
           tested(displacementSlopes(p, length),
-                 LogKernel{constants.d, constants.d, moments, area},
+                 LogKernel{constants.d, constants.dyad, moments, area},
                  displacementSlopes(q, otherLength))};
 }
 
@@ -214,22 +222,22 @@ void addHalfMass(Block& block, const Quad& length) {
 
 /// Adds a block; `row` and `column` number (local function, component).
 template <class Row, class Column>
-void scatter(QuadMatrix& matrix, const Block& block, const Row& row,
+void scatter(QuadMatrix& matrix, const Block& block, int components, const Row& row,
              const Column& column) {
   for (int i = 0; i < block.rows; ++i)
     for (int j = 0; j < block.columns; ++j)
-      for (int c = 0; c < 2; ++c)
-        for (int d = 0; d < 2; ++d)
+      for (int c = 0; c < components; ++c)
+        for (int d = 0; d < components; ++d)
           matrix.add(row(i, c), column(j, d), block(i, j)[c][d], block.norm);
 }
 
 template <class Row, class Column>
-void scatterTransposed(QuadMatrix& matrix, const Block& block, const Row& row,
-                       const Column& column) {
+void scatterTransposed(QuadMatrix& matrix, const Block& block, int components,
+                       const Row& row, const Column& column) {
   for (int i = 0; i < block.rows; ++i)
     for (int j = 0; j < block.columns; ++j)
-      for (int c = 0; c < 2; ++c)
-        for (int d = 0; d < 2; ++d)
+      for (int c = 0; c < components; ++c)
+        for (int d = 0; d < components; ++d)
           matrix.add(column(j, d), row(i, c), block(i, j)[c][d], block.norm);
 }
 
@@ -273,10 +281,12 @@ void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm)
   scales_[at(i, j)] += blockNorm;
 }
 
-QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
+namespace {
+
+QuadOperators quadOperators(const bem::Space& space, const Constants& constants,
                             double tolerance) {
   const bem::Mesh& mesh = space.mesh();
-  const Constants constants(lame);
+  const int components = space.components();
   const std::vector<QuadCurve> lines = segments(mesh);
   int degree = 1;
   for (const bem::Element& element : mesh.elements())
@@ -304,19 +314,33 @@ QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
       addHalfMass(blocks.doubleLayer, 2 * lines[e].half);
 #pragma omp critical
     {
-      scatter(result.singleLayer, blocks.singleLayer, density(e), density(f));
-      scatter(result.doubleLayer, blocks.doubleLayer, density(e), displacement(f));
-      scatter(result.hypersingular, blocks.hypersingular, displacement(e),
+      scatter(result.singleLayer, blocks.singleLayer, components, density(e), density(f));
+      scatter(result.doubleLayer, blocks.doubleLayer, components, density(e),
+              displacement(f));
+      scatter(result.hypersingular, blocks.hypersingular, components, displacement(e),
               displacement(f));
       if (e != f) {
-        scatter(result.doubleLayer, blocks.transposedDouble, density(f), displacement(e));
-        scatterTransposed(result.singleLayer, blocks.singleLayer, density(e), density(f));
-        scatterTransposed(result.hypersingular, blocks.hypersingular, displacement(e),
-                          displacement(f));
+        scatter(result.doubleLayer, blocks.transposedDouble, components, density(f),
+                displacement(e));
+        scatterTransposed(result.singleLayer, blocks.singleLayer, components, density(e),
+                          density(f));
+        scatterTransposed(result.hypersingular, blocks.hypersingular, components,
+                          displacement(e), displacement(f));
       }
     }
   }
   return result;
+}
+
+}  // namespace
+
+QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
+                            double tolerance) {
+  return quadOperators(space, Constants(lame), tolerance);
+}
+
+QuadOperators quadLaplace(const bem::Space& space, double tolerance) {
+  return quadOperators(space, Constants(), tolerance);
 }
 
 OperatorErrors operatorErrors(const bem::Operators& operators,

@@ -49,6 +49,9 @@ struct QuadOperators {
 QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
                             double tolerance = 1e-22);
 
+/// The same of Laplace's operators; one component.
+QuadOperators quadLaplace(const bem::Space& space, double tolerance = 1e-22);
+
 /// The largest error of an entry, relative to the norms of the element pair blocks that
 /// make it up.
 struct OperatorErrors {

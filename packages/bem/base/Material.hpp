@@ -25,6 +25,9 @@ struct Lame {
   Lame(const Material& material, double stress);
 };
 
+/// Young's modulus E = 2 μ (1 + ν), over the reference stress.
+inline double youngOf(const Lame& lame) { return 2 * lame.mu * (1 + lame.nu); }
+
 /// Reference length and stress, in the user's units.
 ///
 /// All quantities in bem and contact are dimensionless: lengths and displacements are divided

@@ -14,25 +14,6 @@ namespace epafi::bem {
 
 namespace {
 
-// Both of a node, and across the line to the node that is farthest from it.
-std::vector<Index> restingDisplacements(const Space& space) {
-  const Mesh& mesh = space.mesh();
-  if (mesh.outline().loops() == 1)
-    return {};
-  int farthest = 0;
-  Vec2 offset{};
-  for (int e = 0; mesh.outline().edge(mesh[e].piece.edge).loop == 0; ++e) {
-    const Vec2 d = mesh.difference(mesh.at(e, -1), mesh.at(0, -1));
-    if (length(d) > length(offset)) {
-      farthest = e;
-      offset = d;
-    }
-  }
-  const int across = std::abs(offset.x) > std::abs(offset.y) ? 1 : 0;
-  return {space.displacement(0, 0, 0), space.displacement(0, 0, 1),
-          space.displacement(farthest, 0, across)};
-}
-
 /// All unknowns of all bodies.
 struct AllUnknowns {
   std::vector<BodyShare> shares;
@@ -115,10 +96,11 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     const auto first = static_cast<Index>(all.owners.size());
     ranges_.push_back({first, first + space.displacements(),
                        first + space.displacements() + space.densities(),
-                       youngOf(bodies[b].lame)});
+                       bodies[b].kernel->stiffness()});
     spaces.push_back(&space);
-    for (const Index i : restingDisplacements(space))
-      springUnknowns_.push_back(first + i);
+    if (space.mesh().outline().loops() > 1)
+      for (const Index i : bodies[b].kernel->resting(space))
+        springUnknowns_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
       all.add(b, unknown);
   }
@@ -139,12 +121,66 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, processes);
   all.setAbroad(across, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    skeletonise(all.shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
+    skeletonise(all.shares[b], bodies[b].space, *bodies[b].kernel, trees_[b], options,
                 *subtrees_);
   parts_ = all.shares.size() == 1
                ? std::move(all.shares.front().parts)
                : joined(std::move(all.shares), between, tree(), *subtrees_, size());
+  takeTranslations(bodies);
   addRotations(bodies);
+}
+
+// What interpolation misses of a translation is of one sign along a whole body: 1e-12 of W's entries
+// add up to forces of 1e-9 of the largest at 1e5 elements.  A node's own block takes it in its leaf, and
+// those of an element's other functions with its first node.  Between the components one half is taken: the
+// rest is antisymmetric, and its sum over the nodes vanishes with Z's symmetry.
+void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
+  const int components = bodies.front().kernel->components();
+  Matrix translations(size(), components);
+  std::vector<Index> nodes(at(size()),
+                           -1);  // by displacement: of its element and component
+  std::vector<int> component(at(size()));
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (int e = 0; e < bodies[b].space.mesh().size(); ++e)
+      for (int c = 0; c < components; ++c) {
+        const Space& space = bodies[b].space;
+        const Index node = ranges_[b].first + space.displacement(e, 0, c);
+        const bool isRadial =
+            components == 2 && c == 0 && space.mesh().outline().isAxisymmetric();
+        translations(node, c) = isRadial ? 0 : 1;
+        for (int k = 0; k <= space.mesh()[e].degree; ++k)
+          if (k != 1) {
+            const Index own = ranges_[b].first + space.displacement(e, k, c);
+            nodes[at(own)] = node;
+            component[at(own)] = c;
+          }
+      }
+  const Matrix left = times(translations);
+  std::vector<Index> places(at(size()));
+  for (int c = 0; c < tree().size(); ++c) {
+    ClusterPart& leaf = parts_[at(c)];
+    if (!tree()[c].isLeaf() || leaf.block.rows() == 0)
+      continue;
+    for (std::size_t i = 0; i < leaf.active.size(); ++i)
+      places[at(leaf.active[i])] = static_cast<Index>(i);
+    for (const Index i : leaf.active) {
+      const Index node = nodes[at(i)];
+      if (node < 0)
+        continue;
+      const Index first = node - component[at(i)];
+      const Index row = places[at(i)];
+      for (int k = 0; k < components; ++k) {
+        const Index column = places[at(first + k)];
+        if (node == i)
+          leaf.block(row, column) -=
+              0.5 * (left(i, k) + left(first + k, component[at(i)]));
+        else {
+          leaf.block(row, column) -= left(i, k);
+          leaf.block(column, row) -= left(i, k);
+        }
+      }
+    }
+  }
 }
 
 void CompressedOperators::addRotations(const std::vector<Body>& bodies) {

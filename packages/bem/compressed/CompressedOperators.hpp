@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bem/algebra/LowRank.hpp"
-#include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/Interpolation.hpp"
 #include "bem/compressed/Skeletons.hpp"
@@ -35,7 +34,12 @@ class CompressedOperators {
  public:
   struct Body {
     const Space& space;
-    const Lame& lame;
+    std::shared_ptr<const Kernel> kernel;
+
+    Body(const Space& of, std::shared_ptr<const Kernel> kernelOfIt)
+        : space(of), kernel(std::move(kernelOfIt)) {}
+    Body(const Space& of, const Lame& lame)
+        : Body(of, elasticKernel(of.mesh().outline(), lame)) {}
   };
   explicit CompressedOperators(const std::vector<Body>& bodies,
                                const Compression& options = {},
@@ -44,15 +48,14 @@ class CompressedOperators {
   CompressedOperators(const Space& space, const Lame& lame,
                       const Compression& options = {}, const LocalCoupling& local = {},
                       const Processes& processes = oneProcess())
-      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local, processes) {
-  }
+      : CompressedOperators({Body(space, lame)}, options, local, processes) {}
 
   /// Global numbers of the unknowns of a body: displacements, then densities.
   struct Range {
     Index first;
     Index densities;
     Index last;
-    double young;  ///< its Young's modulus over the reference stress
+    double stiffness;  ///< Kernel::stiffness
   };
   const Range& range(std::size_t body) const { return ranges_[body]; }
   std::size_t bodies() const { return ranges_.size(); }
@@ -82,7 +85,7 @@ class CompressedOperators {
   /// The leaf of an unknown.
   int leafOf(Index unknown) const { return leaves_[unknown]; }
 
-  /// With holes, three displacements of the outer loop that determine a rigid motion.
+  /// With holes, the displacements Kernel::resting of the outer loop.
   /// CompressedFactor puts springs there, since a cluster that is a whole loop may float.
   const std::vector<Index>& springUnknowns() const { return springUnknowns_; }
 
@@ -93,6 +96,7 @@ class CompressedOperators {
   std::size_t bytes() const;
 
  private:
+  void takeTranslations(const std::vector<Body>& bodies);
   void addRotations(const std::vector<Body>& bodies);
 
   LocalCoupling local_;

@@ -17,7 +17,7 @@ std::vector<ElementFunctions> byElements(const Space& space,
       continue;
     add(unknown.element, unknown.local, i);
     if (unknown.isNode)
-      add(space.mesh()[unknown.element].previous, unknown.local + 2, i);
+      add(space.mesh()[unknown.element].previous, unknown.local + space.components(), i);
   }
   std::vector<ElementFunctions> result;
   result.reserve(found.size());
@@ -26,10 +26,10 @@ std::vector<ElementFunctions> byElements(const Space& space,
   return result;
 }
 
-CoupledEntries::CoupledEntries(const Space& space, const Lame& lame,
+CoupledEntries::CoupledEntries(const Space& space, const Kernel& kernel,
                                const NearBlocks& near,
                                const std::vector<Unknown>& unknowns)
-    : space_(space), near_(near), unknowns_(unknowns), far_(space, lame) {}
+    : space_(space), near_(near), unknowns_(unknowns), far_(kernel.far(space)) {}
 
 Matrix CoupledEntries::operator()(const std::vector<Index>& rows,
                                   const std::vector<Index>& columns) {
@@ -93,15 +93,14 @@ void CoupledEntries::addColumn(const std::vector<ElementFunctions>& rows,
 
 void CoupledEntries::addTests(const std::vector<const ElementFunctions*>& rows,
                               const ElementFunctions& column, Matrix& out) {
-  far_.evaluate(tests_, column.element);
+  far_->evaluate(tests_, column.element);
   for (std::size_t t = 0; t < rows.size(); ++t) {
-    const int displacements =
-        LocalFunctions(space_.mesh()[rows[t]->element]).displacements;
-    const int shift = far_.densities() - displacements;
+    const int displacements = LocalFunctions(space_, rows[t]->element).displacements;
+    const int shift = far_->densities() - displacements;
     for (const auto& [b, place] : column.functions) {
       double* to = out.column(place);
       for (const auto& [a, row] : rows[t]->functions)
-        to[row] += far_.lane(a < displacements ? a : a + shift, b)[t];
+        to[row] += far_->lane(a < displacements ? a : a + shift, b)[t];
     }
   }
 }

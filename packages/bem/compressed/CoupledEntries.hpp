@@ -3,6 +3,7 @@
 #include "bem/base/Matrix.hpp"
 #include "bem/compressed/NearBlocks.hpp"
 #include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/operators/LocalFunctions.hpp"
 
 #include <vector>
@@ -26,7 +27,7 @@ std::vector<ElementFunctions> byElements(const Space& space,
 class CoupledEntries {
  public:
   /// Refers to its arguments.  \param unknowns unknownsOf(space), then additional ones
-  CoupledEntries(const Space& space, const Lame& lame, const NearBlocks& near,
+  CoupledEntries(const Space& space, const Kernel& kernel, const NearBlocks& near,
                  const std::vector<Unknown>& unknowns);
 
   /// Submatrix of these rows and columns, numbered as in `unknowns`.
@@ -43,7 +44,7 @@ class CoupledEntries {
   const Space& space_;
   const NearBlocks& near_;
   const std::vector<Unknown>& unknowns_;
-  FarBlocks far_;
+  std::unique_ptr<FarBlocks> far_;
   std::vector<FarBlocks::Test> tests_;
 };
 

@@ -2,7 +2,8 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
-#include "bem/operators/TileBlocks.hpp"
+#include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/PairColumns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,44 +16,46 @@ namespace {
 /// One pair by parts: what a tile says of it.
 class PairByParts {
  public:
-  PairByParts(const Space& space, const Lame& lame)
-      : space_(space), runs_(space.mesh()), blocks_(space, lame) {}
+  PairByParts(const Space& space, const Kernel& kernel)
+      : space_(space), runs_(space.mesh()), pairs_(kernel.pairs(space)) {}
 
   /// Functions of e by functions of f, row by row.
   // NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that copy
   void evaluate(int e, int f, double* out) {
     const int r = runs_.runOf(e);
-    tile_.evaluate(runs_, f, r, {e, e + 1});
-    blocks_.evaluate(tile_);
+    pairs_->evaluate(runs_, f, r, {e, e + 1});
     const Element& x = space_.mesh()[e];
     const Element& y = space_.mesh()[f];
-    const LocalFunctions rows(x);
-    const LocalFunctions columns(y);
+    const LocalFunctions rows(space_, e);
+    const LocalFunctions columns(space_, f);
+    const int components = rows.components;
     const int width = columns.size();
     const ElementLanes& run = runs_[r];
     const Index densities = space_.density(e, 0, 0) - space_.density(run.first, 0, 0);
     const Index start =
         space_.displacement(e, 0, 0) - space_.displacement(run.first, 0, 0);
     // the node behind comes after the bubbles
-    const Index end = start + 2 * x.degree;
+    const Index end = start + components * x.degree;
     const auto displacement = [&](int a) {
-      return a < 2 ? start + a : a < 4 ? end + a - 2 : start + a - 2;
+      return rows.isNode(a, 0)   ? start + a
+             : rows.isNode(a, 1) ? end + a - components
+                                 : start + a - components;
     };
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < components; ++c) {
       for (int i = 0; i < y.densities; ++i) {
-        const int column = columns.displacements + 2 * i + c;
+        const int column = columns.density(i, c);
         for (int a = 0; a < rows.densities; ++a)
           out[(rows.displacements + a) * width + column] =
-              -blocks_.singleLayer(i, c)[densities + a];
+              -pairs_->singleLayer(i, c)[densities + a];
         for (int a = 0; a < rows.displacements && e != f; ++a)
-          out[a * width + column] = blocks_.transposed(i, c)[displacement(a)];
+          out[a * width + column] = pairs_->transposed(i, c)[displacement(a)];
       }
       for (int j = 0; j <= y.degree; ++j) {
-        const int column = 2 * j + c;
+        const int column = columns.displacement(j, c);
         for (int a = 0; a < rows.densities; ++a)
           out[(rows.displacements + a) * width + column] =
-              blocks_.doubleLayer(j, c)[densities + a];
-        const auto [from, scale] = blocks_.hypersingular(j, c);
+              pairs_->doubleLayer(j, c)[densities + a];
+        const auto [from, scale] = pairs_->hypersingular(j, c);
         for (int a = 0; a < rows.displacements; ++a)
           out[a * width + column] = scale * from[displacement(a)];
       }
@@ -66,14 +69,14 @@ class PairByParts {
  private:
   const Space& space_;
   ElementRuns runs_;
-  Tile tile_;
-  TileBlocks blocks_;
+  std::unique_ptr<PairColumns> pairs_;
 };
 
 /// Which functions of a pair have all their elements far from each other.
 class Distances {
  public:
-  Distances(const Mesh& mesh, int e, int f) : x_(mesh[e]), y_(mesh[f]) {
+  Distances(const Space& space, int e, int f) : x_(space, e), y_(space, f) {
+    const Mesh& mesh = space.mesh();
     const int tests[3] = {mesh[e].previous, e, mesh[e].next};
     const int trials[3] = {mesh[f].previous, f, mesh[f].next};
     for (int i = 0; i < 3; ++i)
@@ -86,38 +89,37 @@ class Distances {
   bool areFar() const { return far_[1][1]; }
   /// Of local functions.
   bool areFar(int a, int b) const {
-    for (int i = first(a); i <= last(x_, a); ++i)
-      for (int j = first(b); j <= last(y_, b); ++j)
+    for (int i = first(x_, a); i <= last(x_, a); ++i)
+      for (int j = first(y_, b); j <= last(y_, b); ++j)
         if (!far_[i][j])
           return false;
     return true;
   }
 
  private:
-  static int first(int a) { return a < 2 ? 0 : 1; }
-  static int last(const Element& element, int a) {
-    return a == 2 || a == 3 ? (LocalFunctions(element).displacements > a ? 2 : 1) : 1;
-  }
-  const Element& x_;
-  const Element& y_;
+  static int first(const LocalFunctions& of, int a) { return of.isNode(a, 0) ? 0 : 1; }
+  static int last(const LocalFunctions& of, int a) { return of.isNode(a, 1) ? 2 : 1; }
+
+  LocalFunctions x_;
+  LocalFunctions y_;
   bool far_[3][3] = {};
 };
 
 }  // namespace
 
-NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
+NearBlocks::NearBlocks(const Space& space, const Kernel& kernel, const ClusterTree& tree,
                        const std::vector<char>& first, const std::vector<char>& second)
-    : mesh_(space.mesh()) {
+    : space_(space), mesh_(space.mesh()) {
   findPairs(tree, first, second);
   struct Workspace {
     PairByParts byParts;
-    FarBlocks far;
+    std::unique_ptr<FarBlocks> far;
   };
   constexpr double ofEntry = 20;  // ns
   parallelFor(
       {mesh_.size(), ofEntry * static_cast<double>(values_.size()), 16},
       [&] {
-        return Workspace{{space, lame}, {space, lame}};
+        return Workspace{{space, kernel}, kernel.far(space)};
       },
       [&](Workspace& own, Index row) {
         const int e = asInt(row);
@@ -125,16 +127,16 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
           const int f = pair.element;
           double* out = values_.data() + pair.start;
           own.byParts.evaluate(e, f, out);
-          const Distances distances(mesh_, e, f);
+          const Distances distances(space_, e, f);
           if (!distances.areFar())
             continue;
-          own.far.evaluate({{e, mesh_.offset(e, f)}}, f);
-          const int rows = LocalFunctions(mesh_[e]).size();
-          const int columns = LocalFunctions(mesh_[f]).size();
+          own.far->evaluate({{e, mesh_.offset(e, f)}}, f);
+          const int rows = LocalFunctions(space_, e).size();
+          const int columns = LocalFunctions(space_, f).size();
           for (int a = 0; a < rows; ++a)
             for (int b = 0; b < columns; ++b)
               if (distances.areFar(a, b))
-                out[a * columns + b] = own.far.lane(a, b)[0];
+                out[a * columns + b] = own.far->lane(a, b)[0];
         }
       });
 }
@@ -147,7 +149,7 @@ void NearBlocks::measure() {
     hoods_.push_back({mesh_.scaledPoint(e, 0),
                       element.half + 2 * std::max(before, behind),
                       std::max({element.half, before, behind})});
-    sizes_.push_back(LocalFunctions(element).size());
+    sizes_.push_back(LocalFunctions(space_, e).size());
   }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/operators/LocalFunctions.hpp"
 
 #include <vector>
@@ -15,8 +14,8 @@ namespace epafi::bem {
 class NearBlocks {
  public:
   /// Computes the pairs of an element in `first` and one in `second` (flags by element).
-  /// Refers to the mesh of the space.
-  NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
+  /// Refers to the space.
+  NearBlocks(const Space& space, const Kernel& kernel, const ClusterTree& tree,
              const std::vector<char>& first, const std::vector<char>& second);
 
   /// Are all functions of e far from all functions of f?  Such a pair has no block here.
@@ -69,6 +68,7 @@ class NearBlocks {
   void findPairs(const ClusterTree& tree, const std::vector<char>& first,
                  const std::vector<char>& second);
 
+  const Space& space_;
   const Mesh& mesh_;
   std::vector<Hood> hoods_;
   std::vector<std::vector<Pair>> pairs_;

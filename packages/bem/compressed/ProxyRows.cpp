@@ -8,9 +8,9 @@
 
 namespace epafi::bem {
 
-ProxyRows::ProxyRows(const Space& space, const Lame& lame,
+ProxyRows::ProxyRows(const Space& space, const Kernel& kernel,
                      const std::vector<Unknown>& unknowns, double ratio, double tolerance)
-    : space_(space), unknowns_(unknowns), ratio_(ratio), far_(space, lame) {
+    : space_(space), unknowns_(unknowns), ratio_(ratio), far_(kernel.far(space)) {
   const double wanted = 2 * std::log(1 / tolerance) / std::log(ratio);
   points_ = lanes * static_cast<int>(std::ceil(std::max(24.0, wanted) / lanes));
 }
@@ -20,7 +20,8 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   std::vector<AlignedLane> circle(2 * points_ / lanes);
-  Matrix out(2 * points_, static_cast<Index>(columns.size()));
+  const int components = space_.components();
+  Matrix out(components * points_, static_cast<Index>(columns.size()));
   for (const auto& [f, functions] : byElements(space_, unknowns_, columns)) {
     const Element& element = space_.mesh()[f];
     const Vec2 middle = tree.fromCentre(cluster, space_.mesh().at(f, 0));
@@ -31,13 +32,16 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
       to[1].lane[p % lanes] = radius * std::sin(angle) - middle.y;
     }
     const double distance = radius - length(middle);
-    far_.evaluateFields(circle, f,
-                        farOrder(element.curve.angle(), distance / element.half), set);
+    far_->evaluateFields(circle, f,
+                         farOrder(element.curve.angle(), distance / element.half), set);
     for (const auto& [function, column] : functions)
-      for (int c = 0; c < 2; ++c) {
+      for (int c = 0; c < components; ++c) {
         double* to = out.column(column) + c * points_;
-        for (int p = 0; p < points_; ++p)
-          to[p] += far_.field(p / lanes, function, c)[p % lanes];
+        for (int p = 0; p < points_; p += lanes) {
+          const double* from = far_->field(at(p / lanes), function, c);
+          for (int lane = 0; lane < lanes; ++lane)
+            to[p + lane] += from[lane];
+        }
       }
   }
   return out;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/operators/LocalFunctions.hpp"
 
 #include <vector>
@@ -14,17 +14,17 @@ namespace epafi::bem {
 ///
 ///   K u - V ψ,
 ///
-/// which determine the elastic field outside the circle.  The signs are those of the rows of
+/// which determine the field outside the circle.  The signs are those of the rows of
 /// the coupled system; with K u + V ψ the skeleton would be inaccurate in these rows on rough
 /// boundaries, where displacements and densities both contribute.
 class ProxyRows {
  public:
   /// `ratio`: radius of the circle over that of the cluster.  `tolerance`: relative error.
-  ProxyRows(const Space& space, const Lame& lame, const std::vector<Unknown>& unknowns,
-            double ratio, double tolerance);
+  ProxyRows(const Space& space, const Kernel& kernel,
+            const std::vector<Unknown>& unknowns, double ratio, double tolerance);
 
   int points() const { return points_; }
-  /// Rows: x of all points, then y of all points; columns: the unknowns `columns`.
+  /// Rows: each component of all points; columns: the unknowns `columns`.
   Matrix operator()(const ClusterTree& tree, int cluster,
                     const std::vector<Index>& columns,
                     InstructionSet set = largestInstructionSet());
@@ -34,7 +34,7 @@ class ProxyRows {
   const std::vector<Unknown>& unknowns_;
   double ratio_;
   int points_;
-  FarBlocks far_;
+  std::unique_ptr<FarBlocks> far_;
 };
 
 }  // namespace epafi::bem

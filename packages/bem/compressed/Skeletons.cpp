@@ -32,14 +32,13 @@ Interpolation spread(Interpolation some, const std::vector<Index>& places,
 
 class Builder {
  public:
-  Builder(BodyShare& out, const Space& space, const Lame& lame, const ClusterTree& tree,
-          const Compression& options, const Subtrees& subtrees)
+  Builder(BodyShare& out, const Space& space, const Kernel& kernel,
+          const ClusterTree& tree, const Compression& options, const Subtrees& subtrees)
       : out_(out),
         tree_(tree),
         subtrees_(subtrees),
         space_(space),
-        lame_(lame),
-        young_(youngOf(lame_)),
+        kernel_(kernel),
         options_(options),
         added_(out.unknowns.size()),
         largestAdded_(out.unknowns.size()) {
@@ -56,7 +55,7 @@ class Builder {
     out_.parts.resize(tree_.size());
     fillLeaves();
     if (!subtrees_.roots().empty())
-      own_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, ownElements(),
+      own_ = std::make_unique<const NearBlocks>(space_, kernel_, tree_, ownElements(),
                                                 allElements());
     for (int l = tree_.levels() - 1; l >= 0; --l) {
       std::vector<int> mine;
@@ -91,13 +90,15 @@ class Builder {
    public:
     explicit Worker(const Builder& builder)
         : builder_(builder),
-          proxies_(builder.space_, builder.lame_, builder.out_.unknowns,
+          proxies_(builder.space_, builder.kernel_, builder.out_.unknowns,
                    builder.options_.ratio, builder.options_.tolerance),
           places_(builder.out_.unknowns.size(), -1) {
       if (builder.own_ != nullptr)
-        own_.emplace(builder.space_, builder.lame_, *builder.own_, builder.out_.unknowns);
+        own_.emplace(builder.space_, builder.kernel_, *builder.own_,
+                     builder.out_.unknowns);
       if (builder.top_ != nullptr)
-        top_.emplace(builder.space_, builder.lame_, *builder.top_, builder.out_.unknowns);
+        top_.emplace(builder.space_, builder.kernel_, *builder.top_,
+                     builder.out_.unknowns);
     }
 
     void fillBlock(int c) {
@@ -131,13 +132,12 @@ class Builder {
       const Matrix entries = entriesOf(c, near, active);
       const Matrix fields = proxies_(builder_.tree_, c, active);
       const auto weight = [&](Index unknown) { return builder_.weightOf(unknown, c); };
-      const double stiffness = std::sqrt(builder_.young_);
+      const double stiffness = std::sqrt(builder_.kernel_.stiffness());
       // a point's share of the circle
       const double share =
           stiffness * std::sqrt(2 * 3.14159265358979323846 * options().ratio * radius /
                                 proxies_.points());
-      constexpr Index forces = 2;
-      const Index first = fields.rows() + forces;
+      const Index first = fields.rows() + builder_.space_.components();
       Matrix a(first + entries.rows(), n);
       Vector sizes;
       double largest = 0;
@@ -214,7 +214,7 @@ class Builder {
   double weightOf(Index unknown, int c) const {
     const double radius = tree_[c].radius;
     const double shortest = 4 * radius / static_cast<double>(part(c).active.size());
-    const double stiffness = std::sqrt(young_);
+    const double stiffness = std::sqrt(kernel_.stiffness());
     const Mesh& mesh = space_.mesh();
     const Unknown& u = out_.unknowns[unknown];
     const Element& element = mesh[u.element];
@@ -223,14 +223,14 @@ class Builder {
       const double added = largestAdded_[unknown];
       return stiffness * std::sqrt(std::max(own, shortest)) / (added > 0 ? added : 1);
     }
-    const LocalFunctions local(element);
+    const LocalFunctions local(space_, u.element);
     if (u.local >= local.displacements) {
-      const int i = (u.local - local.displacements) / 2;
+      const int i = (u.local - local.displacements) / local.components;
       return stiffness * std::sqrt(std::max(own, shortest) * (2 * i + 1)) / own;
     }
     const double size = u.isNode ? element.half + mesh[element.previous].half : own;
     // ∫ φ_k² dt on [-1, 1] over that of a hat
-    const int k = u.local / 2;
+    const int k = u.local / local.components;
     const double square = k < 2 ? 1 : 3.0 / ((2 * k + 1) * (2 * k - 3));
     return radius / stiffness / std::sqrt(std::max(size, shortest) * square);
   }
@@ -277,14 +277,14 @@ class Builder {
   // leaves.
   void makeTop(int level) {
     if (subtrees_.roots().empty()) {
-      top_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, allElements(),
+      top_ = std::make_unique<const NearBlocks>(space_, kernel_, tree_, allElements(),
                                                 allElements());
       return;
     }
     std::vector<char> elements(space_.mesh().size());
     for (const int root : subtrees_.roots())
       mark(tree_[root].level > level ? part(root).skeleton : part(root).active, elements);
-    top_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, elements, elements);
+    top_ = std::make_unique<const NearBlocks>(space_, kernel_, tree_, elements, elements);
   }
 
   void exchangeSkeletons(int level) {
@@ -332,8 +332,9 @@ class Builder {
   std::pair<Index, double> netForce(Index unknown) const {
     const Unknown& u = out_.unknowns[unknown];
     const Element& element = space_.mesh()[u.element];
-    const int i = u.local - LocalFunctions(element).displacements;
-    return {i == 1 ? 1 : 0, i == 0 || i == 1 ? 2 * element.half : 0};
+    const int i = u.local - LocalFunctions(space_, u.element).displacements;
+    const bool isConstant = i >= 0 && i < space_.components();
+    return {isConstant ? i : 0, isConstant ? 2 * element.half : 0};
   }
 
   /// Does an unknown's function reach into the circle of radius r around a cluster?
@@ -374,8 +375,7 @@ class Builder {
   const ClusterTree& tree_;
   const Subtrees& subtrees_;
   const Space& space_;
-  Lame lame_;
-  double young_;
+  const Kernel& kernel_;
   const Compression& options_;
   std::unique_ptr<const NearBlocks> own_;  ///< of this process's subtrees
   std::unique_ptr<const NearBlocks> top_;  ///< of clusters that are everybody's
@@ -385,10 +385,10 @@ class Builder {
 
 }  // namespace
 
-void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
+void skeletonise(BodyShare& share, const Space& space, const Kernel& kernel,
                  const ClusterTree& tree, const Compression& options,
                  const Subtrees& subtrees) {
-  Builder(share, space, lame, tree, options, subtrees).build();
+  Builder(share, space, kernel, tree, options, subtrees).build();
 }
 
 }  // namespace epafi::bem

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/Subtrees.hpp"
+#include "bem/operators/Kernel.hpp"
 
 namespace epafi::bem {
 
@@ -14,13 +14,10 @@ struct Compression {
   double ratio = 1.8;
 };
 
-/// Young's modulus E = 2 μ (1 + ν), over the reference stress.
-inline double youngOf(const Lame& lame) { return 2 * lame.mu * (1 + lame.nu); }
-
 /// Computes the parts of a body from the leaves to the root.  The skeleton of a cluster
 /// interpolates its entries with unknowns nearby and its ProxyRows.  Clusters of other
 /// processes get lists of unknowns only.  Collective.        [doc/theory/compression.md]
-void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
+void skeletonise(BodyShare& share, const Space& space, const Kernel& kernel,
                  const ClusterTree& tree, const Compression& options,
                  const Subtrees& subtrees);
 

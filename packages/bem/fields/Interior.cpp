@@ -1,7 +1,7 @@
 #include "bem/fields/Interior.hpp"
 
-#include "bem/base/Box.hpp"
 #include "bem/base/Parallel.hpp"
+#include "bem/fields/PointHeaps.hpp"
 #include "bem/fields/PointSources.hpp"
 #include "bem/fields/RingInterior.hpp"
 #include "bem/fields/SourceGroups.hpp"
@@ -9,7 +9,6 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace epafi::bem {
 
@@ -152,29 +151,6 @@ struct FarAddition {
   }
 };
 
-/// Divides points into heaps of neighbours: numbers first ... last - 1 of `order`.
-void divide(const std::vector<Vec2>& points, std::size_t first, std::size_t last,
-            std::size_t largest, std::vector<std::size_t>& order,
-            std::vector<std::size_t>& ends) {
-  if (last - first <= largest) {
-    ends.push_back(last);
-    return;
-  }
-  Box box;
-  for (std::size_t k = first; k < last; ++k)
-    box.add(points[order[k]]);
-  const bool isWide = box.size().x > box.size().y;
-  const auto from = order.begin() + static_cast<Index>(first);
-  const std::size_t half = ((last - first) / 2 + lanes - 1) / lanes * lanes;
-  std::nth_element(
-      from, from + static_cast<Index>(half), order.begin() + static_cast<Index>(last),
-      [&](std::size_t a, std::size_t b) {
-        return isWide ? points[a].x < points[b].x : points[a].y < points[b].y;
-      });
-  divide(points, first, first + half, largest, order, ends);
-  divide(points, first + half, last, largest, order, ends);
-}
-
 }  // namespace
 
 Interior::Interior(const Space& space, const Lame& lame, const Vector& u,
@@ -216,11 +192,7 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
     return values;
   }
   constexpr std::size_t atOnce = 8 * lanes;
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<std::size_t> ends = {0};
-  if (!points.empty())
-    divide(points, 0, points.size(), atOnce, order, ends);
+  const PointHeaps heaps(points, atOnce);
   // groups cost what a heap of points does in all elements one by one
   const ElementRuns runs(mesh);
   constexpr int smallest = 2;
@@ -229,22 +201,19 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
       [this](int e, const Rule& rule, std::vector<Complex>& g) {
         setDensities(e, rule, g);
       },
-      ends.size() > 2 ? smallest : mesh.size());
+      heaps.size() > 1 ? smallest : mesh.size());
   constexpr double ofPoint = 20000;  // ns
   const double work = ofPoint * static_cast<double>(points.size());
-  parallelFor({static_cast<Index>(ends.size() - 1), work}, [&](Index heap) {
-    const std::size_t first = ends[bem::at(heap)];
-    const std::size_t last = ends[bem::at(heap) + 1];
-    std::vector<Targets> targets((last - first + lanes - 1) / lanes);
-    Box box;
+  parallelFor({static_cast<Index>(heaps.size()), work}, [&](Index index) {
+    const std::size_t heap = bem::at(index);
+    std::vector<Targets> targets(heaps.packsOf(heap));
     for (std::size_t k = 0; k < targets.size() * lanes; ++k) {
-      const Vec2 x = points[order[std::min(first + k, last - 1)]];
+      const Vec2 x = points[heaps.number(heap, k)];
       targets[k / lanes].x.lane[k % lanes] = x.x;
       targets[k / lanes].y.lane[k % lanes] = x.y;
-      box.add(x);
     }
     groups.visit(
-        asComplex(box.middle()), 0.5 * norm(box.size()),
+        heaps.centre(heap), heaps.radius(heap),
         [&](const SourceGroups::Group& group) {
           for (Targets& to : targets)
             dispatch(largestInstructionSet(), FarAddition{lame_, group, group.terms, to});
@@ -253,10 +222,10 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
           for (int e = runs[r].first; e < runs[r].last; ++e)
             addElement(lame_, mesh[e], field(e), targets);
         });
-    for (std::size_t k = first; k < last; ++k) {
-      const Targets& own = targets[(k - first) / lanes];
-      const std::size_t lane = (k - first) % lanes;
-      const Vec2 x = points[order[k]];
+    for (std::size_t k = 0; k < heaps.pointsOf(heap); ++k) {
+      const Targets& own = targets[k / lanes];
+      const std::size_t lane = k % lanes;
+      const Vec2 x = points[heaps.number(heap, k)];
       Complex displacement = own.displacement[lane];
       if (space_.rotation() != nullptr)
         displacement += rotation_ * asComplex(space_.rotation()->at(x));
@@ -267,8 +236,8 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
       sums.add({farSums(own.far[0]), farSums(own.far[1])});
       const Complex onX = traction(lame_, Complex(1, 0), sums);
       const Complex onY = traction(lame_, Complex(0, 1), sums);
-      values[order[k]] = {asVector(displacement), onX.real(), onY.imag(),
-                          0.5 * (onX.imag() + onY.real())};
+      values[heaps.number(heap, k)] = {asVector(displacement), onX.real(), onY.imag(),
+                                       0.5 * (onX.imag() + onY.real())};
     }
   });
   return values;

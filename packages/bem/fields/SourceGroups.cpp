@@ -115,7 +115,8 @@ struct MovedMoments {
 }  // namespace
 
 SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
-                           const Densities& densities, int smallest)
+                           const Densities& densities, int smallest,
+                           const std::vector<int>& terms)
     : runs_(runs), count_(count) {
   if (runs.size() < 4 * smallest)
     return;
@@ -125,7 +126,7 @@ SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
   parallelFor({size, ofElement * runs.mesh().size()}, [&](Index g) {
     Group& group = groups_[bem::at(g)];
     if (group.children[0] < 0)
-      sumElements(densities, group);
+      sumElements(densities, terms, group);
   });
   for (std::size_t g = groups_.size(); g-- > 1;) {  // children come behind their parents
     Group& group = groups_[g];
@@ -166,15 +167,17 @@ int SourceGroups::divide(int first, int last, int smallest) {
   return number;
 }
 
-void SourceGroups::sumElements(const Densities& densities, Group& group) const {
+void SourceGroups::sumElements(const Densities& densities, const std::vector<int>& terms,
+                               Group& group) const {
   std::vector<Complex> g;
   for (int f = runs_[group.first].first; f < runs_[group.last - 1].last; ++f) {
     const Element& source = runs_.mesh()[f];
     // the circle that targets stay outside of, seen from the element
     const double z = (separation - 1) * group.radius / source.half;
-    const Rule& rule =
-        gaussLegendre(farOrder(source.curve.angle(), std::max(z, 1.1)) +
-                      degreeShare(std::max(source.degree, source.densities)));
+    const Rule& rule = gaussLegendre(
+        farOrder(source.curve.angle(), std::max(z, 1.1)) +
+        degreeShare(terms.empty() ? std::max(source.degree, source.densities)
+                                  : terms[bem::at(f)]));
     g.assign(rule.points.size() * count_, 0);
     densities(f, rule, g);
     const Complex middle = asComplex(source.curve.frame().middle) - group.centre;

@@ -30,8 +30,10 @@ class SourceGroups {
   /// \param count     number of densities
   /// \param smallest  runs that a group has at least; there are no groups of a mesh with less
   /// than four times as many
+  /// \param terms     number of polynomials of the densities by element; empty: as the functions of
+  /// the elements
   SourceGroups(const ElementRuns& runs, std::size_t count, const Densities& densities,
-               int smallest);
+               int smallest, const std::vector<int>& terms = {});
 
   struct Group {
     int first;  ///< runs first ... last - 1
@@ -82,7 +84,8 @@ class SourceGroups {
         near(r);
   }
   int divide(int first, int last, int smallest);
-  void sumElements(const Densities& densities, Group& group) const;
+  void sumElements(const Densities& densities, const std::vector<int>& terms,
+                   Group& group) const;
 
   const ElementRuns& runs_;
   std::size_t count_;

@@ -135,12 +135,6 @@ struct KernelBlock {
   Number yy;
 };
 
-using Block = KernelBlock<double>;
-
-inline Block operator*(double s, const Block& b) {
-  return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
-}
-
 /// isotropic (-log|w| I) + radial d d'/r²: V for A and B; for D and D V*, whose functions are
 /// derivatives by arc length.
 /// d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2.
@@ -172,5 +166,36 @@ EPAFI_INLINE KernelBlock<Number> doubleLayerBlock(const Lame& lame, const Number
   const Number l = lame.mu * (lame.a + lame.b) * laplace;  // 1/2π
   return {im + l, -re - ofLog, ofLog - re, l - im};
 }
+
+/// Blocks from double integrals, see TileBlocks.
+struct KelvinMoments {
+  static constexpr int components = 2;
+  Lame lame;
+
+  template <class Number, class Phase>
+  EPAFI_INLINE KernelBlock<Number> singleLayer(const Number& log, const Phase& phase,
+                                               double whole) const {
+    return singleLayerBlock(lame.a, lame.b, log, phase, whole);
+  }
+  template <class Number, class Phase>
+  EPAFI_INLINE KernelBlock<Number> slopes(const Number& log, const Phase& phase,
+                                          double whole) const {
+    return singleLayerBlock(lame.d, lame.d, log, phase, whole);
+  }
+  template <class Number, class Phase>
+  EPAFI_INLINE KernelBlock<Number> doubleLayer(const Number& log, const Phase& phase,
+                                               const Number& laplace) const {
+    return doubleLayerBlock(lame, log, phase, laplace);
+  }
+  /// p·(-log r I + c d d'/r²) q; in complex numbers
+  /// p·(d d'/r²) q = ½ Re(conj(p) q + conj(p) conj(q) w/conj(w)).
+  double energy(const Complex& p, const Complex& q, double log, const Complex& phase,
+                double whole, bool isSlope) const {
+    const double product = std::real(std::conj(p) * q);
+    const double turned = std::real(std::conj(p) * std::conj(q) * phase);
+    return -(isSlope ? lame.d : lame.a) * log * product +
+           0.5 * (isSlope ? lame.d : lame.b) * (whole * product + turned);
+  }
+};
 
 }  // namespace epafi::bem

@@ -25,8 +25,11 @@ struct KernelConstants {
       : a(lame.a), b(lame.b), d(lame.d), k(2 * lame.mu * lame.b), turn(1 - 2 * lame.nu) {}
 };
 
-/// The distinct entries of the four kernels at pairs of points.
-struct PointKernels {
+/// The distinct entries of the four kernels at pairs of points, see FarQuadrature.
+struct KelvinPoints {
+  static constexpr int components = 2;
+  using Constants = KernelConstants;
+
   Pack v[3];  ///< -V: xx, xy, yy
   Pack k[4];  ///< K: xx, yx, xy, yy
   Pack t[4];  ///< K'
@@ -35,7 +38,9 @@ struct PointKernels {
   template <Division How>
   // NOLINTNEXTLINE(readability-function-*): of one formula
   EPAFI_INLINE void evaluate(const KernelConstants& c, const Pack& dx, const Pack& dy,
-                             const Pack& tx, const Pack& ty, double sx, double sy) {
+                             const Pack& tx, const Pack& ty, const double* source) {
+    const double sx = source[2];
+    const double sy = source[3];
     const Pack square = dx * dx + dy * dy;
     Pack inverse;
     reciprocal<How>(square, inverse);

@@ -2,8 +2,6 @@
 
 #include "bem/base/Parallel.hpp"
 #include "bem/operators/ExactRotation.hpp"
-#include "bem/operators/RingBlocks.hpp"
-#include "bem/operators/TileBlocks.hpp"
 #include "bem/operators/TileWriter.hpp"
 
 #include <algorithm>
@@ -14,11 +12,9 @@ namespace epafi::bem {
 
 namespace {
 
-/// One thread's, for plane bodies (Tile, TileBlocks) or solids of revolution.
-template <class Tiles, class Blocks>
+/// One thread's.
 struct Workspace {
-  Tiles tile;
-  Blocks blocks;
+  std::unique_ptr<PairColumns> pairs;
   TileWriter writer;
 
   /// The pairs (e, f) with f <= e and f in a group, run by run for all f of the group: the rows
@@ -29,9 +25,8 @@ struct Workspace {
       for (int f = runs[group].first; f < runs[group].last; ++f) {
         if (runs.mesh()[f].densities == 0)  // on the axis
           continue;
-        tile.evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
-        blocks.evaluate(tile);
-        writer.add(blocks);
+        pairs->evaluate(runs, f, r, {std::max(f, runs[r].first), runs[r].last});
+        writer.add(*pairs);
       }
       writer.finish();
     }
@@ -51,9 +46,9 @@ double workOf(const Space& space) {
   return 0.5 * (ofPair * elements * elements + ofEntry * unknowns * unknowns);
 }
 
-/// \param make a Workspace that writes with a TileWriter
-template <class Make>
-Operators assembled(const Space& space, const Make& make) {
+}  // namespace
+
+Operators assemblePolynomialOperators(const Space& space, const Kernel& kernel) {
   Operators out{Matrix(space.densities(), space.densities()),
                 Matrix(space.densities(), space.displacements()),
                 Matrix(space.displacements(), space.displacements())};
@@ -66,29 +61,17 @@ Operators assembled(const Space& space, const Make& make) {
     const Index count = (runs.size() + 1 - colour) / 2;
     parallelFor(
         {count, workOf(space) / 2, groupsAtOnce(count)},
-        [&] { return make(TileWriter(space, out, ghosts)); },
-        [&](auto& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
+        [&] {
+          return Workspace{kernel.pairs(space), TileWriter(space, out, ghosts)};
+        },
+        [&](Workspace& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
   }
   ghosts.fold(out);
   return out;
 }
 
-}  // namespace
-
-Operators assemblePolynomialOperators(const Space& space, const Lame& lame) {
-  if (space.mesh().outline().isAxisymmetric())
-    return assembled(space, [&](TileWriter writer) {
-      return Workspace<RingTile, RingBlocks>{RingTile(lame), RingBlocks(space),
-                                             std::move(writer)};
-    });
-  return assembled(space, [&](TileWriter writer) {
-    return Workspace<Tile, TileBlocks>{Tile(), TileBlocks(space, lame),
-                                       std::move(writer)};
-  });
-}
-
-Operators assembleOperators(const Space& space, const Lame& lame) {
-  return withExactRotation(assemblePolynomialOperators(space, lame), space);
+Operators assembleOperators(const Space& space, const Kernel& kernel) {
+  return withExactRotation(assemblePolynomialOperators(space, kernel), space);
 }
 
 }  // namespace epafi::bem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/space/Space.hpp"
 
 namespace epafi::bem {
@@ -15,7 +15,8 @@ struct Operators {
   std::shared_ptr<const Rotation> rotation = nullptr;
 };
 
-/// Assembles V, K + 1/2 and W from the double moments of all pairs of elements:
+/// Assembles V, K + 1/2 and W of a family of kernels from the double moments of all pairs of elements;
+/// of plane elasticity:
 ///
 ///   V f = A (-log r) f + B (d d'/r²) f,
 ///   K v = K_Δ v - (2μ V - V_Δ) M v,  M v = (v₂', -v₁'),  V_Δ, K_Δ: Laplace's potentials,
@@ -25,9 +26,12 @@ struct Operators {
 /// Displacements represent rotations exactly, see Rotation: K + 1/2 and W of a rigid motion are
 /// rounding errors, on arcs, too.
 /// Threads: over blocks of elements.
-Operators assembleOperators(const Space& space, const Lame& lame);
+Operators assembleOperators(const Space& space, const Kernel& kernel);
+inline Operators assembleOperators(const Space& space, const Lame& lame) {
+  return assembleOperators(space, *elasticKernel(space.mesh().outline(), lame));
+}
 
 /// The same with displacements that are polynomials of arc length, without Rotation.
-Operators assemblePolynomialOperators(const Space& space, const Lame& lame);
+Operators assemblePolynomialOperators(const Space& space, const Kernel& kernel);
 
 }  // namespace epafi::bem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/space/CauchyData.hpp"
 
 namespace epafi::bem {
@@ -11,6 +11,9 @@ namespace epafi::bem {
 /// Legendre series.  They are summed over pairs of elements, as accurately as in
 /// assembleOperators, without a matrix.  A rigid translation has norm zero.
 /// Threads: over elements; the sum does not depend on their number.
-double energyNorm(const CauchyData& data, const Lame& lame);
+double energyNorm(const CauchyData& data, const Kernel& kernel);
+inline double energyNorm(const CauchyData& data, const Lame& lame) {
+  return energyNorm(data, *elasticKernel(data.mesh.outline(), lame));
+}
 
 }  // namespace epafi::bem

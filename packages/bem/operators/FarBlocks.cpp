@@ -1,11 +1,11 @@
 #include "bem/operators/FarBlocks.hpp"
 
 #include "bem/basis/Legendre.hpp"
-#include "bem/kernel/PointKernels.hpp"
 #include "bem/operators/LocalFunctions.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace epafi::bem {
@@ -17,20 +17,39 @@ using Work = FarBlocks::Work;
 /// Tractions: without V and K; Fields: these alone.
 enum class Rows { All, Tractions, Fields };
 
-/// Sums over the inner points for each function of the trial element.
-template <class Number>
-struct Inner {
-  Number* v;  ///< densities x 3
-  Number* k;  ///< displacements x 4
-  Number* t;  ///< densities x 4
-  Number* w;  ///< displacements x 3
-
-  EPAFI_INLINE Inner(Number* sums, int nodes, int densities)
-      : v(sums), k(v + 3 * densities), t(k + 4 * nodes), w(t + 4 * densities) {}
+template <class Points>
+struct Sizes {
+  static constexpr int v = sizeof(Points::v) / sizeof(Pack);
+  static constexpr int k = sizeof(Points::k) / sizeof(Pack);
+  static constexpr int t = sizeof(Points::t) / sizeof(Pack);
+  static constexpr int w = sizeof(Points::w) / sizeof(Pack);
+  static constexpr int ofNode = k + w;
+  static constexpr int ofDensity = v + t;
 };
 
-struct Integrate {
-  const KernelConstants& constants;
+/// Sums over the inner points for each function of the trial element.
+template <class Number, class Size>
+struct Inner {
+  Number* v;  ///< of densities
+  Number* k;  ///< of displacements
+  Number* t;
+  Number* w;
+
+  EPAFI_INLINE Inner(Number* sums, int nodes, int densities)
+      : v(sums),
+        k(v + Size::v * densities),
+        t(k + Size::k * nodes),
+        w(t + Size::t * densities) {}
+};
+
+}  // namespace
+
+template <class Points>
+struct FarQuadrature<Points>::Integrate {
+  using Size = Sizes<Points>;
+  static constexpr int n = Points::components;
+
+  const typename Points::Constants& constants;
   const Work& work;
   const AlignedLane* outer;
   const double* outerValues;
@@ -64,42 +83,29 @@ struct Integrate {
                                                    : 0;
     const int nodes = (Degree > 0 ? Degree : work.columnDegree) + 1;
     const int densities = Degree > 0 ? Degree : work.columnDensities;
-    const int columns = 2 * (nodes + densities);
-    const int count = 2 * (rowNodes + rowDensities) * columns;
+    const int columns = n * (nodes + densities);
+    const int count = n * (rowNodes + rowDensities) * columns;
     for (int i = 0; i < count; ++i)
       store(block[i].lane, Pack{});
-    const auto to = [&](int a, int b) { return block[a * columns + b].lane; };
     for (int p = 0; p < work.outer; ++p) {
       sumInner<How, Degree, Wanted>(p, nodes, densities);
-      const Inner<AlignedLane> in(sums, nodes, densities);
+      const Inner<AlignedLane, Size> in(sums, nodes, densities);
       const double* values = outerValues + p * (rowNodes + rowDensities);
       for (int i = 0; i < rowNodes; ++i) {
         const Pack phi = values[i] * load(halves);
-        for (int j = 0; j < nodes; ++j) {
-          const AlignedLane* w = in.w + 3 * j;
-          const Pack xy = phi * load(w[1].lane);
-          add(to(2 * i, 2 * j), phi * load(w[0].lane));
-          add(to(2 * i + 1, 2 * j), xy);
-          add(to(2 * i, 2 * j + 1), xy);
-          add(to(2 * i + 1, 2 * j + 1), phi * load(w[2].lane));
-        }
+        AlignedLane* row = block + n * i * columns;
+        for (int j = 0; j < nodes; ++j)
+          addBlock<Size::w>(phi, in.w + Size::w * j, row + n * j, columns);
         for (int j = 0; j < densities; ++j)
-          addFour(phi, in.t + 4 * j, to(2 * i, 2 * (nodes + j)),
-                  to(2 * i + 1, 2 * (nodes + j)));
+          addBlock<Size::t>(phi, in.t + Size::t * j, row + n * (nodes + j), columns);
       }
       for (int i = 0; i < rowDensities; ++i) {
         const Pack chi = values[rowNodes + i] * load(halves);
-        const int row = 2 * (rowNodes + i);
+        AlignedLane* row = block + n * (rowNodes + i) * columns;
         for (int j = 0; j < nodes; ++j)
-          addFour(chi, in.k + 4 * j, to(row, 2 * j), to(row + 1, 2 * j));
-        for (int j = 0; j < densities; ++j) {
-          const AlignedLane* v = in.v + 3 * j;
-          const Pack xy = chi * load(v[1].lane);
-          add(to(row, 2 * (nodes + j)), chi * load(v[0].lane));
-          add(to(row + 1, 2 * (nodes + j)), xy);
-          add(to(row, 2 * (nodes + j) + 1), xy);
-          add(to(row + 1, 2 * (nodes + j) + 1), chi * load(v[2].lane));
-        }
+          addBlock<Size::k>(chi, in.k + Size::k * j, row + n * j, columns);
+        for (int j = 0; j < densities; ++j)
+          addBlock<Size::v>(chi, in.v + Size::v * j, row + n * (nodes + j), columns);
       }
     }
   }
@@ -107,20 +113,28 @@ struct Integrate {
   /// V and K at each of the outer points.
   template <Division How, int Degree>
   EPAFI_INLINE void fields() const {
-    const int width = 3 * work.columnDensities + 4 * (work.columnDegree + 1);
+    const int width = Size::v * work.columnDensities + Size::k * (work.columnDegree + 1);
     for (int p = 0; p < work.outer; ++p) {
       sumInner<How, Degree, Rows::Fields>(p, work.columnDegree + 1, work.columnDensities);
       std::copy_n(sums, width, block + p * width);
     }
   }
 
-  // xx, yx, xy, yy to two rows of one function and both of its columns
-  EPAFI_INLINE void addFour(const Pack& factor, const AlignedLane* from, double* first,
-                            double* second) const {
-    add(first, factor * load(from[0].lane));
-    add(second, factor * load(from[1].lane));
-    add(first + lanes, factor * load(from[2].lane));
-    add(second + lanes, factor * load(from[3].lane));
+  /// Entries of a function at its rows and columns.
+  template <int Entries>
+  EPAFI_INLINE static void addBlock(const Pack& factor, const AlignedLane* from,
+                                    AlignedLane* to, int columns) {
+    add(to[0].lane, factor * load(from[0].lane));
+    if constexpr (Entries == 3) {
+      const Pack xy = factor * load(from[1].lane);
+      add(to[columns].lane, xy);
+      add(to[1].lane, xy);
+      add(to[columns + 1].lane, factor * load(from[2].lane));
+    } else if constexpr (Entries == 4) {
+      add(to[columns].lane, factor * load(from[1].lane));
+      add(to[1].lane, factor * load(from[2].lane));
+      add(to[columns + 1].lane, factor * load(from[3].lane));
+    }
   }
 
   /// Degree: of the trial element, whose sums then stay in registers; 0: any.
@@ -129,38 +143,40 @@ struct Integrate {
   EPAFI_INLINE void sumInner(int p, int anyNodes, int anyDensities) const {
     const int nodes = Degree > 0 ? Degree + 1 : anyNodes;
     const int densities = Degree > 0 ? Degree : anyDensities;
-    const int size = 7 * (nodes + densities);
-    Pack own[Degree > 0 ? 7 * (2 * Degree + 1) : 1];
+    const int size = Size::ofNode * nodes + Size::ofDensity * densities;
+    Pack own[Degree > 0 ? Size::ofNode * (Degree + 1) + Size::ofDensity * Degree : 1];
     Pack* const to = Degree > 0 ? own : reinterpret_cast<Pack*>(sums);
     for (int i = 0; i < size; ++i)
       to[i] = Pack{};
-    const Inner<Pack> in(to, nodes, densities);
+    const Inner<Pack, Size> in(to, nodes, densities);
     const Pack x = load(outer[4 * p].lane);
     const Pack y = load(outer[4 * p + 1].lane);
     const Pack tx = load(outer[4 * p + 2].lane);
     const Pack ty = load(outer[4 * p + 3].lane);
     for (int q = 0; q < work.inner; ++q) {
-      const double* s = inner + 4 * q;
+      const double* s = inner + innerSize * q;
       const double* values = innerValues + (nodes + densities) * q;
-      PointKernels g;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-      g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
+      Points g;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+      g.template evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s);
       for (int j = 0; j < nodes; ++j) {
-        for (int i = 0; i < 3 && Wanted != Rows::Fields; ++i)
-          in.w[3 * j + i] += values[j] * g.w[i];
-        for (int i = 0; i < 4 && Wanted != Rows::Tractions; ++i)
-          in.k[4 * j + i] += values[j] * g.k[i];
+        for (int i = 0; i < Size::w && Wanted != Rows::Fields; ++i)
+          in.w[Size::w * j + i] += values[j] * g.w[i];
+        for (int i = 0; i < Size::k && Wanted != Rows::Tractions; ++i)
+          in.k[Size::k * j + i] += values[j] * g.k[i];
       }
       for (int j = 0; j < densities; ++j) {
-        for (int i = 0; i < 3 && Wanted != Rows::Tractions; ++i)
-          in.v[3 * j + i] += values[nodes + j] * g.v[i];
-        for (int i = 0; i < 4 && Wanted != Rows::Fields; ++i)
-          in.t[4 * j + i] += values[nodes + j] * g.t[i];
+        for (int i = 0; i < Size::v && Wanted != Rows::Tractions; ++i)
+          in.v[Size::v * j + i] += values[nodes + j] * g.v[i];
+        for (int i = 0; i < Size::t && Wanted != Rows::Fields; ++i)
+          in.t[Size::t * j + i] += values[nodes + j] * g.t[i];
       }
     }
     for (int i = 0; i < size && Degree > 0; ++i)
       store(sums[i].lane, own[i]);
   }
 };
+
+namespace {
 
 /// Gauss points of the test elements, and tangents.
 struct Sampling {
@@ -181,8 +197,6 @@ struct Sampling {
 };
 
 }  // namespace
-
-FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
 
 Nearness FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
   Nearness largest{1, 1};
@@ -209,19 +223,20 @@ void FarBlocks::sampleTests(const std::vector<Test>& tests, InstructionSet set) 
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
-  if (sampled_ == &element && static_cast<int>(inner_.size()) == 4 * work_.inner)
+  if (sampled_ == &element && static_cast<int>(inner_.size()) == innerSize * work_.inner)
     return;
   sampled_ = &element;
   const Rule& rule = gaussLegendre(work_.inner);
-  inner_.resize(4 * work_.inner);
+  inner_.resize(innerSize * work_.inner);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const Vec2 y = element.curve.fromMiddle(rule.points[q]);
     const Vec2 tangent = element.curve.tangent(rule.points[q]);
-    double* to = inner_.data() + 4 * q;
+    double* to = inner_.data() + innerSize * q;
     to[0] = y.x;
     to[1] = y.y;
     to[2] = tangent.x;
     to[3] = tangent.y;
+    to[4] = element.curve.frame().middle.x + y.x;
   }
   innerValues_ = functions(work_.inner, element.degree, element.densities);
   for (double& value : innerValues_)
@@ -255,7 +270,7 @@ void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial
   for (std::size_t p = 0; p < points.size(); p += 2)
     std::copy_n(points.data() + p, 2, outer_.data() + 2 * p);
   const Element& element = space_.mesh()[trial];
-  columns_ = 3 * element.densities + 4 * (element.degree + 1);
+  columns_ = entries_.v * element.densities + entries_.k * (element.degree + 1);
   block_.resize(work_.outer * columns_);
   run(element, order, set);
 }
@@ -269,8 +284,8 @@ void FarBlocks::integrate(const std::vector<Test>& tests, const Functions& rows,
   work_.outer = gaussPoints(order.outer, rows.degree, rows.densities + atEnds);
   sampleTests(tests, set);
   outerValues_ = functions(work_.outer, rows.degree, rows.densities).data();
-  columns_ = 2 * (element.degree + 1 + element.densities);
-  block_.resize(2 * (work_.rowNodes + work_.rowDensities) * columns_);
+  columns_ = entries_.components * (element.degree + 1 + element.densities);
+  block_.resize(entries_.components * (work_.rowNodes + work_.rowDensities) * columns_);
   run(element, order.inner, set);
 }
 
@@ -279,11 +294,28 @@ void FarBlocks::run(const Element& trial, int order, InstructionSet set) {
   work_.columnDensities = trial.densities;
   work_.inner = gaussPoints(order, trial.degree, trial.densities);
   sampleTrial(trial);
-  sums_.resize(7 * (trial.degree + 1 + trial.densities));
-  const KernelConstants constants(lame_);
+  sums_.resize((entries_.k + entries_.w) * (trial.degree + 1) +
+               (entries_.v + entries_.t) * trial.densities);
+  compute(set);
+}
+
+template <class Points>
+FarQuadrature<Points>::FarQuadrature(const Space& space,
+                                     const typename Points::Constants& constants)
+    : FarBlocks(space, {Points::components, Sizes<Points>::v, Sizes<Points>::k,
+                        Sizes<Points>::t, Sizes<Points>::w}),
+      constants_(constants) {
+  assert(space.components() == Points::components);
+}
+
+template <class Points>
+void FarQuadrature<Points>::compute(InstructionSet set) {
   dispatch(set,
-           Integrate{constants, work_, outer_.data(), outerValues_, tests_.half,
+           Integrate{constants_, work_, outer_.data(), outerValues_, tests_.half,
                      inner_.data(), innerValues_.data(), sums_.data(), block_.data()});
 }
+
+template class FarQuadrature<KelvinPoints>;
+template class FarQuadrature<LaplacePoints>;
 
 }  // namespace epafi::bem

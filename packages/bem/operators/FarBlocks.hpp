@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
+#include "bem/kernel/Laplace.hpp"
+#include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/Tile.hpp"
 #include "bem/simd/InstructionSet.hpp"
@@ -21,11 +22,13 @@ namespace epafi::bem {
 /// the hypersingular kernel: integration by parts would leave rounding errors of ε (r/h)²,
 /// which increase the rank of compressed blocks.
 ///
+/// Of any family of kernels (Kernel): FarQuadrature.
+///
 /// The part of a hat function on a single element has no entry of W by parts.  Compute both
 /// elements of a hat function here, or neither.
 class FarBlocks {
  public:
-  FarBlocks(const Space& space, const Lame& lame);
+  virtual ~FarBlocks() = default;
 
   /// A test element; `offset` is its midpoint minus the midpoint of the trial element.
   struct Test {
@@ -34,7 +37,7 @@ class FarBlocks {
   };
   void evaluate(const std::vector<Test>& tests, int trial,
                 InstructionSet set = largestInstructionSet());
-  /// Moments of the traction instead: row 2 i + a, i < moments, has the kernels of the first
+  /// Moments of the traction instead: row (i, a), i < moments, has the kernels of the first
   /// block row tested with P_i e_a on each test element.
   void evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
                          InstructionSet set = largestInstructionSet());
@@ -45,9 +48,14 @@ class FarBlocks {
                       InstructionSet set = largestInstructionSet());
   /// Eight values of evaluateFields: component c of a function at the points of a pack.
   const double* field(std::size_t pair, int function, int c) const {
-    const int i = function - 2 * (work_.columnDegree + 1);
-    const int sum =
-        i < 0 ? 3 * work_.columnDensities + 2 * function : 3 * (i / 2) + i % 2;
+    const int i = function - entries_.components * (work_.columnDegree + 1);
+    const int column = i < 0 ? function : i;
+    const int entries = i < 0 ? entries_.k : entries_.v;
+    const int start = i < 0 ? entries_.v * work_.columnDensities : 0;
+    // xx, xy, yy or xx, yx, xy, yy
+    const int step = entries == 3 ? 1 : entries_.components;
+    const int sum = start + entries * (column / entries_.components) +
+                    step * (column % entries_.components);
     return block_[pair * columns_ + sum + c].lane;
   }
 
@@ -56,7 +64,7 @@ class FarBlocks {
   /// their densities begin at a = densities().
   const double* lane(int a, int b) const { return block_[a * columns_ + b].lane; }
   /// Local number of the first density of the test elements.
-  int densities() const { return 2 * work_.rowNodes; }
+  int densities() const { return entries_.components * work_.rowNodes; }
 
   struct Work {
     int rowNodes = 0;      ///< test functions of W and K'
@@ -67,7 +75,27 @@ class FarBlocks {
     int inner = 0;
   };
 
+ protected:
+  /// Distinct entries of the kernels at a pair of points: components² = 1 or 4, or three of a
+  /// symmetric block.
+  struct Entries {
+    int components;
+    int v;
+    int k;
+    int t;
+    int w;
+  };
+  FarBlocks(const Space& space, const Entries& entries)
+      : space_(space), entries_(entries) {}
+  FarBlocks(const FarBlocks&) = default;
+  FarBlocks(FarBlocks&&) = default;
+  FarBlocks& operator=(const FarBlocks&) = delete;
+  FarBlocks& operator=(FarBlocks&&) = delete;
+
  private:
+  /// From samples to the block.
+  virtual void compute(InstructionSet set) = 0;
+
   /// Test functions: φ_k up to a degree (-1: none), and densities.
   struct Functions {
     int degree = -1;
@@ -84,8 +112,9 @@ class FarBlocks {
   /// weightedFunctions of a Gauss rule with this many points; computed once.
   const std::vector<double>& functions(int points, int degree, int densities);
 
+ protected:
   const Space& space_;
-  Lame lame_;
+  Entries entries_;
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
   int columns_ = 0;                      ///< functions on the trial element, or sums
@@ -93,10 +122,35 @@ class FarBlocks {
   std::vector<AlignedLane> outer_;       ///< at each point: position, tangent
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   const Element* sampled_ = nullptr;     ///< the trial element of inner_
-  std::vector<double> inner_;            ///< at each point: y, tangent
+  /// At each point: y from the middle, tangent, and the scaled place's x, a ring's radius.
+  std::vector<double> inner_;
+  static constexpr int innerSize = 5;
   std::vector<double> innerValues_;
   std::vector<AlignedLane> sums_;
   std::vector<AlignedLane> block_;
 };
+
+/// FarBlocks of a family of kernels at pairs of points:
+///
+///   Points::components, Points::Constants
+///   v, k, t, w                       packs of the distinct entries of -V, K, K' and W, column by column
+///   evaluate<Division>(constants, dx, dy, tx, ty, source)
+///                                    w = x - y, tangent in x; FarBlocks::inner_ of y
+///
+/// KelvinPoints, LaplacePoints.
+template <class Points>
+class FarQuadrature final : public FarBlocks {
+ public:
+  FarQuadrature(const Space& space, const typename Points::Constants& constants);
+
+ private:
+  struct Integrate;
+  void compute(InstructionSet set) override;
+
+  typename Points::Constants constants_;
+};
+
+extern template class FarQuadrature<KelvinPoints>;
+extern template class FarQuadrature<LaplacePoints>;
 
 }  // namespace epafi::bem

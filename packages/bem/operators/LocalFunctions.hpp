@@ -11,14 +11,23 @@
 namespace epafi::bem {
 
 /// Basis functions on an element in local numbering: displacements φ_k e_c, then densities
-/// P_i e_c; the two components of a function follow each other.
+/// P_i e_c; the components of a function follow each other.
 struct LocalFunctions {
-  int displacements;  ///< 2 (p + 1)
+  int components;
+  int displacements;  ///< components (p + 1)
   int densities;
 
-  explicit LocalFunctions(const Element& element)
-      : displacements(2 * (element.degree + 1)), densities(2 * element.densities) {}
+  LocalFunctions(const Space& space, int e)
+      : components(space.components()),
+        displacements(components * (space.mesh()[e].degree + 1)),
+        densities(components * space.mesh()[e].densities) {}
   int size() const { return displacements + densities; }
+  int displacement(int k, int c) const { return components * k + c; }
+  int density(int i, int c) const { return displacements + components * i + c; }
+  /// Is it a component of φ_k, k = 0 or 1?
+  bool isNode(int local, int k) const {
+    return local >= components * k && local < components * (k + 1);
+  }
 };
 
 /// An unknown of the coupled system and the support of its basis function.
@@ -35,14 +44,14 @@ inline std::vector<Unknown> unknownsOf(const Space& space) {
   std::vector<Unknown> all(space.displacements() + space.densities());
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
-    const LocalFunctions local(element);
-    for (int c = 0; c < 2; ++c) {
+    const LocalFunctions local(space, e);
+    for (int c = 0; c < space.components(); ++c) {
       all[space.displacement(e, 0, c)] = {e, c, true};
       for (int k = 2; k <= element.degree; ++k)
-        all[space.displacement(e, k, c)] = {e, 2 * k + c, false};
+        all[space.displacement(e, k, c)] = {e, local.displacement(k, c), false};
       for (int i = 0; i < element.densities; ++i)
-        all[space.displacements() + space.density(e, i, c)] = {
-            e, local.displacements + 2 * i + c, false};
+        all[space.displacements() + space.density(e, i, c)] = {e, local.density(i, c),
+                                                               false};
     }
   }
   return all;

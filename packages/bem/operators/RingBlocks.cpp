@@ -99,7 +99,7 @@ class RingBlocks::Filling {
 
   EPAFI_INLINE void putSingleLayer(int i, int j) const {
     const Pack area = wanted_ * f_.half * half_;
-    double* to = to_.single_.data() + 2 * i * to_.longest_;
+    double* to = to_.first(to_.single_, i);
     const Pack rr = lame_.a * of(Kernels::e1, i, j) + lame_.b * of(Kernels::rr, i, j);
     const Pack zz = lame_.a * of(Kernels::e0, i, j) + lame_.b * of(Kernels::zz, i, j);
     const Pack mixed = area * lame_.b;
@@ -119,7 +119,7 @@ class RingBlocks::Filling {
     axial(i, j, zz);
     for (int a = 0; a < 3; ++a)
       onTrial(Kernels::ofX + a, k, j, functions[a]);
-    double* to = to_.double_.data() + 2 * k * to_.longest_;
+    double* to = to_.first(to_.double_, k);
     densities_.put(edge * of(Kernels::zr, i, j) + area * functions[0],
                    edge * zz + area * functions[1], j, to);
     densities_.put(-edge * rr, area * functions[2] - edge * of(Kernels::rz, i, j), j,
@@ -164,7 +164,7 @@ class RingBlocks::Filling {
     const auto source = [&](int l, Components& r, Components& z) {
       sourceOnLanes(i, l, r, z);
     };
-    putDisplacements(j, source, to_.transposed_.data() + 2 * i * to_.longest_);
+    putDisplacements(j, source, to_.first(to_.transposed_, i));
   }
 
   /// Of φ_k of f and φ_l of the lanes.
@@ -206,7 +206,7 @@ class RingBlocks::Filling {
       store(to_.common_[2].lane, r.z);
       store(to_.common_[3].lane, z.z);
     };
-    putDisplacements(j, product, to_.hypersingular_.data() + 2 * k * to_.longest_);
+    putDisplacements(j, product, to_.first(to_.hypersingular_, k));
   }
 
   RingBlocks& to_;
@@ -236,7 +236,8 @@ struct RingBlocks::Fill {
   }
 };
 
-void RingBlocks::evaluate(const RingTile& tile, InstructionSet set) {
+void RingBlocks::fill(InstructionSet set) {
+  const RingTile& tile = tile_;
   setRun(tile.run(), tile.trial());
   const Mesh& mesh = space_.mesh();
   const int f = tile.trial();
@@ -252,6 +253,44 @@ void RingBlocks::evaluate(const RingTile& tile, InstructionSet set) {
   dispatch(set, Fill{*this, tile, wanted, others, isUniform});
   if (f >= run_->first && f < run_->last && tile.isWanted(f - run_->first))
     addHalf(ringMassOf(mesh, f));
+}
+
+double RingBlocks::energy(int lane, const LocalField& onTrial,
+                          const LocalField& onLane) const {
+  const RingLame& lame = tile_.lame();
+  const Element& x = space_.mesh()[tile_.trial()];
+  const Element& y = space_.mesh()[tile_.run().first + lane];
+  double sum = 0;
+  for (int i = 0; i <= x.densities; ++i)
+    for (int j = 0; j <= y.densities; ++j) {
+      const auto of = [&](int kernel) { return tile_.at(kernel, i, j)[lane]; };
+      const auto form = [&](Complex p, Complex q, double radial, double axial,
+                            double mixed) {
+        return p.real() * (q.real() * radial + q.imag() * mixed * of(Kernels::rz)) +
+               p.imag() * (q.real() * mixed * of(Kernels::zr) + q.imag() * axial);
+      };
+      const Complex u = onTrial.slope[at(i)];
+      const Complex v = onLane.slope[at(j)];
+      const double p = onTrial.value[at(i)].real();
+      const double q = onLane.value[at(j)].real();
+      const double rr = of(Kernels::rr);
+      const double zz = of(Kernels::zz);
+      const double e1 = of(Kernels::e1);
+      const double e0 = of(Kernels::e0);
+      sum +=
+          form(onTrial.density[at(i)], onLane.density[at(j)], lame.a * e1 + lame.b * rr,
+               lame.a * e0 + lame.b * zz, lame.b) +
+          u.real() * v.real() *
+              (lame.curl * (e0 - of(Kernels::es)) -
+               lame.squared * (lame.part * e0 + zz)) +
+          u.imag() * v.imag() * (lame.curl * e1 - lame.squared * (lame.part * e1 + rr)) +
+          lame.squared * (u.real() * v.imag() * of(Kernels::zr) +
+                          u.imag() * v.real() * of(Kernels::rz)) +
+          q * (u.real() * of(Kernels::ySlope) + u.imag() * of(Kernels::ySlope + 1)) +
+          p * (v.real() * of(Kernels::xSlope) + v.imag() * of(Kernels::xSlope + 1)) +
+          p * q * of(Kernels::both);
+    }
+  return turn * x.half * y.half * sum;
 }
 
 Matrix ringMassOf(const Mesh& mesh, int e) {

@@ -8,17 +8,21 @@ namespace epafi::bem {
 /// Entries of a tile of solids of revolution, of whole revolutions.  [doc/theory/axisymmetric.md]
 class RingBlocks final : public PairColumns {
  public:
-  explicit RingBlocks(const Space& space) : PairColumns(space) {}
+  RingBlocks(const Space& space, const Lame& lame) : PairColumns(space), tile_(lame) {}
 
-  /// Computes all columns.
-  void evaluate(const RingTile& tile, InstructionSet set = largestInstructionSet());
+  void integrate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
+                 InstructionSet set) override {
+    tile_.evaluate(runs, trial, r, wanted, set);
+  }
+  /// With the radial displacements that W has beside slopes.
+  double energy(int lane, const LocalField& onTrial,
+                const LocalField& onLane) const override;
 
   Scaled hypersingular(int k, int c) const override {
-    return {column(hypersingular_, 2 * k + c), 1};
+    return {column(hypersingular_, k, c), 1};
   }
-  Block commonNode(int lane) const override {
-    return {common_[0].lane[lane], common_[1].lane[lane], common_[2].lane[lane],
-            common_[3].lane[lane]};
+  double commonNode(int lane, int c, int d) const override {
+    return common_[2 * d + c].lane[lane];
   }
 
  private:
@@ -26,7 +30,10 @@ class RingBlocks final : public PairColumns {
   class Filling;
   struct Fill;
 
-  AlignedLane common_[4] = {};
+  void fill(InstructionSet set) override;
+
+  RingTile tile_;
+  AlignedLane common_[4] = {};  ///< column by column
 };
 
 /// ∫ P_i φ_k 2πr ds on an element of a solid of revolution.

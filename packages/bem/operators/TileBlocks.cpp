@@ -3,12 +3,55 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace epafi::bem {
 
 namespace {
 
-using PackBlock = KernelBlock<Pack>;
+using Block = KernelBlock<Pack>;
+using Scalar = ScalarBlock<Pack>;
+
+EPAFI_INLINE Block operator*(const Pack& s, const Block& b) {
+  return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
+}
+EPAFI_INLINE Scalar operator*(const Pack& s, const Scalar& b) { return {s * b.value}; }
+
+EPAFI_INLINE Block mirrored(const Block& b) { return {b.xx, b.xy, b.yx, b.yy}; }
+EPAFI_INLINE Scalar mirrored(const Scalar& b) { return b; }
+
+/// Writes the function j of all columns of a block, `stride` from one to the next.
+template <class Numbering>
+EPAFI_INLINE void put(const Numbering& to, const Block& b, int j, double* first,
+                      Index stride) {
+  to.put(b.xx, b.yx, j, first);
+  to.put(b.xy, b.yy, j, first + stride);
+}
+template <class Numbering>
+EPAFI_INLINE void put(const Numbering& to, const Scalar& b, int j, double* first,
+                      Index /*stride*/) {
+  to.put(b.value, j, first);
+}
+template <class Numbering>
+EPAFI_INLINE void putNodes(const Numbering& to, const Block& before, const Block& behind,
+                           double* first, Index stride) {
+  to.putNodes(before.xx, before.yx, behind.xx, behind.yx, first);
+  to.putNodes(before.xy, before.yy, behind.xy, behind.yy, first + stride);
+}
+template <class Numbering>
+EPAFI_INLINE void putNodes(const Numbering& to, const Scalar& before,
+                           const Scalar& behind, double* first, Index /*stride*/) {
+  to.putNodes(before.value, behind.value, first);
+}
+EPAFI_INLINE void storeBlock(const Block& b, AlignedLane* to) {
+  store(to[0].lane, b.xx);
+  store(to[1].lane, b.yx);
+  store(to[2].lane, b.xy);
+  store(to[3].lane, b.yy);
+}
+EPAFI_INLINE void storeBlock(const Scalar& b, AlignedLane* to) {
+  store(to[0].lane, b.value);
+}
 
 /// Is node k of an element on a line an end of its edge?
 bool endsEdge(const Mesh& mesh, int e, int k) {
@@ -19,7 +62,8 @@ bool endsEdge(const Mesh& mesh, int e, int k) {
 }  // namespace
 
 /// What the kernels read and write.
-struct TileBlocks::Work {
+template <class Family>
+struct TileBlocks<Family>::Work {
   TileBlocks& to;
   const Tile& m;
   const Element& f;
@@ -29,8 +73,9 @@ struct TileBlocks::Work {
   bool endsEdge[2] = {};    ///< the first, the last node of f
 };
 
+template <class Family>
 template <int Degree, int Rows>
-class TileBlocks::Filling {
+class TileBlocks<Family>::Filling {
  public:
   EPAFI_INLINE explicit Filling(const Work& work)
       : w_(work),
@@ -68,34 +113,22 @@ class TileBlocks::Filling {
 
   EPAFI_INLINE void putSymmetric(int i, int j, const Pack& log,
                                  const ComplexPack& phase) const {
-    const Lame& lame = to_.lame_;
     const double whole = wholeOf(i, j);
     const Pack area = wanted_ * w_.f.half * load(to_.run_->half);
-    const PackBlock v = singleLayerBlock(lame.a, lame.b, log, phase, whole);
-    double* single = to_.single_.data() + 2 * i * to_.longest_;
-    densities_.put(area * v.xx, area * v.yx, j, single);
-    densities_.put(area * v.xy, area * v.yy, j, single + to_.longest_);
+    put(densities_, area * to_.family_.singleLayer(log, phase, whole), j,
+        to_.first(to_.single_, i), to_.longest_);
     if (i >= (Rows > 0 ? Rows : w_.f.degree) ||
         j >= (Degree > 0 ? Degree : to_.run_->degree))
       return;
-    const PackBlock slope = singleLayerBlock(lame.d, lame.d, log, phase, whole);
     const Pack scale = wanted_ * to_.functionSlopes_[j < 1 ? 1 : j + 1];
-    const Pack xx = scale * slope.xx;
-    const Pack xy = scale * slope.xy;
-    const Pack yy = scale * slope.yy;
-    double* slopes = to_.hypersingular_.data() + 2 * i * to_.longest_;
-    if (i == 0 && j == 0) {
-      store(to_.halfSlopes_[0].lane, xx);
-      store(to_.halfSlopes_[1].lane, xy);
-      store(to_.halfSlopes_[2].lane, yy);
-    }
-    if (j == 0) {
-      displacements_.putNodes(-xx, -xy, xx, xy, slopes);
-      displacements_.putNodes(-xy, -yy, xy, yy, slopes + to_.longest_);
-    } else {
-      displacements_.put(xx, xy, j, slopes);
-      displacements_.put(xy, yy, j, slopes + to_.longest_);
-    }
+    const auto slopes = scale * to_.family_.slopes(log, phase, whole);
+    double* to = to_.first(to_.hypersingular_, i);
+    if (i == 0 && j == 0)
+      storeBlock(slopes, to_.halfSlopes_);
+    if (j == 0)
+      putNodes(displacements_, (Pack{} - 1.0) * slopes, slopes, to, to_.longest_);
+    else
+      put(displacements_, slopes, j, to, to_.longest_);
   }
 
   // On one line K_Δ vanishes, and the phase is one constant, whose contributions of
@@ -103,14 +136,13 @@ class TileBlocks::Filling {
   // leave rounding, which is large beside the rest as ν -> 1/2.  `half` of the test's
   // element; `phases`: 1 where the phase counts, else 0.
   // NOLINTNEXTLINE(readability-function-*): of one formula
-  EPAFI_INLINE void doubleBlock(const Pack& half, double slope, const Pack& phases,
+  EPAFI_INLINE auto doubleBlock(const Pack& half, double slope, const Pack& phases,
                                 const Pack& log, const ComplexPack& phase,
-                                const Pack& laplace, PackBlock& block) const {
+                                const Pack& laplace) const {
     const Pack ofLog = slope * log;
     const Pack counted = slope * phases;
     const Pack ofLaplace = bent_ * laplace;
-    block = doubleLayerBlock(to_.lame_, ofLog, counted * phase, ofLaplace);
-    block = {half * block.xx, half * block.yx, half * block.xy, half * block.yy};
+    return half * to_.family_.doubleLayer(ofLog, counted * phase, ofLaplace);
   }
 
   /// ∫∫ P φ_k of the Laplace double layer from those of Legendre polynomials.
@@ -132,12 +164,10 @@ class TileBlocks::Filling {
     for (int k = i == 0 ? 0 : i + 1; k <= (i == 0 ? 1 : i + 1); ++k) {
       Pack laplace;
       laplaceOf(k, w_.m.reverse + j, Tile::stride, laplace);
-      PackBlock b{};
       const Pack& phases = k < 2 && w_.endsEdge[k] ? wanted_ : bent_;
-      doubleBlock(half, to_.functionSlopes_[k], phases, log, phase, laplace, b);
-      double* to = to_.double_.data() + 2 * k * to_.longest_;
-      densities_.put(b.xx, b.yx, j, to);
-      densities_.put(b.xy, b.yy, j, to + to_.longest_);
+      put(densities_,
+          doubleBlock(half, to_.functionSlopes_[k], phases, log, phase, laplace), j,
+          to_.first(to_.double_, k), to_.longest_);
     }
   }
 
@@ -146,26 +176,23 @@ class TileBlocks::Filling {
                                   const ComplexPack& phase) const {
     const Tile::Lane* direct = w_.m.direct + i * Tile::stride;
     const Pack half = load(w_.others.lane) * w_.f.half;
-    double* to = to_.transposed_.data() + 2 * i * to_.longest_;
+    double* to = to_.first(to_.transposed_, i);
     // with the phase where a node ends its edge
     const Pack line = wanted_ - bent_;
     const Pack before = bent_ + line * load(to_.endsEdge_[0].lane);
     const Pack behind = bent_ + line * load(to_.endsEdge_[1].lane);
     Pack laplace;
-    PackBlock b{};
     laplaceOf(j + 1, direct, 1, laplace);
-    doubleBlock(half, to_.functionSlopes_[j + 1], j == 0 ? behind : bent_, log, phase,
-                laplace, b);
+    const auto b = mirrored(doubleBlock(half, to_.functionSlopes_[j + 1],
+                                        j == 0 ? behind : bent_, log, phase, laplace));
     if (j > 0) {
-      displacements_.put(b.xx, b.xy, j, to);
-      displacements_.put(b.yx, b.yy, j, to + to_.longest_);
+      put(displacements_, b, j, to, to_.longest_);
       return;
     }
-    PackBlock a{};
     laplaceOf(0, direct, 1, laplace);
-    doubleBlock(half, to_.functionSlopes_[0], before, log, phase, laplace, a);
-    displacements_.putNodes(a.xx, a.xy, b.xx, b.xy, to);
-    displacements_.putNodes(a.yx, a.yy, b.yx, b.yy, to + to_.longest_);
+    const auto a =
+        mirrored(doubleBlock(half, to_.functionSlopes_[0], before, log, phase, laplace));
+    putNodes(displacements_, a, b, to, to_.longest_);
   }
 
   const Work& w_;
@@ -176,7 +203,8 @@ class TileBlocks::Filling {
   Pack bent_;
 };
 
-struct TileBlocks::Fill {
+template <class Family>
+struct TileBlocks<Family>::Fill {
   const Work& work;
 
   template <Division>
@@ -191,10 +219,14 @@ struct TileBlocks::Fill {
   }
 };
 
-TileBlocks::TileBlocks(const Space& space, const Lame& lame)
-    : PairColumns(space), lame_(lame) {}
+template <class Family>
+TileBlocks<Family>::TileBlocks(const Space& space, const Family& family)
+    : PairColumns(space), family_(family) {
+  assert(space.components() == Family::components);
+}
 
-void TileBlocks::setRun(const ElementLanes& run, int trial) {
+template <class Family>
+void TileBlocks<Family>::setRun(const ElementLanes& run, int trial) {
   if (!PairColumns::setRun(run, trial))
     return;
   const Mesh& mesh = space_.mesh();
@@ -207,23 +239,47 @@ void TileBlocks::setRun(const ElementLanes& run, int trial) {
   }
 }
 
-void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
-  setRun(tile.run(), tile.trial());
-  const int f = tile.trial();
+template <class Family>
+void TileBlocks<Family>::fill(InstructionSet set) {
+  setRun(tile_.run(), tile_.trial());
+  const int f = tile_.trial();
   const Mesh& mesh = space_.mesh();
-  Work work = {*this, tile, mesh[f]};
+  Work work = {*this, tile_, mesh[f]};
   for (int k = 0; k < 2; ++k)
     work.endsEdge[k] = endsEdge(mesh, f, k);
   for (int lane = 0; lane < lanes; ++lane) {
-    const bool isThere = tile.isWanted(lane);
+    const bool isThere = tile_.isWanted(lane);
     const bool isBent = lines_[static_cast<std::size_t>(lane)] != work.f.piece.edge;
     work.wanted.lane[lane] = isThere ? 1 : 0;
     work.others.lane[lane] = isThere && run_->first + lane != f ? 1 : 0;
     work.bent.lane[lane] = isThere && isBent ? 1 : 0;
   }
   dispatch(set, Fill{work});
-  if (tile.isWanted(f - run_->first))
+  if (tile_.isWanted(f - run_->first))
     addHalf(massOf(mesh[f]));
 }
+
+template <class Family>
+double TileBlocks<Family>::energy(int lane, const LocalField& onTrial,
+                                  const LocalField& onLane) const {
+  const Element& x = space_.mesh()[tile_.trial()];
+  const Element& y = space_.mesh()[tile_.run().first + lane];
+  const Complex tangent = asComplex(y.curve.frame().tangent);
+  double sum = 0;
+  for (int i = 0; i < x.densities; ++i)
+    for (int j = 0; j < y.densities; ++j) {
+      const double whole = i == 0 && j == 0 ? 4 : 0;
+      const double log = tile_.log[i * Tile::stride + j][lane];
+      const Complex phase = tile_.phase(i, j, lane, tangent);
+      sum += family_.energy(onTrial.density[at(i)], onLane.density[at(j)], log, phase,
+                            whole, false) +
+             family_.energy(onTrial.slope[at(i)], onLane.slope[at(j)], log, phase, whole,
+                            true);
+    }
+  return x.half * y.half * sum;
+}
+
+template class TileBlocks<KelvinMoments>;
+template class TileBlocks<LaplaceMoments>;
 
 }  // namespace epafi::bem

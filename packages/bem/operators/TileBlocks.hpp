@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bem/kernel/Elasticity.hpp"
+#include "bem/kernel/Laplace.hpp"
 #include "bem/moments/Tile.hpp"
 #include "bem/operators/LocalFunctions.hpp"
 #include "bem/operators/PairColumns.hpp"
@@ -9,24 +11,34 @@
 
 namespace epafi::bem {
 
-/// Entries of a tile of plane bodies.
+/// Entries of a tile of plane bodies, of a family whose blocks are sums of the moments of Tile:
+///
+///   Family::components
+///   singleLayer(log, phase, whole)    block of V, components x components
+///   slopes(log, phase, whole)         of V*, W v = -d/ds V* dv/ds
+///   doubleLayer(log, phase, laplace)  of K, `log` and `phase` with the derivative of φ_k, `laplace` its
+///                                     double layer of Laplace
+///   energy(p, q, log, phase, whole, isSlope)  p·V q or p·V* q of two coefficients
+///
+/// KelvinMoments, LaplaceMoments.
+template <class Family>
 class TileBlocks final : public PairColumns {
  public:
-  TileBlocks(const Space& space, const Lame& lame);
+  TileBlocks(const Space& space, const Family& family);
 
-  /// Computes all columns.
-  void evaluate(const Tile& tile, InstructionSet set = largestInstructionSet());
-
-  /// By <V*(P_i e_c on f), (·)'>, V* the kernel of W, P_i that of φ_k'.
-  Scaled hypersingular(int k, int c) const override {
-    return {column(hypersingular_, 2 * std::max(k - 1, 0) + c), functionSlopes_[at(k)]};
+  void integrate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
+                 InstructionSet set) override {
+    tile_.evaluate(runs, trial, r, wanted, set);
   }
-  const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
+  double energy(int lane, const LocalField& onTrial,
+                const LocalField& onLane) const override;
 
-  Block commonNode(int lane) const override {
-    const double xy = halfSlopes_[1].lane[lane];
-    return -functionSlopes_[1] *
-           Block{halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
+  /// By <V*(P_i e_c on f), (·)'>, P_i that of φ_k'.
+  Scaled hypersingular(int k, int c) const override {
+    return {column(hypersingular_, std::max(k - 1, 0), c), functionSlopes_[at(k)]};
+  }
+  double commonNode(int lane, int c, int d) const override {
+    return -functionSlopes_[1] * halfSlopes_[Family::components * d + c].lane[lane];
   }
 
  private:
@@ -36,12 +48,18 @@ class TileBlocks final : public PairColumns {
   struct Fill;
 
   void setRun(const ElementLanes& run, int trial);
+  void fill(InstructionSet set) override;
 
-  AlignedLane halfSlopes_[3] = {};  ///< <V* 1, 1> of f and the lanes, times φ₁' = 1/2
-  Lame lame_;
+  Family family_;
+  Tile tile_;
+  /// <V* 1, 1> of f and the lanes, times φ₁' = 1/2, column by column
+  AlignedLane halfSlopes_[Family::components * Family::components] = {};
   std::array<int, lanes> lines_{};  ///< Mesh::lineOf
   AlignedLane endsEdge_[2] =
       {};  ///< of the first, of the last node: 1 if it ends an edge, else 0
 };
+
+extern template class TileBlocks<KelvinMoments>;
+extern template class TileBlocks<LaplaceMoments>;
 
 }  // namespace epafi::bem

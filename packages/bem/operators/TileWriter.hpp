@@ -11,9 +11,10 @@ namespace epafi::bem {
 struct GhostNodes {
   GhostNodes(const Space& space, const ElementRuns& runs);
 
-  std::vector<Index> first;  ///< by loop: number of its first node's x displacement
-  Matrix doubleLayer;        ///< densities x (2 ghosts)
-  /// (displacements + 2 ghosts) x (2 ghosts); a pair of ghosts is stored once, diagonal blocks
+  std::vector<Index> first;  ///< by loop: number of its first node's first displacement
+  int components;
+  Matrix doubleLayer;  ///< densities x components of ghosts
+  /// (displacements + ghosts) x ghosts, all components; a pair of ghosts is stored once, diagonal blocks
   /// in full.
   Matrix hypersingular;
 
@@ -57,7 +58,7 @@ class TileWriter {
   void append(Matrix& matrix, Index first, Index column, const double* from, Index size,
               double scale);
   void appendHypersingular(const PairColumns& columns, int f, int k, int c);
-  void addCommonNode(int f, const Block& block);
+  void addCommonNode(int f, const PairColumns& columns);
   void collect(const PairColumns& columns, int f);
 
   const Space& space_;

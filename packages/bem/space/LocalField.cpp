@@ -5,9 +5,10 @@ namespace epafi::bem {
 LocalField localField(const Space& space, const Vector& u, const Vector& psi, int e) {
   const Element& element = space.mesh()[e];
   const int p = element.degree;
-  const auto coefficient = [&](int k) {
-    return Complex(u[space.displacement(e, k, 0)], u[space.displacement(e, k, 1)]);
+  const auto complex = [&](const Vector& x, Index first) {
+    return Complex(x[first], space.components() == 2 ? x[first + 1] : 0);
   };
+  const auto coefficient = [&](int k) { return complex(u, space.displacement(e, k, 0)); };
   LocalField field;
   const Complex start = coefficient(0);
   const Complex end = coefficient(1);
@@ -21,7 +22,7 @@ LocalField localField(const Space& space, const Vector& u, const Vector& psi, in
     field.slope[k - 1] = slope / element.half * coefficient(k);
   }
   for (int i = 0; i < element.densities; ++i)
-    field.density[i] = {psi[space.density(e, i, 0)], psi[space.density(e, i, 1)]};
+    field.density[i] = complex(psi, space.density(e, i, 0));
   return field;
 }
 

@@ -8,14 +8,15 @@
 
 namespace epafi::bem {
 
-Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
+Space::Space(Mesh mesh, int components)
+    : mesh_(std::move(mesh)), components_(components) {
   displacementStart_.assign(1, 0);
   densityStart_.assign(1, 0);
   for (const Element& element : mesh_.elements()) {
-    displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
-    densityStart_.push_back(densityStart_.back() + 2 * element.densities);
+    displacementStart_.push_back(displacementStart_.back() + components * element.degree);
+    densityStart_.push_back(densityStart_.back() + components * element.densities);
   }
-  if (mesh_.hasArcs() && !mesh_.outline().isAxisymmetric())
+  if (components == 2 && mesh_.hasArcs() && !mesh_.outline().isAxisymmetric())
     rotation_ = std::make_shared<const Rotation>(*this);
 }
 
@@ -31,7 +32,7 @@ Vec2 Space::polynomialAt(const Vector& u, int e, double t) const {
   DisplacementBasis::values(p, t, phi.data());
   Vec2 value;
   for (int k = 0; k <= p; ++k)
-    value = value + phi[k] * Vec2{u[displacement(e, k, 0)], u[displacement(e, k, 1)]};
+    value = value + phi[k] * coefficient(u, displacement(e, k, 0));
   return value;
 }
 
@@ -41,12 +42,17 @@ Vec2 Space::densityAt(const Vector& psi, int e, double t) const {
   legendreValues(count - 1, t, legendre.data());
   Vec2 value;
   for (int i = 0; i < count; ++i)
-    value = value + legendre[i] * Vec2{psi[density(e, i, 0)], psi[density(e, i, 1)]};
+    value = value + legendre[i] * coefficient(psi, density(e, i, 0));
   return value;
 }
 
 Matrix Space::rigidMotions() const {
-  Matrix motions(displacements(), 3);
+  Matrix motions(displacements(), components_ == 1 ? 1 : 3);
+  if (components_ == 1) {
+    for (int e = 0; e < mesh_.size(); ++e)
+      motions(displacement(e, 0, 0), 0) = 1;
+    return motions;
+  }
   if (mesh_.outline().isAxisymmetric()) {
     for (int e = 0; e < mesh_.size(); ++e)
       motions(displacement(e, 0, 1), 1) = 1;
@@ -81,16 +87,19 @@ std::vector<double> Space::samplePoints(int degree) const {
 Vector Space::interpolateSamples(const std::vector<int>& elements,
                                  const std::vector<Vec2>& samples) const {
   Vector u(displacements());
+  const auto set = [&](Index first, Vec2 value) {
+    u[first] = value.x;
+    if (components_ == 2)
+      u[first + 1] = value.y;
+  };
   const Vec2* sample = samples.data();
   for (const int e : elements) {
     const int p = mesh_[e].degree;
     const Vec2 start = sample[0];
     const Vec2 end = sample[1];
     sample += 2;
-    u[displacement(e, 0, 0)] = start.x;
-    u[displacement(e, 0, 1)] = start.y;
-    u[displacement(e, 1, 0)] = end.x;
-    u[displacement(e, 1, 1)] = end.y;
+    set(displacement(e, 0, 0), start);
+    set(displacement(e, 1, 0), end);
     if (p == 1)
       continue;
     const Rule& rule = gaussLegendre(p + 6);
@@ -106,8 +115,7 @@ Vector Space::interpolateSamples(const std::vector<int>& elements,
         integral = integral - rule.weights[q] * derivative * sample[q];
       }
       const double scale = (2 * k - 1) / (2 * DisplacementBasis::slope(k));
-      u[displacement(e, k, 0)] = scale * integral.x;
-      u[displacement(e, k, 1)] = scale * integral.y;
+      set(displacement(e, k, 0), scale * integral);
     }
     sample += rule.size();
   }

@@ -16,13 +16,16 @@ namespace epafi::bem {
 ///   densities:     discontinuous Legendre series with Element::densities terms: p, or
 ///                  more.
 ///
-/// Component c is 0 for x and 1 for y.  Displacements are numbered element by element: both
-/// components of the start node, then of the bubbles; densities likewise.
+/// Component c is 0 for x and 1 for y.  Displacements are numbered element by element: all
+/// components of the start node, then of the bubbles; densities likewise.  A scalar field and its
+/// flux have one component.
 class Space {
  public:
-  explicit Space(Mesh mesh);
+  /// \param components 1 or 2
+  explicit Space(Mesh mesh, int components = 2);
 
   const Mesh& mesh() const { return mesh_; }
+  int components() const { return components_; }
 
   Index displacements() const { return displacementStart_.back(); }
   Index densities() const { return densityStart_.back(); }
@@ -31,14 +34,16 @@ class Space {
   Index displacement(int e, int k, int c) const {
     if (k == 1)
       return displacementStart_[mesh_[e].next] + c;
-    return displacementStart_[e] + 2 * (k == 0 ? 0 : k - 1) + c;
+    return displacementStart_[e] + components_ * (k == 0 ? 0 : k - 1) + c;
   }
 
   /// Number of P_i on element e.
-  Index density(int e, int i, int c) const { return densityStart_[e] + 2 * i + c; }
+  Index density(int e, int i, int c) const {
+    return densityStart_[e] + components_ * i + c;
+  }
 
   /// Polynomial part of a displacement at a point of an element; all of it:
-  /// DisplacementField.
+  /// DisplacementField.  A missing component is zero, here and below.
   Vec2 polynomialAt(const Vector& u, int e, double t) const;
   /// Value of a density at a point of an element.
   Vec2 densityAt(const Vector& psi, int e, double t) const;
@@ -71,7 +76,7 @@ class Space {
   }
 
   /// Null if all elements are straight, since polynomials then represent rotations, and for solids
-  /// of revolution, which have none.
+  /// of revolution and scalar fields, which have none.
   std::shared_ptr<const Rotation> rotation() const { return rotation_; }
   /// P u of Rotation.
   Vector withoutRotation(Vector u) const {
@@ -81,15 +86,21 @@ class Space {
   Vec2 rotationRest(int e, double t) const;
 
   /// Columns: the rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
-  /// outline; a solid of revolution has the second one alone, the others are zero.
+  /// outline; a solid of revolution has the second one alone, the others are zero.  A scalar
+  /// field has one column, the constant.
   Matrix rigidMotions() const;
 
  private:
+  /// All components from a number on.
+  Vec2 coefficient(const Vector& x, Index first) const {
+    return {x[at(first)], components_ == 2 ? x[at(first) + 1] : 0};
+  }
   Vector interpolateSamples(const std::vector<int>& elements,
                             const std::vector<Vec2>& samples) const;
   std::vector<double> samplePoints(int degree) const;
 
   Mesh mesh_;
+  int components_;
   std::vector<Index> displacementStart_;
   std::vector<Index> densityStart_;
   std::shared_ptr<const Rotation> rotation_;

@@ -8,6 +8,7 @@
 #include "bem/moments/ElementPotential.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/Kernel.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -330,13 +331,14 @@ TractionRows kernelRows(const Space& space, const Lame& lame,
   for (const auto& of : rows)
     out.start.push_back(out.start.back() + of->columns());
   out.rows = Matrix(space.displacements() + space.densities(), out.start.back());
+  const std::shared_ptr<const Kernel> kernel = elasticKernel(mesh.outline(), lame);
   parallelFor(
       {(count + lanes - 1) / lanes, ofFarSource * targets * mesh.size()},
-      [&] { return FarBlocks(space, lame); },
-      [&](FarBlocks& blocks, Index group) {
+      [&] { return kernel->far(space); },
+      [&](std::unique_ptr<FarBlocks>& blocks, Index group) {
         const std::size_t first = at(group * lanes);
         const std::size_t last = std::min(first + lanes, rows.size());
-        addFar(rows, first, last, mesh, blocks, out);
+        addFar(rows, first, last, mesh, *blocks, out);
         for (std::size_t k = first; k < last; ++k)
           rows[k]->addNear(out.start[k], out);
       });

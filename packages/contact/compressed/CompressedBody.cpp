@@ -49,7 +49,7 @@ void CompressedBody::addSprings() {
   const std::vector<Index> rows = bem::pivotedTriangle(moved);
   for (Index k = 0; k < motions.columns(); ++k) {
     const Index spring = range_.first + rows[at(k)];
-    restriction_.entries.push_back({spring, spring, range_.young});
+    restriction_.entries.push_back({spring, spring, range_.stiffness});
   }
 }
 

@@ -1,6 +1,7 @@
 #include "contact/conditions/ConductedHeat.hpp"
 
 #include "bem/base/Parallel.hpp"
+#include "bem/compressed/Laplace.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/fields/CauchyIntegral.hpp"
-#include "bem/operators/Laplace.hpp"
+#include "bem/space/Space.hpp"
 
 #include <optional>
 #include <vector>

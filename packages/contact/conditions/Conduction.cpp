@@ -20,17 +20,12 @@ int degreeOfHeat(const bem::Element& element) {
 }
 
 /// The elements with as many flows as degrees.
-bem::Mesh meshOfHeat(const bem::Mesh& mesh, const ThermalConditions& kinds) {
+bem::Mesh meshOfHeat(const bem::Mesh& mesh) {
   std::vector<bem::Piece> pieces;
   for (const bem::Element& element : mesh.elements()) {
     pieces.push_back(element.piece);
     pieces.back().degree = degreeOfHeat(element);
   }
-  if (const bem::Index size = Conduction::sizeOn(mesh); size > Conduction::largestSize)
-    throw bem::InputError(
-        kinds.path, ": conduction by dense operators takes at most ",
-        Conduction::largestSize, " degrees of all elements together, the mesh has ", size,
-        "; make it coarser, or set Adaptivity->Maximum Degrees of Freedom");
   return {mesh.sharedOutline(), pieces};
 }
 
@@ -58,15 +53,8 @@ double square(const bem::LegendreSeries<double>& series, const bem::Element& ele
 
 }  // namespace
 
-bem::Index Conduction::sizeOn(const bem::Mesh& mesh) {
-  bem::Index size = 0;
-  for (const bem::Element& element : mesh.elements())
-    size += degreeOfHeat(element);
-  return size;
-}
-
 Conduction::Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds)
-    : space_(meshOfHeat(mesh, kinds)),
+    : space_(meshOfHeat(mesh), 1),
       laplace_(space_, isHeld(mesh, kinds)),
       places_(ConductedHeat::placesInHoles(mesh.outline())) {}
 
@@ -74,7 +62,7 @@ std::shared_ptr<const ConductedHeat> Conduction::heat(
     const ThermalConditions& now) const {
   const bem::Mesh& mesh = space_.mesh();
   const double scale = mesh.outline().scaling().length / now.conductivity;
-  bem::Vector data(at(laplace_.operators().rows()));
+  bem::Vector data(at(space_.displacements() + space_.densities()));
   bem::Vector errors(at(mesh.size()));
   for (const auto& [name, given] : now.flows)
     for (const int e : mesh.elementsOf(name)) {

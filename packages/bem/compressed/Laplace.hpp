@@ -1,0 +1,60 @@
+#pragma once
+
+#include "bem/compressed/CompressedFactor.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
+#include "bem/space/Space.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace epafi::bem {
+
+// Vector of the Cauchy data of a harmonic function on a Space of one component: T by nodes and
+// bubbles, then its fluxes q = ∂T/∂n as Legendre series on the elements.
+inline Index potentialOf(const Space& space, int e, int k) {
+  return space.displacement(e, k, 0);
+}
+inline Index flowOf(const Space& space, int e, int i) {
+  return space.displacements() + space.density(e, i, 0);
+}
+
+/// Interior mixed problem of Laplace: T given on some elements, q on the others.  With w = x - y
+///
+///   V q = -1/2π ∫ log|w| q ds,  K T = 1/2π ∫ (w·n_y)/|w|² T ds,  W T = -d/ds V (dT/ds),
+///   V q = (1/2 + K) T,          W T = (1/2 - K') q,
+///
+/// the first equation is tested where T is given, the second where q is: these are the rows of
+/// CompressedOperators without what is given, since given q and free T have no node in common.  On
+/// a hole where only q is given, the second leaves a constant of T free: T is held in a node, and
+/// the mean of the first over the hole gives the constant.
+/// Dimensionless, diameter of the outline at most 1.              [doc/theory/operators.md]
+class MixedLaplace {
+ public:
+  /// Refers to the space.
+  /// \param isPotentialGiven by element: is T given on it?
+  /// \pre one component; T is given on an element
+  MixedLaplace(const Space& space, const std::vector<bool>& isPotentialGiven,
+               const Compression& options = {});
+
+  /// Complete Cauchy data; entries of `data` that are not given are ignored.
+  Vector solve(Vector data) const;
+
+ private:
+  /// A hole where only q is given: its constant fluxes, and the nodes of the constant T.
+  struct FreeLoop {
+    std::vector<Index> flows;
+    std::vector<Index> nodes;
+    double length = 0;
+  };
+  void findFreeLoops(const std::vector<bool>& isPotentialGiven);
+  /// The rows above, right sides minus left ones.
+  Vector residual(const Vector& data) const;
+
+  const Space& space_;
+  std::vector<FreeLoop> freeLoops_;
+  std::vector<bool> isUnknown_;
+  std::unique_ptr<const CompressedOperators> operators_;
+  std::unique_ptr<const CompressedFactor> factor_;
+};
+
+}  // namespace epafi::bem
