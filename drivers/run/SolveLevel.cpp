@@ -28,10 +28,10 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
   const Scene& scene = spaces.scene();
   if (compressed)
     return run.timer.run(Phase::Factorization, [&] {
-      return contact::makeCompressedStiffness(spaces.all(), lames, spaces.multiplier(),
-                                              *spaces.opposite(), scene.stabilization,
-                                              scene.units(), run.processes,
-                                              scene.solver.linear.compression);
+      return contact::makeCompressedStiffness(
+          spaces.all(), lames, spaces.multiplier(), *spaces.opposite(),
+          scene.stabilization, scene.units(), run.processes,
+          scene.solver.linear.compression, formedUpTo(scene.history.steps()));
     });
   std::vector<bem::SteklovPoincare> all;
   for (std::size_t b = 0; b < spaces.size(); ++b) {

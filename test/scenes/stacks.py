@@ -44,6 +44,14 @@ for count in (30, 60):
     claim(error < 1e-10 and row["newton_iterations"] <= 3,
           "a stack of %d: in %d steps, forces to %.1e of the load" % (count, row["newton_iterations"], error))
 
+# each body in a tree of its own
+folder, _ = solved("compressed", stack(20, 1e-6, "stack of 20"), *levels(1), "Solver->Linear->Method=Compressed")
+row, = rows(folder, "history.csv")
+folder, _ = solved("dense", stack(20, 1e-6, "stack of 20"), *levels(1), "Solver->Linear->Method=Dense")
+dense, = rows(folder, "history.csv")
+claim(differ(row["energy_strain"], dense["energy_strain"]) < 1e-9 and row["newton_iterations"] <= 3,
+      "a compressed stack of 20: energy to %.1e" % differ(row["energy_strain"], dense["energy_strain"]))
+
 
 def wall(size):
     """Bricks of 2 x 1 in running bond, each half of a side on one of the bricks below; the lowest row is

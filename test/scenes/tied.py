@@ -1,6 +1,6 @@
 """Law "Tied": bonded bodies carry tension and shear, and are as one."""
 from runs import claim, differ, finish, largest, rows, run
-from written import (CLAMPED, TIED, block, body, condition, contact, disc, friction, keys, listed,
+from written import (CLAMPED, NONE, TIED, block, body, condition, contact, disc, friction, geometry, keys, listed,
                      mesh, rigid, round_hole, written)
 
 PULL = condition("top", "Neumann", Traction_Y="1")
@@ -52,6 +52,36 @@ for form in ("Projected", "Density"):
             halves = boundary("halves", "b:right") + boundary("halves", "a:right")
             claim(largest(p["uy"] - q["uy"] for p, q in zip(halves, end)) < 1e-6,
                   "and its displacements")
+
+# coatings of the material that they lie on, far thinner than what a layer bends by alone
+PRESSED = condition("face", "Neumann", Traction_X="5e-4*x*(1-x^2)^2", Traction_Y="-1e-3*(1-x^2)^2")
+
+
+def layers(name, heights, weak=()):
+    """Blocks of 2 on each other, tied; the lowest one rests on rollers, the highest is loaded."""
+    bodies, ties = [], []
+    for k, (low, high) in enumerate(zip(heights, heights[1:])):
+        first, last = k == 0, k == len(heights) - 2
+        bodies.append(body("b%d" % k, geometry(block(-1, low, 1, high), [
+            "base" if first else "under", "side", "face" if last else "over", "side"]), 1.0,
+            (condition("base", "Dirichlet", Displacement_Y=0) if first else NONE) + (PRESSED if last else NONE),
+            "X" if first else ""))
+        if k > 0:
+            pair = ("b%d:under" % k, "b%d:over" % (k - 1))
+            ties.append(contact("tie%d" % k, *(pair[::-1] if k in weak else pair), TIED))
+    return written(name, bodies, keys(*ties), "Density", 0.2, 8)
+
+
+for height in (2e-3, 2e-4, 2e-5):
+    whole = run(layers("whole", (-1, height)), "whole")[0][0]["energy_strain"]
+    for name, file in (("a coating", layers("coating", (-1, 0, height))),
+                       ("the substrate's multiplier", layers("coating", (-1, 0, height), (1,))),
+                       ("two layers", layers("coating", (-1, 0, height / 2, height))),
+                       ("a layer between blocks", layers("coating", (-1, -0.5, height - 0.5, height)))):
+        row = run(file, "coating")[0][0]
+        error = differ(row["energy_strain"], whole)
+        claim(error < 1e-8 and row["newton_iterations"] == 1,
+              "%s, %g of the width thick, as one block: %.1e" % (name, height / 2, error))
 
 # jumps: a uniform dislocation across a whole cut moves one part, a misfit is Lame's
 for form in ("None", "Projected", "Exact", "Density"):

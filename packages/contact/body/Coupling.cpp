@@ -136,6 +136,19 @@ std::vector<Coupling> makeCouplings(const std::vector<const bem::Space*>& spaces
   return couplings;
 }
 
+std::vector<Index> Coupling::columns() const {
+  const Vector& rests = trace.rests;
+  std::vector<char> acts(rests.size());
+  for (const auto* entries : {&trace.entries, &weights, &mass})
+    for (const bem::Entry& entry : *entries)
+      acts[at(entry.column)] = 1;
+  std::vector<Index> result;
+  for (std::size_t i = 0; i < acts.size(); ++i)
+    if (acts[i] != 0 || rests[i] != 0)
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
+
 void Coupling::weaken(double newGamma0) {
   const double factor = newGamma0 / gamma0;
   gamma0 = newGamma0;

@@ -45,6 +45,9 @@ struct Coupling {
   bool byDensity() const { return !compliance.densities.empty(); }
   bool hasCompliance() const { return byDensity() || !compliance.pinned.empty(); }
 
+  /// Coefficients of the multiplier that act on the body or its stabilisation, ascending.
+  std::vector<Index> columns() const;
+
   /// Changes γ₀, and with it γ and all that is proportional to it.
   void weaken(double newGamma0);
 
@@ -70,6 +73,15 @@ struct Coupling {
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
                                     const Vector& ofInside) const;
 };
+
+/// Those of the places.
+inline Vector entriesAt(const std::vector<Index>& places, const Vector& all) {
+  Vector result;
+  result.reserve(places.size());
+  for (const Index i : places)
+    result.push_back(all[at(i)]);
+  return result;
+}
 
 /// C of all bodies, without stabilisation.  Refers to the opposite sides.
 /// \pre all bodies share Units

@@ -117,8 +117,9 @@ void takeOff(const double* tested, double square, const double* along,
 }  // namespace
 
 DenseBody::DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
-                     Coupling coupling, Tractions tractions)
-    : ElasticBody(input.space, std::move(holding), std::move(coupling)),
+                     Coupling coupling, Tractions tractions, Bedding bedding)
+    : ElasticBody(input.space, std::move(holding), std::move(coupling),
+                  std::move(bedding)),
       stiffness_(input.stiffness),
       response_(stiffness_.response()),
       tractions_(std::move(tractions)),
@@ -126,6 +127,7 @@ DenseBody::DenseBody(const BodyInput& input, std::shared_ptr<const Holding> hold
                : tractions_ != nullptr ? &tractions_->rows
                                        : nullptr),
       free_(unclamped(holding_->clamped)),
+      springs_(makeSprings()),
       factor_(factored()) {
   for (Index k = 0; k < motions; ++k) {
     long double square = 0;
@@ -137,15 +139,57 @@ DenseBody::DenseBody(const BodyInput& input, std::shared_ptr<const Holding> hold
 }
 
 bem::CholeskyFactor DenseBody::factored() const try {
+  Matrix a = addOuter(subtractStabilisation(unpackedAt(free_, stiffness_.stiffness())),
+                      rowsAt(free_, holding_->functionals.copy()), 1);
   return bem::CholeskyFactor(
-      addOuter(subtractStabilisation(unpackedAt(free_, stiffness_.stiffness())),
-               rowsAt(free_, holding_->functionals.copy()), 1),
+      bedding_.rows.empty() ? std::move(a)
+                            : addOuter(std::move(a), rowsAt(free_, springs_.copy()), 1),
       "the stiffness matrix");
 } catch (const bem::NumericalError& error) {
   throw bem::NumericalError(
       error.what(),
       "; rounding has taken its digits, as it does in bodies slender by more than "
       "1 : 1000: look at the outline");
+}
+
+// Bᵀ k^½ (I - q qᵀ), q an orthonormal basis of k^½ B r
+Matrix DenseBody::makeSprings() const {
+  constexpr double rounding = 1e-8;
+  const std::vector<Index>& rows = bedding_.rows;
+  if (rows.empty())
+    return {};
+  std::vector<Index> places(coupling_.trace.rests.size(), -1);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    places[at(rows[k])] = static_cast<Index>(k);
+  Matrix springs = transposedCoupling(places, static_cast<Index>(rows.size()));
+  for (Index k = 0; k < springs.columns(); ++k)
+    for (Index i = 0; i < springs.rows(); ++i)
+      springs(i, k) *= std::sqrt(bedding_.stiffness[at(k)]);
+  const Matrix moved = bem::transposedTimes(springs, holding_->allowed);
+  std::vector<Vector> basis;
+  for (Index k = 0; k < moved.columns(); ++k) {
+    Vector q = columnOf(moved, k);
+    const double before = bem::dot(q, q);
+    for (int twice = 0; twice < 2; ++twice)
+      for (const Vector& other : basis)
+        bem::axpy(-bem::dot(other, q), other, q);
+    if (const double square = bem::dot(q, q); square > rounding * rounding * before)
+      basis.push_back(bem::times(1 / std::sqrt(square), q));
+  }
+  for (const Vector& q : basis) {
+    const Vector along = multiply(springs, q);
+    for (Index k = 0; k < springs.columns(); ++k)
+      for (Index i = 0; i < springs.rows(); ++i)
+        springs(i, k) -= along[at(i)] * q[at(k)];
+  }
+  return springs;
+}
+
+Vector DenseBody::beddingForce(const Vector& x) const {
+  Vector own;
+  for (std::size_t k = 0; k < bedding_.rows.size(); ++k)
+    own.push_back(std::sqrt(bedding_.stiffness[k]) * x[at(bedding_.rows[k])]);
+  return multiply(springs_, own);
 }
 
 // A panel of X at a time, which saves memory
@@ -289,7 +333,8 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
 
 std::shared_ptr<const DenseBody> makeDenseBody(
     const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
-    const std::shared_ptr<const Holding>& holding, const Coupling& plain) {
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain,
+    const Bedding& bedding) {
   const Tractions tractions = tractionsOf(input, multiplier, body);
   Coupling coupling = couplingOf(input, multiplier, body, tractions, plain);
   const auto response = input.stiffness.response();
@@ -300,7 +345,8 @@ std::shared_ptr<const DenseBody> makeDenseBody(
         "the stiffness was made for another stabilisation than the contact problem: take "
         "it from contact::makeStiffness");
   try {
-    return std::make_shared<const DenseBody>(input, holding, coupling, tractions);
+    return std::make_shared<const DenseBody>(input, holding, coupling, tractions,
+                                             bedding);
   } catch (const bem::NumericalError&) {
     if (tractions == nullptr || tractions->start.back() == 0)
       throw;
@@ -310,8 +356,8 @@ std::shared_ptr<const DenseBody> makeDenseBody(
   if (input.stabilization.gamma0)
     throw IndefiniteStiffness(first, definiteBelow);
   coupling.weaken(std::min(first, definiteBelow) / 4);
-  return std::make_shared<const DenseBody>(input, holding, std::move(coupling),
-                                           tractions);
+  return std::make_shared<const DenseBody>(input, holding, std::move(coupling), tractions,
+                                           bedding);
 }
 
 double limitGamma0(const BodyInput& input) {

@@ -2,7 +2,6 @@
 
 #include "bem/tractions/TractionRows.hpp"
 #include "contact/body/ElasticBody.hpp"
-#include "contact/problem/Flexibility.hpp"
 
 namespace epafi::contact {
 
@@ -28,21 +27,14 @@ class DenseBody final : public ElasticBody {
 
   /// \param tractions S φ; null: no S^  \throws bem::NumericalError if A is not definite
   DenseBody(const BodyInput& input, std::shared_ptr<const Holding> holding,
-            Coupling coupling, Tractions tractions);
+            Coupling coupling, Tractions tractions, Bedding bedding = {});
 
   /// L⁻¹ Cᵀ with the factor L of A, clamped rows ignored.
   Matrix forward(Matrix rows) const;
-  /// Coefficients of the multiplier that act on the body or its stabilisation, ascending.
-  std::vector<Index> columns() const;
-  /// D by these, lower triangle, with the body's part added; d: of the bodies before,
-  ///
-  ///   d + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ
-  ///
-  /// \param motions  r_k: B r of the motions that clamps allow  \param reactions  s_k of those that
-  ///   Fix holds, see ContactSystem
+  /// By d + M + (L⁻¹ Bᵀ)ᵀ L⁻¹ Bᵀ - Σ_k r_k (½ r_k + s_k)ᵀ + (½ r_k + s_k) r_kᵀ, the lower triangle.
   Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
-                       const std::vector<Vector>& reactions) const;
-
+                       const std::vector<Vector>& reactions) const override;
+  Vector beddingForce(const Vector& x) const override;
   bool isFormed() const override { return true; }
   Vector solve(const Vector& force) const override;
   /// The rounding error of the work is relative to it, neither to large entries of S as nu -> 1/2 nor
@@ -58,6 +50,7 @@ class DenseBody final : public ElasticBody {
   using Extended = std::vector<long double>;
 
   bem::CholeskyFactor factored() const;
+  Matrix makeSprings() const;
   /// Columns of Bᵀ, and M, by places of coefficients.
   Matrix transposedCoupling(const std::vector<Index>& places, Index count) const;
   void addMultiplierMass(const std::vector<Index>& places, Matrix& d) const;
@@ -73,20 +66,17 @@ class DenseBody final : public ElasticBody {
   const Matrix* columns_;    ///< R
   Vector squares_;           ///< <r, r> of the modes r
   std::vector<Index> free_;  ///< displacements that are not clamped
+  Matrix springs_;           ///< Bᵀ K^½ of the bedding
   bem::CholeskyFactor
-      factor_;  ///< of A + Σ c cᵀ there, c: functionals of allowed motions
+      factor_;  ///< of A + Bᵀ K B + Σ c cᵀ there, c: functionals of allowed motions
 };
 
 /// All forms of the stabilisation.  γ₀ becomes smaller if the default is too large.
 /// \pre input.stiffness is formed  \throws IndefiniteStiffness if a given γ₀ is too large
 std::shared_ptr<const DenseBody> makeDenseBody(
     const BodyInput& input, const MultiplierSpace& multiplier, std::size_t body,
-    const std::shared_ptr<const Holding>& holding, const Coupling& plain);
-
-/// D of such bodies.  \param motions, reactions  of each, see DenseBody::addCompliance
-Flexibility denseFlexibility(const std::vector<std::shared_ptr<const DenseBody>>& bodies,
-                             const std::vector<std::vector<Vector>>& motions,
-                             const std::vector<std::vector<Vector>>& reactions);
+    const std::shared_ptr<const Holding>& holding, const Coupling& plain,
+    const Bedding& bedding = {});
 
 /// γ₀ at which A loses its definiteness: 1 / the largest eigenvalue of (S^/γ₀, S).  Infinite without
 /// S^.  Relative to S, the smallest eigenvalue of A is 1 - γ₀ / limitGamma0.      [P Lemma 6]

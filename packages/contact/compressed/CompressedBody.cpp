@@ -2,6 +2,7 @@
 
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/compressed/CompressedFlexibility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,14 @@ Vector CompressedBody::solve(const Vector& force) const {
       placed(bem::asColumn(without(holding_->allowed, holding_->functionals, force))));
   solved_.assign(x.data() + range_.densities, x.data() + range_.last);
   return without(holding_->functionals, holding_->allowed, forcesIn(x));
+}
+
+Matrix CompressedBody::addCompliance(Matrix d, const std::vector<Vector>& /*motions*/,
+                                     const std::vector<Vector>& reactions) const {
+  const CompressedFlexibility own({shared_from_this()}, 0, {reactions},
+                                  coupling_.columns());
+  bem::addTo(d, own.formed());
+  return d;
 }
 
 // W u + K' ψ, ψ that of u, and uᵀ W u + ψᵀ (V + G) ψ from Z's products

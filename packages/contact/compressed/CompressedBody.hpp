@@ -5,9 +5,10 @@
 
 namespace epafi::contact {
 
-/// One of the bodies of compressed operators.  Springs on free or fixed rigid motions make its
+/// One of the bodies of compressed operators, which share a tree or have one of their own.  Springs on free or fixed rigid motions make its
 /// system regular; solve() removes their effect.
-class CompressedBody final : public ElasticBody {
+class CompressedBody final : public ElasticBody,
+                             public std::enable_shared_from_this<CompressedBody> {
  public:
   /// \pre input.stiffness is of makeCompressedStiffness
   CompressedBody(const BodyInput& input, const MultiplierSpace& multiplier,
@@ -15,11 +16,16 @@ class CompressedBody final : public ElasticBody {
                  Coupling plain);
 
   Vector solve(const Vector& force) const override;
+  /// It has no bedding.
+  Vector beddingForce(const Vector& /*x*/) const override { return {}; }
   bool isFormed() const override { return false; }
   Image imageOf(const Vector& u) const override;
   Vector density(const Vector& u, const Vector& w) const override;
   Vector tractionsOf(const Vector& u) const override;
   Vector forcesOf(const Vector& w) const override { return onDensities(w).force; }
+  /// \pre it has a tree of its own
+  Matrix addCompliance(Matrix d, const std::vector<Vector>& motions,
+                       const std::vector<Vector>& reactions) const override;
   Vector responsesTo(const Vector& w) const override;
   std::pair<Vector, Vector> answerTo(const Vector& g) const override;
 

@@ -41,25 +41,36 @@ class CompressedFlexibility::Reduced final : public Factor {
 
 CompressedFlexibility::CompressedFlexibility(
     std::vector<std::shared_ptr<const CompressedBody>> bodies, Index normals,
-    const std::vector<std::vector<Vector>>& reactions)
+    const std::vector<std::vector<Vector>>& reactions, const std::vector<Index>& columns)
     : bodies_(std::move(bodies)), normals_(normals) {
-  takeCoupling();
+  takeCoupling(columns);
   restrictAll();
   if (bodies_.size() == 1)
     own_.push_back(along(bodies_.front()->factor()));
   else  // what is asked of one of them all the time is narrowed, see eliminated
     for (const auto& body : bodies_)
       own_.push_back({body->factor(), body->factor().activePaths(leaves_)});
-  addMotions(reactions);
+  addMotions(reactions, columns);
 }
 
-// Of the entries that Z has beside the boundary operators.
-void CompressedFlexibility::takeCoupling() {
+// Of the entries that Z has beside the boundary operators, by places of columns.
+void CompressedFlexibility::takeCoupling(const std::vector<Index>& columns) {
+  std::vector<Index> places(bodies_.front()->coupling().trace.rests.size(), -1);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    places[at(columns[k])] = static_cast<Index>(k);
   for (const auto& body : bodies_) {
     const Coupling& own = body->coupling();
     coupling_.push_back(own.withDensities(body->space().displacements()));
     mass_.insert(mass_.end(), own.mass.begin(), own.mass.end());
+    if (columns.empty())
+      continue;
+    for (bem::Entry& entry : coupling_.back().entries)
+      entry.column = places[at(entry.column)];
+    coupling_.back().rests = entriesAt(columns, coupling_.back().rests);
   }
+  for (bem::Entry& entry : mass_)
+    if (!columns.empty())
+      entry = {places[at(entry.row)], places[at(entry.column)], entry.value};
 }
 
 void CompressedFlexibility::addTranspose(double s, const double* multiplier,
@@ -120,8 +131,8 @@ CompressedFlexibility::Along CompressedFlexibility::along(
   return {std::move(narrow), std::move(paths)};
 }
 
-void CompressedFlexibility::addMotions(
-    const std::vector<std::vector<Vector>>& reactions) {
+void CompressedFlexibility::addMotions(const std::vector<std::vector<Vector>>& reactions,
+                                       const std::vector<Index>& columns) {
   Index count = 0;
   for (const auto& body : bodies_)
     count += body->motions().columns();
@@ -138,7 +149,10 @@ void CompressedFlexibility::addMotions(
       const Vector g = apply(moved.column(k));
       Vector w = apply(answers.column(k));
       if (b < reactions.size() && at(k) < reactions[b].size())
-        bem::axpy(1, reactions[b][at(k)], w);
+        bem::axpy(1,
+                  columns.empty() ? reactions[b][at(k)]
+                                  : entriesAt(columns, reactions[b][at(k)]),
+                  w);
       std::copy(g.begin(), g.end(), u.column(first + k));
       std::copy(w.begin(), w.end(), u.column(count + first + k));
       for (Index l = 0; l < own; ++l)

@@ -8,15 +8,20 @@
 
 namespace epafi::contact {
 
-/// Compliance matrix D = Ĉ A⁺ Ĉᵀ + M by solutions in the cluster tree, A of all bodies.
+/// Compliance matrix D = Ĉ A⁺ Ĉᵀ + M by solutions in the cluster tree, A of all its bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
   /// \param normals number of pressures, the first coefficients
   /// \param reactions  of each body, w_k of the first motions; D has G wᵀ + w Gᵀ of them less
+  /// \param columns  the coefficients that act on the bodies, ascending, which are all that D has;
+  ///   empty: all.  factor() asks for all.
   CompressedFlexibility(std::vector<std::shared_ptr<const CompressedBody>> bodies,
-                        Index normals, const std::vector<std::vector<Vector>>& reactions);
+                        Index normals, const std::vector<std::vector<Vector>>& reactions,
+                        const std::vector<Index>& columns = {});
 
-  Index size() const override { return operators().size() - operators().further(); }
+  Index size() const override {
+    return static_cast<Index>(coupling_.front().rests.size());
+  }
   Vector times(const Vector& x) const override;
   /// |D| |x| is bounded by row sums times the largest coefficient, for each kind.
   Product product(const Vector& x) const override;
@@ -49,10 +54,11 @@ class CompressedFlexibility final : public Flexibility::Operator {
   const Along& eliminated(int number, const bem::Restriction& restriction) const;
 
   int kindOf(Index i) const { return i < normals_ ? 0 : 1; }
-  void takeCoupling();
+  void takeCoupling(const std::vector<Index>& columns);
   void restrictAll();
   Along along(const bem::CompressedFactor& factor) const;
-  void addMotions(const std::vector<std::vector<Vector>>& reactions);
+  void addMotions(const std::vector<std::vector<Vector>>& reactions,
+                  const std::vector<Index>& columns);
   void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 

@@ -1,6 +1,8 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
+#include "bem/compressed/Slices.hpp"
 #include "contact/body/Coupling.hpp"
+#include "contact/problem/BodyFlexibility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,28 +59,34 @@ std::vector<int> elementsOf(const std::vector<const bem::Space*>& spaces,
   return elements;
 }
 
+/// Adds G to the diagonal of densities, the first of which has this number.
+void addCompliance(const Coupling& own, Index densities,
+                   std::vector<bem::Entry>& entries) {
+  const auto comply = [&](Index density, double value) {
+    entries.push_back({densities + density, densities + density, -value});
+  };
+  for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
+    comply(own.compliance.densities[k], own.compliance.diagonal[k]);
+  for (const auto& [density, value] : own.compliance.pinned)
+    comply(density, value);
+}
+
 /// The sparse matrices of all multipliers and bodies, and where the multipliers belong.
+/// \param couplings  stabilised  \param elements  see elementsOf
 bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
-                                 const std::vector<bem::Lame>& lames,
-                                 const MultiplierSpace& multiplier,
-                                 const Opposite& opposite,
-                                 const Stabilization& stabilization, bem::Units units) {
-  std::vector<Coupling> couplings = makeCouplings(spaces, multiplier, opposite);
+                                 const std::vector<Coupling>& couplings,
+                                 std::vector<int> bodies, std::vector<int> elements) {
+  bem::LocalCoupling local;
+  local.bodies = std::move(bodies);
+  local.elements = std::move(elements);
   Index further = 0;
   for (const bem::Space* space : spaces)
     further += space->displacements() + space->densities();
-  bem::LocalCoupling local;
-  local.bodies.resize(at(multiplier.size()));
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    for (const Index i : multiplier.columns(b))
-      local.bodies[at(i)] = static_cast<int>(b);
-  local.elements = elementsOf(spaces, multiplier, couplings, local.bodies);
   Index first = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Space& space = *spaces[b];
     const Index densities = first + space.displacements();
-    const Coupling own = stabilised(std::move(couplings[b]), space, multiplier, b,
-                                    stabilization, lames[b], units);
+    const Coupling& own = couplings[b];
     for (const bem::Entry& entry : own.withDensities(space.displacements()).entries)
       local.entries.push_back({first + entry.row, further + entry.column, entry.value});
     local.rotations.push_back(own.trace.rests);
@@ -86,16 +94,42 @@ bem::LocalCoupling localCoupling(const std::vector<const bem::Space*>& spaces,
       if (entry.row >= entry.column)
         local.entries.push_back(
             {further + entry.row, further + entry.column, -entry.value});
-    const auto comply = [&](Index density, double value) {
-      local.entries.push_back({densities + density, densities + density, -value});
-    };
-    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
-      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
-    for (const auto& [density, value] : own.compliance.pinned)
-      comply(density, value);
+    addCompliance(own, densities, local.entries);
     first = densities + space.densities();
   }
   return local;
+}
+
+/// Is D formed by bodies, each in a tree of its own?
+bool areApart(const std::vector<Coupling>& couplings, Index size, Index formedUpTo) {
+  std::vector<std::vector<Index>> columns;
+  std::size_t most = 0;
+  for (const Coupling& own : couplings)
+    most = std::max(most, columns.emplace_back(own.columns()).size());
+  return couplings.size() > 1 &&
+         (size <= formedUpTo || (static_cast<Index>(most) <= formedUpTo &&
+                                 BodyFlexibility::isSparse(size, columns)));
+}
+
+/// Bodies whose bonds may have to bed them, see Bedding, which dense S can do: slender ones that a bond
+/// acts on.
+std::vector<char> areThin(const std::vector<const bem::Space*>& spaces,
+                          const MultiplierSpace& multiplier,
+                          const std::vector<Coupling>& couplings) {
+  constexpr double slender = 400;  // a beam of 1 : 100
+  std::vector<char> isBonded(at(multiplier.size()));
+  multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
+    for (int i = 0; element.ties() && i < element.coefficients(); ++i)
+      isBonded[at(element.numberOf(i))] = 1;
+  });
+  std::vector<char> result;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const std::vector<Index> columns = couplings[b].columns();
+    result.push_back(bem::slenderness(spaces[b]->mesh()) > slender &&
+                     std::any_of(columns.begin(), columns.end(),
+                                 [&](Index i) { return isBonded[at(i)] != 0; }));
+  }
+  return result;
 }
 
 }  // namespace
@@ -111,18 +145,42 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<const bem::Space*>& spaces, const std::vector<bem::Lame>& lames,
     const MultiplierSpace& multiplier, const Opposite& opposite,
     const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
-    const bem::Compression& options) {
+    const bem::Compression& options, Index formedUpTo) {
   const std::string reason = whyNotCompressed(stabilization);
   if (!reason.empty())
     throw bem::InputError("the operators cannot be compressed: " + reason);
+  std::vector<int> bodies(at(multiplier.size()));
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    for (const Index i : multiplier.columns(b))
+      bodies[at(i)] = static_cast<int>(b);
+  std::vector<Coupling> couplings = makeCouplings(spaces, multiplier, opposite);
+  std::vector<int> elements = elementsOf(spaces, multiplier, couplings, bodies);
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    couplings[b] = stabilised(std::move(couplings[b]), *spaces[b], multiplier, b,
+                              stabilization, lames[b], units);
+  std::vector<bem::SteklovPoincare> result;
+  if (areApart(couplings, multiplier.size(), formedUpTo)) {
+    const std::vector<char> isThin = areThin(spaces, multiplier, couplings);
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      if (isThin[b] != 0) {
+        result.push_back(makeStiffness(*spaces[b], multiplier.conditions(b),
+                                       stabilization, lames[b], units));
+        continue;
+      }
+      bem::LocalCoupling local;
+      addCompliance(couplings[b], spaces[b]->displacements(), local.entries);
+      result.emplace_back(std::make_shared<const bem::CompressedOperators>(
+          *spaces[b], lames[b], options, local, processes));
+    }
+    return result;
+  }
   std::vector<bem::CompressedOperators::Body> operands;
   for (std::size_t b = 0; b < spaces.size(); ++b)
     operands.push_back({*spaces[b], lames[b]});
   const auto operators = std::make_shared<const bem::CompressedOperators>(
       operands, options,
-      localCoupling(spaces, lames, multiplier, opposite, stabilization, units),
+      localCoupling(spaces, couplings, std::move(bodies), std::move(elements)),
       processes);
-  std::vector<bem::SteklovPoincare> result;
   for (std::size_t b = 0; b < spaces.size(); ++b)
     result.emplace_back(operators, b);
   return result;

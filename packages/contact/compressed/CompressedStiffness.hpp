@@ -18,14 +18,17 @@ namespace epafi::contact {
 ///   [ B₀    -Nᵀ     -M   ]
 ///
 /// W, K and V block diagonal by bodies, B₀ with the mortar coupling to opposite bodies;
-/// G, N and M of Form Density, zero under Form None.  One per body.
+/// G, N and M of Form Density, zero under Form None.  One per body.  Where D is formed, the multiplier
+/// stays out of the tree, and each of several bodies has a tree of its own, or a dense S where it is
+/// thin and bonded.
 ///                                                       [doc/theory/compression.md]
+/// \param formedUpTo  see BodyInput
 /// \throws bem::InputError for another form
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<const bem::Space*>& spaces, const std::vector<bem::Lame>& lames,
     const MultiplierSpace& multiplier, const Opposite& opposite,
     const Stabilization& stabilization, bem::Units units, const bem::Processes& processes,
-    const bem::Compression& options);
+    const bem::Compression& options, Index formedUpTo = 1000);
 
 /// Reason why a stiffness cannot be compressed; empty: it can.
 std::string whyNotCompressed(const Stabilization& stabilization);

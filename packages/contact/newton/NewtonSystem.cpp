@@ -31,6 +31,17 @@ Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   return result;
 }
 
+/// A B, B with few entries in its columns where bodies are many.
+Matrix combined(const Matrix& a, const Matrix& b) {
+  Matrix result(a.rows(), b.columns());
+  for (Index j = 0; j < b.columns(); ++j)
+    for (Index k = 0; k < b.rows(); ++k)
+      if (const double factor = b(k, j); factor != 0)
+        for (Index i = 0; i < a.rows(); ++i)
+          result(i, j) += factor * a(i, k);
+  return result;
+}
+
 Matrix unitMatrix(Index k) {
   Matrix unit(k, k);
   for (Index j = 0; j < k; ++j)
@@ -146,7 +157,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
       if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
         system.added.push_back({row, normal, factor * value});
   const Matrix combinations = withScaledRows(held_, motionScale_);
-  system.motions = bem::product(problem_.rigid, combinations);
+  system.motions = combined(problem_.rigid, combinations);
   if (!problem_.rigidStiffness.empty())
     system.stiffness = transposedTimes(
         combinations, withScaledRows(combinations, problem_.rigidStiffness));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 namespace epafi::contact {
@@ -65,11 +66,11 @@ class BodyFlexibility::Reduced final : public Factor {
   class Sum {
    public:
     Index placeOf(Index unknown) {
-      const auto place =
-          std::find(unknowns.begin(), unknowns.end(), unknown) - unknowns.begin();
-      if (at(place) == unknowns.size())
+      const auto [place, isNew] =
+          places.emplace(unknown, static_cast<Index>(unknowns.size()));
+      if (isNew)
         unknowns.push_back(unknown);
-      return place;
+      return place->second;
     }
     void add(Index row, Index column, double value) {
       const Index p = placeOf(row);
@@ -86,6 +87,7 @@ class BodyFlexibility::Reduced final : public Factor {
       return {std::move(unknowns), std::move(all)};
     }
 
+    std::unordered_map<Index, Index> places;
     std::vector<Index> unknowns;
     Matrix entries;
     std::vector<bem::Entry> further;
@@ -190,11 +192,12 @@ BodyFlexibility::BodyFlexibility(Index size, std::vector<Part> parts)
     }
 }
 
-bool BodyFlexibility::isSparse(Index size, const std::vector<Part>& parts) {
+bool BodyFlexibility::isSparse(Index size,
+                               const std::vector<std::vector<Index>>& columns) {
   constexpr double least = 4;  // fewer entries by this factor
   double entries = 0;
-  for (const Part& part : parts)
-    entries += static_cast<double>(part.columns.size() * part.columns.size());
+  for (const std::vector<Index>& part : columns)
+    entries += static_cast<double>(part.size() * part.size());
   return least * entries < static_cast<double>(size) * static_cast<double>(size);
 }
 

@@ -17,8 +17,8 @@ class BodyFlexibility final : public Flexibility::Operator {
   };
   BodyFlexibility(Index size, std::vector<Part> parts);
 
-  /// Are these worth it, in place of a whole D?
-  static bool isSparse(Index size, const std::vector<Part>& parts);
+  /// Are parts with these columns worth it, in place of a whole D?
+  static bool isSparse(Index size, const std::vector<std::vector<Index>>& columns);
 
   Index size() const override { return size_; }
   Product product(const Vector& x) const override;

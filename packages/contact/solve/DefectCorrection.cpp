@@ -91,6 +91,7 @@ Configuration corrected(const ContactSystem& system, State state,
   if (best.missed <= enough)
     return system.withResults(std::move(best.at));
   Evaluation e = best.evaluation;
+  int idle = 0;
   for (int step = 0; step < mostSteps && best.missed > goal; ++step) {
     const Vector x = next(equation, e, processes);
     if (x.empty())
@@ -102,7 +103,8 @@ Configuration corrected(const ContactSystem& system, State state,
     e = there.evaluation;
     if (there.isSolution && there.missed < best.missed)
       best = std::move(there);
-    if (isSettled && !isWorthAnother)
+    idle = isSettled && !isWorthAnother ? idle + 1 : 0;
+    if (idle > system.depth())
       break;
   }
   return system.withResults(std::move(best.at));

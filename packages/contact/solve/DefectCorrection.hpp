@@ -15,7 +15,8 @@ namespace epafi::contact {
 ///
 ///   J d = -F(λ, C u - M λ - g),   u = A⁺ (f - Cᵀ λ),
 ///
-/// if r exceeds 1e-10 of the deformation, until it is 1e-12 or a step reduces it by less than 10.
+/// if r exceeds 1e-10 of the deformation, until it is 1e-12 or a step reduces it by less than 10
+/// (as many steps more as beddings stand on each other, through which corrections pass one by one).
 /// The forces f - Cᵀ λ are small where they balance, so that u is accurate.  Intermediate states
 /// with F above 1e-8 of the load are never the result.
 ///                                                 [doc/theory/contact.md, Defect correction]

@@ -11,6 +11,8 @@ Settled settled(ContactSystem& system,
   constexpr double almost = 1e-8;  // where rounding changes it on and on,
   constexpr int idlest = 4;        // at least in as many solves
   constexpr int most = 400;        // a shear compliance alone may leave 3/4 of a change
+  constexpr double missed = 1e-8;
+  constexpr int further = 6;
   Settled result{solve(nullptr)};
   Solution& solved = result.solution;
   double halved = 1;
@@ -31,8 +33,22 @@ Settled settled(ContactSystem& system,
     next.report = joined(std::move(next.report), solved.report);
     solved = std::move(next);
   }
-  if (solved.report.converged())
-    result.at = worn(system, corrected(system, solved.state, processes));
+  if (!solved.report.converged())
+    return result;
+  result.at = corrected(system, solved.state, processes);
+  // with beddings D's solution may have other states, to which Newton's steps alone do not lead
+  for (int k = 0; system.depth() > 0 && result.at.defect > missed && k < further; ++k) {
+    system.takeDefect(system.placed(solved.state));
+    Solution next = solve(&solved.state);
+    if (!next.report.converged())
+      break;
+    next.report = joined(std::move(next.report), solved.report);
+    solved = std::move(next);
+    Configuration at = corrected(system, solved.state, processes);
+    if (at.defect < result.at.defect)
+      result.at = std::move(at);
+  }
+  result.at = worn(system, std::move(result.at));
   return result;
 }
 

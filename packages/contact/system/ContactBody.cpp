@@ -162,7 +162,8 @@ Vector ContactBody::rigidLoad() const {
   return result;
 }
 
-Vector ContactBody::displacement(const State& state, const Vector& contactForce) const {
+Vector ContactBody::displacement(const State& state, const Vector& contactForce,
+                                 const Vector& feet) const {
   const Vector force = forceAgainst(load_, contactForce);
   Vector u = heldDisplacement(force);
   for (Index k = 0; k < holding().free() && !state.rigid.empty(); ++k)
@@ -172,7 +173,13 @@ Vector ContactBody::displacement(const State& state, const Vector& contactForce)
     // What the factor leaves is ε |A| |u|.
     const Vector whole = wholeForce(contactForce);
     u = refined(std::move(u), [&](const Vector& now) {
-      return elastic_->solve(elastic_->residual(whole, now));
+      Vector left = elastic_->residual(whole, now);
+      if (!feet.empty()) {
+        Vector apart = feet;
+        axpy(-1, apply(now), apart);
+        axpy(1, elastic_->beddingForce(apart), left);
+      }
+      return elastic_->solve(left);
     });
   }
   addFixedMotions(force, state.multiplier, u);

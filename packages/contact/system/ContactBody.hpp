@@ -60,7 +60,9 @@ class ContactBody {
   /// equations hold to the rounding of u (see DenseBody).
   ///
   /// `contactForce`, here and below: Bᵀ λ.
-  Vector displacement(const State& state, const Vector& contactForce) const;
+  /// \param feet  of its bedding, if it has one
+  Vector displacement(const State& state, const Vector& contactForce,
+                      const Vector& feet = {}) const;
   Vector displacement(const State& state) const {
     return displacement(state, contactForce(state.multiplier));
   }

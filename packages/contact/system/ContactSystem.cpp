@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
+#include "contact/system/Beddings.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -54,31 +55,35 @@ ContactSystem::MakeFlexibility ContactSystem::addBodies(
   const std::vector<Coupling> plain =
       makeCouplings(spaces, multiplier(), *obstacle_->opposite);
   Index motions = 0;
-  const auto add = [&](auto& elastic, const auto& make) {
-    for (std::size_t b = 0; b < inputs.size(); ++b) {
-      const auto holding = std::make_shared<const Holding>(
-          makeHolding(inputs[b].space, inputs[b].conditions));
-      elastic.push_back(make(inputs[b], multiplier(), b, holding, plain[b]));
-      bodies_->emplace_back(inputs[b], obstacle_, elastic.back(), b, motions);
-      motions += holding->free();
-    }
-  };
-  if (inputs.front().stiffness.compressed() == nullptr) {
-    std::vector<std::shared_ptr<const DenseBody>> dense;
-    add(dense, makeDenseBody);
-    return [dense](const Columns& r, const Columns& s) {
-      return denseFlexibility(dense, r, s);
-    };
+  const Beddings beddings = makeBeddings(inputs, multiplier(), plain);
+  order_ = beddings.order;
+  depth_ = beddings.depth;
+  const auto tree = inputs.front().stiffness.compressed();
+  bool isShared = tree != nullptr;
+  for (const BodyInput& input : inputs)
+    isShared = isShared && input.stiffness.compressed() == tree;
+  std::vector<std::shared_ptr<const ElasticBody>> all;
+  std::vector<std::shared_ptr<const CompressedBody>> ofTree;
+  for (std::size_t b = 0; b < inputs.size(); ++b) {
+    const auto holding = std::make_shared<const Holding>(
+        makeHolding(inputs[b].space, inputs[b].conditions));
+    if (inputs[b].stiffness.compressed() == nullptr)
+      all.push_back(
+          makeDenseBody(inputs[b], multiplier(), b, holding, plain[b], beddings.of[b]));
+    else
+      all.push_back(ofTree.emplace_back(std::make_shared<const CompressedBody>(
+          inputs[b], multiplier(), b, holding, plain[b])));
+    bodies_->emplace_back(inputs[b], obstacle_, all.back(), b, motions);
+    motions += holding->free();
   }
-  std::vector<std::shared_ptr<const CompressedBody>> compressed;
-  add(compressed,
-      [](const auto&... of) { return std::make_shared<const CompressedBody>(of...); });
-  return [compressed, normals = multiplier().normals(),
-          formedUpTo = inputs.front().formedUpTo](const Columns& /*r*/,
-                                                  const Columns& s) {
-    const auto d = std::make_shared<const CompressedFlexibility>(compressed, normals, s);
-    return d->size() <= formedUpTo ? Flexibility(d->formed()) : Flexibility(d);
-  };
+  if (!isShared)
+    return [all](const Columns& r, const Columns& s) { return flexibilityOf(all, r, s); };
+  return
+      [ofTree, normals = multiplier().normals(), formedUpTo = inputs.front().formedUpTo](
+          const Columns& /*r*/, const Columns& s) {
+        const auto d = std::make_shared<const CompressedFlexibility>(ofTree, normals, s);
+        return d->size() <= formedUpTo ? Flexibility(d->formed()) : Flexibility(d);
+      };
 }
 
 ContactSystem::ContactSystem(const ContactSystem& atZero,
@@ -88,6 +93,8 @@ ContactSystem::ContactSystem(const ContactSystem& atZero,
           makeObstacle(atZero.multiplier().under(conditions), atZero.obstacle_->opposite,
                        atZero.body(0).units()))),
       bodies_(std::make_shared<std::vector<ContactBody>>()),
+      order_(atZero.order_),
+      depth_(atZero.depth_),
       rigid_(atZero.rigid_.under(drives)),
       wear_(obstacle_, memory.wear),
       numbers_(atZero.numbers_.copy()),
@@ -155,7 +162,9 @@ void ContactSystem::respond() {
       return body(b).penetration(body(b).displacementOfLoads(), {}, {});
     };
     // with a factored matrix a solution costs as little
-    axpy(1, isFormed() ? ofLoads() : responses_[b].of(body(b).pushing(), ofLoads),
+    axpy(1,
+         body(b).elastic()->isFormed() ? ofLoads()
+                                       : responses_[b].of(body(b).pushing(), ofLoads),
          numbers_.offset);
     const Vector load = body(b).rigidLoad();
     numbers_.rigidLoad.insert(numbers_.rigidLoad.end(), load.begin(), load.end());
@@ -221,9 +230,10 @@ State ContactSystem::start() const {
   return {{}, placement(numbers_, givenToRigid(), lengths())};
 }
 
-Vector ContactSystem::penetration(const Configuration& at) const {
+Vector ContactSystem::penetration(const Configuration& at,
+                                  const std::vector<std::size_t>& bodies) const {
   Vector r(bem::at(multiplier().size()));
-  for (std::size_t b = 0; b < size(); ++b)
+  for (const std::size_t b : bodies)
     axpy(1,
          body(b).penetration(at.displacements[b], at.state.multiplier,
                              at.contactForces[b]),
@@ -251,6 +261,14 @@ Vector ContactSystem::defect(const Configuration& at) const {
   if (!defectBefore_.empty())
     axpy(1, defectBefore_, defect);
   return defect;
+}
+
+void ContactSystem::takeDefect(const Configuration& at) {
+  Vector defect = this->defect(at);
+  axpy(1, defect, numbers_.offset);
+  if (!defectBefore_.empty())
+    axpy(-1, defectBefore_, numbers_.offset);
+  defectBefore_ = std::move(defect);
 }
 
 bool ContactSystem::wearsBySlip() const {
@@ -289,14 +307,24 @@ Configuration ContactSystem::placed(State state) const {
     state.multiplier.assign(at(multiplier().size()), 0.0);
   if (state.rigid.empty())
     state.rigid.assign(at(numbers().rigidMotions()), 0.0);
-  for (std::size_t b = 0; b < size(); ++b) {
-    Vector force = body(b).contactForce(state.multiplier);
-    result.displacements.push_back(body(b).displacement(state, force));
-    result.contactForces.push_back(std::move(force));
-  }
   result.rigid = rigid_.motions(state.rigid.data() + elasticMotions());
   result.state = std::move(state);
-  result.penetration = penetration(result);
+  result.displacements.resize(size());
+  result.contactForces.resize(size());
+  for (const std::size_t b : order_) {
+    result.contactForces[b] = body(b).contactForce(result.state.multiplier);
+    Vector feet;  // what B u would be by what the bedding stands on
+    if (const Bedding& bedding = body(b).elastic()->bedding(); !bedding.rows.empty()) {
+      result.displacements[b].assign(result.contactForces[b].size(), 0.0);
+      std::vector<std::size_t> both{b};
+      if (bedding.holder != b)
+        both.push_back(bedding.holder);
+      feet = bem::times(-1, penetration(result, both));
+    }
+    result.displacements[b] =
+        body(b).displacement(result.state, result.contactForces[b], feet);
+  }
+  result.penetration = penetration(result, order_);
   return result;
 }
 

@@ -72,6 +72,8 @@ class ContactSystem {
   /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;
   Vector defect(const Configuration& at) const;
+  /// Adds it to the offset.
+  void takeDefect(const Configuration& at);
   /// StepMemory::slip of this step.
   const Vector& slipBefore() const { return slipBefore_; }
   /// Responses to loads of each body, with those of this step, for the next step.
@@ -79,6 +81,9 @@ class ContactSystem {
 
   /// See LoadSize.
   double loadSize() const;
+
+  /// Most beddings on top of each other, see Beddings.
+  int depth() const { return depth_; }
 
   std::size_t size() const { return bodies_->size(); }
   const ContactBody& body(std::size_t b) const { return (*bodies_)[b]; }
@@ -137,12 +142,11 @@ class ContactSystem {
                 const std::vector<Drive>& drives, const StepMemory& memory);
   Index elasticMotions() const { return numbers().rigidMotions() - rigid_.freeMotions(); }
 
-  bool isFormed() const { return body(0).elastic()->isFormed(); }
   /// What makes D: of the columns r_k, s_k of each body, see condense.
   using Columns = std::vector<std::vector<Vector>>;
   using MakeFlexibility =
       std::function<Flexibility(const Columns& motions, const Columns& reactions)>;
-  /// Makes the bodies, all dense or all compressed.
+  /// Makes the bodies.
   MakeFlexibility addBodies(const std::vector<BodyInput>& inputs);
   /// Computes D and G.
   void condense(const MakeFlexibility& makeFlexibility);
@@ -158,10 +162,14 @@ class ContactSystem {
   /// r of bodies that do not deform and free motions that are zero.
   Vector givenToRigid() const;
   void setScale(double load);
-  Vector penetration(const Configuration& at) const;
+  /// r of these bodies by their displacements, with all that is given.
+  Vector penetration(const Configuration& at,
+                     const std::vector<std::size_t>& bodies) const;
 
   std::shared_ptr<const Obstacle> obstacle_;
   std::shared_ptr<std::vector<ContactBody>> bodies_;
+  std::vector<std::size_t> order_{};  ///< see Beddings
+  int depth_ = 0;
   RigidDrives rigid_;
   StepWear wear_;
   Problem numbers_{};
