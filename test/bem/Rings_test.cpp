@@ -6,6 +6,7 @@
 #include "bem/fields/Interior.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/EnergyNorm.hpp"
+#include "bem/operators/Laplace.hpp"
 #include "bem/operators/RingBlocks.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "reference/QuadRings.hpp"
@@ -231,7 +232,8 @@ EntryErrors entryErrors(const bem::Space& space, const bem::Operators& operators
   return errors;
 }
 
-// With themselves, at nodes, facing, far, at the axis and beside it.
+// With themselves, at nodes, facing, far, at the axis and beside it; Laplace's, too, as of Lamé's
+// constants.
 TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
   struct Case {
     Sample sample;
@@ -246,18 +248,19 @@ TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
       {{"rod", uniform(polygon(rod), 2, 2)}, {{2, 2}, {2, 3}, {1, 4}}},
       {{"sphere", uniform(sphere, 2, 2)}, {{0, 0}, {1, 2}, {0, 3}}},
       {{"thin ring", uniform(polygon(thinRing), 1, 2)}, {{0, 0}, {0, 2}}}};
-  for (const auto& [sample, pairs] : cases) {
-    const bem::Lame lame({1, 0.3, false});
-    const bem::Space space(sample.mesh);
-    const bem::Operators operators = bem::assembleOperators(space, lame);
-    for (const auto& [e, f] : pairs) {
-      const EntryErrors errors = entryErrors(space, operators, lame, e, f);
-      out << sample.name << ", " << e << " and " << f << ": ";
-      TEST_COMPARE(errors.single.size(), <, 1e-13);
-      TEST_COMPARE(errors.twofold.size(), <, 1e-13);
-      TEST_COMPARE(errors.hypersingular.size(), <, 1e-12);
+  for (const auto& [sample, pairs] : cases)
+    for (const bem::Lame& lame :
+         {bem::Lame({1, 0.3, false}), bem::lameOfLaplace(true)}) {
+      const bem::Space space(sample.mesh);
+      const bem::Operators operators = bem::assembleOperators(space, lame);
+      for (const auto& [e, f] : pairs) {
+        const EntryErrors errors = entryErrors(space, operators, lame, e, f);
+        out << sample.name << ", " << e << " and " << f << ": ";
+        TEST_COMPARE(errors.single.size(), <, 1e-13);
+        TEST_COMPARE(errors.twofold.size(), <, 1e-13);
+        TEST_COMPARE(errors.hypersingular.size(), <, 1e-12);
+      }
     }
-  }
 }
 
 /// A sphere of radius 2 with a hole of radius 1, a quarter of a circle each.

@@ -1,8 +1,10 @@
 #include "bem/operators/Laplace.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/mesh/Surfaces.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/LocalFunctions.hpp"
+#include "bem/operators/RingBlocks.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +16,9 @@ MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotent
            (space.densities() + space.displacements()) / 2) {
   assert(std::count(isPotentialGiven.begin(), isPotentialGiven.end(), true) > 0);
   assert(std::all_of(space.mesh().elements().begin(), space.mesh().elements().end(),
-                     [](const Element& e) { return e.densities == e.degree; }));
+                     [](const Element& e) {
+                       return e.densities == 0 || e.densities == e.degree;
+                     }));
   assemble(space);
   holdConstants(space, isPotentialGiven);
   const Mesh& mesh = space.mesh();
@@ -38,29 +42,43 @@ MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotent
   factor_ = LuFactor(std::move(system));
 }
 
-// Kelvin's operators are Laplace's of each component for  μ = 1,  A = 1/2π,  B = 0.
-void MixedLaplace::assemble(const Space& space) {
+Lame lameOfLaplace(bool isAxisymmetric) {
   Lame lame(Material{});
-  lame.mu = 1;
+  lame.nu = 0;
+  lame.mu = isAxisymmetric ? 0.5 : 1;  // of rings that of W's curls, too
   lame.a = 0.15915494309189535;
   lame.b = 0;
-  const Operators kelvin = assemblePolynomialOperators(space, lame);
+  return lame;
+}
+
+void MixedLaplace::assemble(const Space& space) {
+  const Mesh& mesh = space.mesh();
+  const bool isAxisymmetric = mesh.outline().isAxisymmetric();
+  const Operators kelvin =
+      assemblePolynomialOperators(space, lameOfLaplace(isAxisymmetric));
+  const int c = isAxisymmetric ? 1 : 0;
   const Index flows = space.densities() / 2;
   const Index potentials = space.displacements() / 2;
   for (Index j = 0; j < flows; ++j)
     for (Index i = j; i < flows; ++i)
-      all_(i, j) = all_(j, i) = kelvin.singleLayer(2 * i, 2 * j);
+      all_(i, j) = all_(j, i) = kelvin.singleLayer(2 * i + c, 2 * j + c);
   for (Index j = 0; j < potentials; ++j)
     for (Index i = 0; i < flows; ++i) {
-      all_(flows + j, i) = kelvin.doubleLayer(2 * i, 2 * j);
+      all_(flows + j, i) = kelvin.doubleLayer(2 * i + c, 2 * j + c);
       all_(i, flows + j) = -all_(flows + j, i);
     }
-  const Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
-    const Matrix mass = massOf(mesh[e]);
+    const Matrix mass = isAxisymmetric ? ringMassOf(mesh, e) : massOf(mesh[e]);
     for (int i = 0; i < mesh[e].densities; ++i)
       for (int k = 0; k <= mesh[e].degree; ++k)
         all_(potentialOf(space, e, k), flowOf(space, e, i)) -= mass(i, k);
+  }
+  if (isAxisymmetric) {
+    for (Index j = 0; j < potentials; ++j)
+      for (Index i = j; i < potentials; ++i)
+        all_(flows + i, flows + j) = all_(flows + j, flows + i) =
+            kelvin.hypersingular(2 * i + c, 2 * j + c);
+    return;
   }
   std::vector<std::vector<Entry>> slopes(at(potentials));  // dφ/ds by P
   for (int e = 0; e < mesh.size(); ++e)
@@ -77,23 +95,25 @@ void MixedLaplace::assemble(const Space& space) {
 
 void MixedLaplace::holdConstants(const Space& space,
                                  const std::vector<bool>& isPotentialGiven) {
-  const Mesh& mesh = space.mesh();
-  std::vector<FreeLoop> loops(at(mesh.outline().loops()));
-  std::vector<bool> isFree(loops.size(), true);
-  for (int e = 0; e < mesh.size(); ++e) {
-    const std::size_t k = at(mesh.outline().edge(mesh[e].piece.edge).loop);
-    isFree[k] = isFree[k] && k > 0 && !isPotentialGiven[at(e)];
-    loops[k].flows.push_back(flowOf(space, e, 0));
-    loops[k].nodes.push_back(potentialOf(space, e, 0));
-    loops[k].length += 2 * mesh[e].half;
-  }
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    if (isFree[k]) {
-      for (const Index i : loops[k].nodes)
-        for (const Index j : loops[k].nodes)
-          all_(i, j) += 1 / static_cast<double>(loops[k].nodes.size());
-      freeLoops_.push_back(loops[k]);
+  const std::vector<Surface> surfaces = surfacesOf(space.mesh());
+  for (std::size_t k = 1; k < surfaces.size(); ++k) {
+    const std::vector<int>& elements = surfaces[k].elements;
+    if (std::any_of(elements.begin(), elements.end(),
+                    [&](int e) { return isPotentialGiven[at(e)]; }))
+      continue;
+    FreeLoop loop;
+    loop.size = surfaces[k].size;
+    for (const int e : elements) {
+      loop.flows.push_back(flowOf(space, e, 0));
+      loop.nodes.push_back(potentialOf(space, e, 0));
     }
+    if (!surfaces[k].isClosed)
+      loop.nodes.push_back(potentialOf(space, elements.back(), 1));
+    for (const Index i : loop.nodes)
+      for (const Index j : loop.nodes)
+        all_(i, j) += 1 / static_cast<double>(loop.nodes.size());
+    freeLoops_.push_back(std::move(loop));
+  }
 }
 
 Vector MixedLaplace::solve(Vector data) const {
@@ -112,7 +132,7 @@ Vector MixedLaplace::solve(Vector data) const {
     for (const Index i : loop.flows)
       sum += missed[at(i)];
     for (const Index j : loop.nodes)
-      data[at(j)] += sum / loop.length;
+      data[at(j)] += sum / loop.size;
   }
   return data;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "bem/operators/Laplace.hpp"
 #include "contact/conditions/Conditions.hpp"
-#include "contact/conditions/ConductedHeat.hpp"
+#include "contact/conditions/PlaneHeat.hpp"
 
 namespace epafi::contact {
 
@@ -23,7 +24,7 @@ class Conduction {
  private:
   bem::Space space_;
   bem::MixedLaplace laplace_;
-  ConductedHeat::Places places_;
+  PlaneHeat::Places places_;
 };
 
 }  // namespace epafi::contact
