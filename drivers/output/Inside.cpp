@@ -76,9 +76,8 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
 InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
                      const bem::Mesh& mesh, int e, double t) {
-  return inUnits(
-      field, material, units, inside,
-      inside ? inside->on(mesh, e, t) : contact::ParticularSolution::Value{});
+  return inUnits(field, material, units, inside,
+                 inside ? inside->on(mesh, e, t) : contact::ParticularSolution::Value{});
 }
 
 std::string nameOf(const InsideField& field, bool isAxisymmetric) {

@@ -206,9 +206,13 @@ EntryErrors entryErrors(const bem::Space& space, const bem::Operators& operators
   const auto lower = [](const bem::Matrix& matrix, Index i, Index j) {
     return matrix(std::max(i, j), std::min(i, j));
   };
-  const auto take = [](double computed, const Quad& is, const QuadBlock& block,
-                       test::Largest& largest) {
-    largest.take(static_cast<double>(computed - is) / block.frobenius());
+  // Laplace's double layer of a plane on itself is zero
+  constexpr double nothing = 1e-20;
+  const auto take = [&](double computed, const Quad& is, const QuadBlock& block,
+                        test::Largest& largest) {
+    const double size = block.frobenius();
+    largest.take(static_cast<double>(computed - is) /
+                 (size > nothing ? size : exact.singleLayer.frobenius()));
   };
   for (int c = 0; c < 2; ++c)
     for (int d = 0; d < 2; ++d)
@@ -249,8 +253,7 @@ TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
       {{"sphere", uniform(sphere, 2, 2)}, {{0, 0}, {1, 2}, {0, 3}}},
       {{"thin ring", uniform(polygon(thinRing), 1, 2)}, {{0, 0}, {0, 2}}}};
   for (const auto& [sample, pairs] : cases)
-    for (const bem::Lame& lame :
-         {bem::Lame({1, 0.3, false}), bem::lameOfLaplace(true)}) {
+    for (const bem::Lame& lame : {bem::Lame({1, 0.3, false}), bem::lameOfLaplace(true)}) {
       const bem::Space space(sample.mesh);
       const bem::Operators operators = bem::assembleOperators(space, lame);
       for (const auto& [e, f] : pairs) {

@@ -88,7 +88,7 @@ case("gasket", "largest pressure", peak)
 case("heap", "length that slips", history("slip_length"), None, "deformed")
 case("hertz", "largest pressure", peak, 5.4945054945)
 case("hot-hub", "force_normal at 8000/s", steps("fit.force_normal", 3), None, "hoop")
-case("hot-sleeve", "friction's work", history("energy_friction"), None, "temperature")
+case("hot-sleeve", "friction's work", history("energy_friction"), None, "hoop")
 case("hot-tube", "hoop stress inside", inside("syy"), -220.314893, "von_mises")
 case("hub-on-shaft", "force_normal", history("force_normal"), 101289.43104, "hoop")
 case("incline", "force over weight", lambda folder: abs(rows(

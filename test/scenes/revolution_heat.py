@@ -3,7 +3,7 @@ import math
 import os
 
 from epafi import Run
-from revolved import GRADED, QUARTER, body, clamp, last, refused, scene
+from revolved import QUARTER, body, clamp, last, scene
 from runs import WORK, balanced, claim, epafi, finish, fresh, largest, rows, saved
 
 E, NU, ALPHA, CONDUCTIVITY = 5.0, 0.3, 0.01, 3.5
@@ -71,7 +71,7 @@ for ratio, length, flows in ((NU, 1, False), (0.5, 1, True), (NU, 10, False)):
     row, _ = last(name, scene({"tube": body(
         [[1, 0], [2, 0], [2, length], [1, length]], ["low", "out", "high", "in"],
         {"low": clamp(Y=0), "high": clamp(Y=0)}, steel(ratio), **heat(**{"in": inside, "out": held(0)}))},
-        size=0.5, degree=12))
+        size=0.5, degree=14))
     closed = tube(HOT, ratio)
     places = [(1 + share, y * length) for share in (0.01, 0.3, 0.9) for y in (0.2, 0.7)]
     found = fields(name, places)
@@ -81,7 +81,7 @@ for ratio, length, flows in ((NU, 1, False), (0.5, 1, True), (NU, 10, False)):
            [HOT * (1 - math.log(x) / math.log(2)) for x, _ in places], 1e-10, HOT)
     table = rows(name, "boundary.csv")
     within(name + ": hoop stress on the boundary", [p["hoop"] for p in table],
-           [closed(p["x"])[1] for p in table], 1e-9, E * ALPHA * HOT)
+           [closed(p["x"])[1] for p in table], 1e-9 if ratio < 0.5 else 4e-9, E * ALPHA * HOT)
     exact = energy(closed, 1, 2, lambda r: 2 * math.pi * length * r, ratio)
     claim(abs(row["energy_strain"] / exact - 1) < 1e-10, "%s: strain energy %.13g, exact %.13g" % (
         name, row["energy_strain"], exact))
@@ -212,10 +212,47 @@ for symmetric in (False, True):
     low = 0 if symmetric else -1
     keys = scene({"hub": body([[1, low], [2, low], [2, 1], [1, 1]], ["any", "out", "end", "bore"] if symmetric
                               else ["end", "out", "end", "bore"], material=steel(), **heat(
-                                  bore=held("1 + z^2")), **({} if symmetric else FIXED))}, size=0.5, degree=8)
+                                  bore=held("(1 - z^2)^2")), **({} if symmetric else FIXED))}, size=0.5, degree=8)
     if symmetric:
         keys["Geometry"]["Symmetry"] = "Y"
     ENERGIES.append((last(name, keys)[0]["energy_strain"], fields(name, [(1.3, 0.6)])["hoop"][0]))
 for half, whole in zip(ENERGIES[1], ENERGIES[0]):
-    claim(abs(half / whole - 1) < 1e-8, "a half is half of the whole: %.10g, %.10g" % (half, whole))
+    claim(abs(half / whole - 1) < 1e-6, "a half is half of the whole: %.10g, %.10g" % (half, whole))
+
+# the estimate over the true error, that to a finer solution: a sleeve that is heated outside and cooled at
+# its end on a longer shaft, which conducts, too
+def sleeve(strategy, unknowns):
+    keys = scene({
+        "sleeve": body([[1, 0], [2, 0], [2, 1], [1, 1]], ["any", "side", "end", "bore"], {}, steel(),
+                       **heat(side=held(1), end=flux(-2))),
+        "shaft": body([[0, 0], [1, 0], [1, 3], [0, 3]], ["any", "seat", "end", "any"], {}, steel(),
+                      **heat(end=held(-1)))},
+        adaptivity={"Strategy": strategy, "Maximum Levels": 60, "Maximum Degrees of Freedom": unknowns},
+        Contacts={"fit": {"Between": ["sleeve:bore", "shaft:seat"], "Interference": 0.02}})
+    keys["Geometry"]["Symmetry"] = "Y"
+    return keys
+
+
+last("finer", sleeve("Graded hp", 500))
+for strategy, unknowns in (("Graded hp", 200), ("Adaptive h", 160), ("Uniform h", 100)):
+    name = "by " + strategy
+    code, text = epafi("run", saved(name, sleeve(strategy, unknowns)), "--output", fresh(name),
+                       "--reference", os.path.join(WORK, "finer", "solution.hdf"))
+    ratios = [row["effectivity"] for row in rows(name, "history.csv") if row["counted"] == 1]
+    claim(code == 0 and len(ratios) > 2 and 1 < min(ratios) and max(ratios) < 6, "%s: estimate over error %s" % (
+        name, " ".join("%.2f" % value for value in ratios)))
+
+# heated and cooled on a path with friction: the balance of energies is better the finer the path
+ERRORS = []
+for steps in (4, 16):
+    name = "path of %d" % steps
+    last(name, scene({"block": body([[0, 0], [1, 0], [1, 2], [0, 2]], ["base", "side", "top", "any"], {"base": {
+        "Type": "Contact", "Gap": "0.002*x^2", "Friction": {"Law": "Coulomb", "Coefficient": 0.2}},
+        "top": {"Type": "Neumann", "Traction Y": "-0.05*min(t, 1)"}}, steel(), **heat(
+            side=held("t < 1 ? 0 : 1 - abs(t - 2)"), top=flux("t < 1 ? 0 : 2*(1 - abs(t - 2))")))},
+        size=0.5, degree=3, History={"Times": [1, 2, 3], "Steps": [steps] * 3}))
+    row = rows(name, "steps.csv")[-1]
+    ERRORS.append(abs(row["energy_error"]) / abs(row["energy_outside"]))
+    balanced(name, SCALE, 1e-11)
+claim(ERRORS[1] < max(ERRORS[0] / 5, 1e-12), "heated: balance of energies to %.1e, %.1e" % tuple(ERRORS))
 finish()

@@ -36,7 +36,8 @@ std::vector<Surface> surfacesOf(const Mesh& mesh) {
   std::vector<bool> isTaken(hasAxis.size(), false);
   for (int e = 0; e < mesh.size(); ++e) {
     const std::size_t loop = loopOf(e);
-    if (mesh.isAxis(e) || (hasAxis[loop] ? !mesh.isAxis(mesh[e].previous) : isTaken[loop]))
+    if (mesh.isAxis(e) ||
+        (hasAxis[loop] ? !mesh.isAxis(mesh[e].previous) : isTaken[loop]))
       continue;
     isTaken[loop] = true;
     surfaces.push_back(surfaceFrom(mesh, e));

@@ -8,7 +8,8 @@ namespace epafi::bem {
 
 /// A connected part of the surface of a body: the outer one, or that of a hole.
 struct Surface {
-  std::vector<int> elements;  ///< in the direction of the outline, none on an axis of revolution
+  std::vector<int>
+      elements;  ///< in the direction of the outline, none on an axis of revolution
   bool isClosed = true;  ///< in the plane of the outline; else from the axis to the axis
   double size = 0;       ///< length, or area of the whole revolution
 };

@@ -15,10 +15,9 @@ MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotent
     : all_((space.densities() + space.displacements()) / 2,
            (space.densities() + space.displacements()) / 2) {
   assert(std::count(isPotentialGiven.begin(), isPotentialGiven.end(), true) > 0);
-  assert(std::all_of(space.mesh().elements().begin(), space.mesh().elements().end(),
-                     [](const Element& e) {
-                       return e.densities == 0 || e.densities == e.degree;
-                     }));
+  assert(std::all_of(
+      space.mesh().elements().begin(), space.mesh().elements().end(),
+      [](const Element& e) { return e.densities == 0 || e.densities == e.degree; }));
   assemble(space);
   holdConstants(space, isPotentialGiven);
   const Mesh& mesh = space.mesh();

@@ -17,8 +17,8 @@ inline Index potentialOf(const Space& space, int e, int k) {
   return (space.densities() + space.displacement(e, k, 0)) / 2;
 }
 
-/// Kelvin's operators are Laplace's of each component for  μ = 1,  A = 1/2π,  B = 0;  those of solids of
-/// revolution have Laplace's in the components along the axis for  μ = 1/2,  A = 1/4π.
+/// Kelvin's operators are Laplace's of each component for  μ = 1,  A = 1/2π,  B = 0;  those of
+/// solids of revolution have Laplace's in the components along the axis for  μ = 1/2,  A = 1/4π.
 Lame lameOfLaplace(bool isAxisymmetric);
 
 /// Interior mixed problem of Laplace: T given on some elements, q on the others.  With w = x - y
@@ -27,7 +27,8 @@ Lame lameOfLaplace(bool isAxisymmetric);
 ///   V q = (1/2 + K) T,          W T = (1/2 - K') q,
 ///
 /// the first equation is tested where T is given, the second where q is; around an axis of revolution
-/// with 1/4π|w| of points.  On a hole where only q is given, the second leaves a constant of T free; the mean of the first over the hole fixes it.
+/// with 1/4π|w| of points.  On a hole where only q is given, the second leaves a constant of T free;
+/// the mean of the first over the hole fixes it.
 /// Dense.  Dimensionless, diameter of the outline at most 1.      [doc/theory/operators.md]
 class MixedLaplace {
  public:
@@ -42,11 +43,11 @@ class MixedLaplace {
   const Matrix& operators() const { return all_; }
 
  private:
-  /// A hole where only q is given: its constant fluxes, the nodes of the constant T, its length or area.
+  /// A hole where only q is given: its constant fluxes, the nodes of the constant T.
   struct FreeLoop {
     std::vector<Index> flows;
     std::vector<Index> nodes;
-    double size = 0;
+    double size = 0;  ///< length or area
   };
   void assemble(const Space& space);
   void holdConstants(const Space& space, const std::vector<bool>& isPotentialGiven);

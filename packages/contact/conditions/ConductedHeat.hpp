@@ -12,14 +12,14 @@ namespace epafi::contact {
 class ConductedHeat {
  public:
   struct Value {
-    double temperature = 0;     ///< T
-    bem::Vec2 free;             ///< what T₀ of expansion 1 moves
-    double potential = 0;       ///< Φ
-    bem::Vec2 gradient;         ///< ∇Φ
-    BodyStress stress;          ///< (∇∇Φ - ∇²Φ), over 2μm
-    double stressing = 0;       ///< ∇²Φ
-    double flow = 0;            ///< ∂T/∂n, on the boundary only
-    double stressingFlow = 0;   ///< ∂∇²Φ/∂n, on the boundary only
+    double temperature = 0;    ///< T
+    bem::Vec2 free;            ///< what T₀ of expansion 1 moves
+    double potential = 0;      ///< Φ
+    bem::Vec2 gradient;        ///< ∇Φ
+    BodyStress stress;         ///< (∇∇Φ - ∇²Φ), over 2μm
+    double stressing = 0;      ///< ∇²Φ
+    double flow = 0;           ///< ∂T/∂n, on the boundary only
+    double stressingFlow = 0;  ///< ∂∇²Φ/∂n, on the boundary only
   };
 
   ConductedHeat() = default;

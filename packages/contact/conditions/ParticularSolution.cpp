@@ -180,7 +180,8 @@ Vec2 ParticularSolution::displacementOfForces(Vec2 at) const {
 
 ParticularSolution::Value ParticularSolution::ofPolynomials(Vec2 at) const {
   return {displacementOfForces(at) + asVector(sum(heat_.displacement, at)),
-          sum(loads_.temperature, at).real(), stressOf(forces_, at) + stressOf(heat_, at)};
+          sum(loads_.temperature, at).real(),
+          stressOf(forces_, at) + stressOf(heat_, at)};
 }
 
 Vec2 ParticularSolution::displacementOf(const ConductedHeat::Value& heat) const {
@@ -221,8 +222,7 @@ ParticularSolution::Value ParticularSolution::on(const bem::Mesh& mesh, int elem
 }
 
 ParticularSolution::Stress ParticularSolution::stressOfHeat(const bem::Mesh& mesh,
-                                                            int element,
-                                                            double t) const {
+                                                            int element, double t) const {
   return conducted_ == nullptr ? stressOf(heat_, mesh.scaledPoint(element, t))
                                : stressOf(conducted_->on(element, t));
 }

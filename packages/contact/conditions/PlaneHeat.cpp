@@ -135,8 +135,8 @@ PlaneHeat::Places PlaneHeat::placesInHoles(const bem::Outline& outline) {
   return places;
 }
 
-PlaneHeat::PlaneHeat(const bem::Space& space, const Vector& data,
-                             const Places& places, Vector errors)
+PlaneHeat::PlaneHeat(const bem::Space& space, const Vector& data, const Places& places,
+                     Vector errors)
     : missed_(std::move(errors)) {
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
@@ -157,8 +157,9 @@ PlaneHeat::PlaneHeat(const bem::Space& space, const Vector& data,
 
 // f = T + i ∫ q ds along each loop, less what the sources have; what goes in comes out, if not
 // quite: the rest leaves the outer loop uniformly.
-void PlaneHeat::startDensities(const bem::Mesh& mesh, const std::vector<bem::Surface>& loops,
-                                   const Places& places, std::vector<Pair>& densities) {
+void PlaneHeat::startDensities(const bem::Mesh& mesh,
+                               const std::vector<bem::Surface>& loops,
+                               const Places& places, std::vector<Pair>& densities) {
   const auto flowOf = [&](int e) { return flows_[bem::at(e)]; };
   double rest = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
@@ -197,8 +198,8 @@ void PlaneHeat::startDensities(const bem::Mesh& mesh, const std::vector<bem::Sur
 // Each loop's imaginary constant and that of ∫ f dy are its own: inside a hole's they do nothing,
 // of the outer one they are a rigid motion.
 std::vector<PlaneHeat::Pair> PlaneHeat::densities(const bem::Mesh& mesh,
-                                                          const std::vector<bem::Surface>& loops,
-                                                          const Places& places) {
+                                                  const std::vector<bem::Surface>& loops,
+                                                  const Places& places) {
   std::vector<Pair> all(bem::at(mesh.size()));
   startDensities(mesh, loops, places, all);
   const auto along = [&](int e) {
@@ -315,9 +316,8 @@ std::vector<PlaneHeat::Value> PlaneHeat::at(const std::vector<Vec2>& points) con
 PlaneHeat::Value PlaneHeat::on(int element, double t) const {
   const bem::Mesh& mesh = cauchy_->mesh();
   const OfSources of = ofSources(asComplex(mesh.scaledPoint(element, t)));
-  Value value =
-      whole(of, valueOf(temperatures_[bem::at(element)], t).real(),
-            valueOf(integrals_[bem::at(element)], t));
+  Value value = whole(of, valueOf(temperatures_[bem::at(element)], t).real(),
+                      valueOf(integrals_[bem::at(element)], t));
   value.flow = valueOf(flows_[bem::at(element)], t).real();
   value.stressingFlow = (of.slope * asComplex(mesh[element].curve.normal(t))).real();
   return value;

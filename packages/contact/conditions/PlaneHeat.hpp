@@ -55,7 +55,8 @@ class PlaneHeat final : public ConductedHeat {
   using Pair = std::array<Series, 2>;
   void startDensities(const bem::Mesh& mesh, const std::vector<bem::Surface>& loops,
                       const Places& places, std::vector<Pair>& densities);
-  std::vector<Pair> densities(const bem::Mesh& mesh, const std::vector<bem::Surface>& loops,
+  std::vector<Pair> densities(const bem::Mesh& mesh,
+                              const std::vector<bem::Surface>& loops,
                               const Places& places);
   void follow(const std::vector<bem::Surface>& loops);
 

@@ -1,11 +1,8 @@
 #pragma once
 
 #include "bem/fields/RingInterior.hpp"
-#include "bem/mesh/Surfaces.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
-#include "contact/conditions/RingSources.hpp"
-
-#include <array>
+#include "contact/conditions/RingPotential.hpp"
 
 namespace epafi::contact {
 
@@ -35,26 +32,10 @@ class RingHeat final : public ConductedHeat {
   double missed(int element) const override { return missed_[bem::at(element)]; }
 
  private:
-  using Series = bem::LegendreSeries<double>;
-  /// An element, divided where it is long beside its distance from the axis.
-  struct Part {
-    int element = 0;
-    double from = -1;  ///< of the element
-    double to = 1;
-    Series temperature{};  ///< T and q as they were given
-    Series flow{};
-    Series rest{};  ///< ∂Ψ/∂z
-    Series restSlope{};  ///< along the surface
-    Series restFlow{};
-    Series around{};     ///< S/r²
-    Series potential{};  ///< Ψ
-  };
-  static std::vector<Part> partsOf(const bem::Mesh& mesh);
-  static bem::Mesh meshOf(const bem::Mesh& mesh, const std::vector<Part>& parts, int more);
-  void take(const bem::Space& space, const bem::Vector& data);
-  void follow();
-  void integrateFlow(std::size_t surface);
-  double integrateSlope(std::size_t surface);
+  const std::vector<RingPotential::Part>& parts() const { return surface_.parts(); }
+  const bem::Mesh& mesh() const { return surface_.mesh(); }
+  const std::vector<bem::Surface>& surfaces() const { return surface_.surfaces(); }
+  void follow() { surface_.follow(sources_, free_); }
   void addSources(const Places& places);
   void addDipoles(const Places& places);
   void addLine();
@@ -63,14 +44,9 @@ class RingHeat final : public ConductedHeat {
   bem::LocalField fieldOf(std::size_t part, bool isPotential) const;
   bem::Vec2 freeAt(bem::Vec2 y) const;
 
-  std::vector<Part> parts_;
-  bem::Mesh mesh_;  ///< of the parts
-  std::vector<std::size_t> firsts_;     ///< by element its first part
-  std::vector<bem::Surface> surfaces_;  ///< of parts
-  bem::Vector flowStarts_;              ///< S and Ψ where the surfaces start
-  bem::Vector potentialStarts_;
-  bem::Vector gains_;  ///< of Ψ around closed surfaces, spread over them
-  std::array<double, 2> free_{};  ///< c₀, c₁
+  RingPotential surface_;
+  std::vector<std::size_t> firsts_;  ///< by element its first part
+  RingPotential::Free free_{};
   RingSources sources_;
   bem::Vector missed_;
   std::vector<bem::RingInterior> inside_;  ///< ∂Ψ/∂z, Ψ

@@ -35,8 +35,7 @@ struct RingSources::Sum {
     const RingJet& e1 = ring.e1;
     // derivatives of both with respect to a
     const RingJet c0 = dr * (ring.g1 + ring.g2) - 2.0 * (rho * ring.g2);
-    const RingJet c1 =
-        dr * (ring.g1 - ring.g2) - 2.0 * (rho * (ring.g2 - 2.0 * ring.g3));
+    const RingJet c1 = dr * (ring.g1 - ring.g2) - 2.0 * (rho * (ring.g2 - 2.0 * ring.g3));
     const RingJet square = rho * rho + dz * dz + RingJet{a * a, zero, zero};
     const RingJet temperature = strength * e0 - dipole * c0;
     const Pack half = 0.5 * strength;
@@ -51,9 +50,8 @@ struct RingSources::Sum {
     to.slope = to.slope + Vec2{sumOf(temperature.r), sumOf(temperature.z)};
     to.potential += sumOf(potential.value);
     to.gradient = to.gradient + Vec2{sumOf(r.value), sumOf(z.value)};
-    to.stress = to.stress +
-                BodyStress{across - t, sumOf(z.z) - t, sumOf(r.z),
-                           (x.x > close ? sumOf(r.value) / x.x : across) - t};
+    to.stress = to.stress + BodyStress{across - t, sumOf(z.z) - t, sumOf(r.z),
+                                       (x.x > close ? sumOf(r.value) / x.x : across) - t};
   }
 
  private:
