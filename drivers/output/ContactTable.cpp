@@ -43,7 +43,7 @@ SurfaceStress stressAt(const contact::Solved& solved, const bem::Material& mater
   SurfaceStress ofInside{};
   if (const contact::BodyLoadSolution& inside = solved.conditions.inside) {
     const bem::Vec2 along = on.curve.tangent(t);
-    const auto stress = inside->stress(solved.space.mesh().scaledPoint(element, t));
+    const auto stress = inside->on(solved.space.mesh(), element, t).stress;
     ofInside = {solved.units.stress * dot(stress.on(along), along),
                 solved.units.stress * stress.hoop};
     pressure +=

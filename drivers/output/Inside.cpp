@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
-#include "contact/conditions/ConductedHeat.hpp"
 #include "drivers/output/Table.hpp"
 #include "drivers/output/VtkGrid.hpp"
 #include "drivers/process/ChildProgram.hpp"
@@ -40,7 +39,6 @@ namespace {
 
 InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& material,
                     const bem::Units& units, const contact::BodyLoadSolution& inside,
-                    bem::Vec2 scaled,
                     const contact::ParticularSolution::Value& particular) {
   InsideValue value;
   value.displacement = units.length * field.displacement;
@@ -49,7 +47,7 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
   value.xy = units.stress * field.xy;
   value.zz = units.stress * field.zz;
   if (inside) {
-    const auto stress = inside->stress(scaled);
+    const contact::BodyStress& stress = particular.stress;
     value.displacement = value.displacement + units.length * particular.displacement;
     value.xx += units.stress * stress.xx;
     value.yy += units.stress * stress.yy;
@@ -78,14 +76,8 @@ InsideValue inUnits(const bem::InteriorValue& field, const bem::Material& materi
 InsideValue stressAt(const bem::InteriorValue& field, const bem::Material& material,
                      const bem::Units& units, const contact::BodyLoadSolution& inside,
                      const bem::Mesh& mesh, int e, double t) {
-  const bem::Vec2 place = mesh.scaledPoint(e, t);
-  contact::ParticularSolution::Value particular;
-  if (inside) {
-    const contact::ConductedHeat* heat = inside->conducted();
-    particular = {inside->displacement(mesh, e, t),
-                  heat != nullptr ? heat->temperature(e, t) : inside->temperature(place)};
-  }
-  return inUnits(field, material, units, inside, place, particular);
+  return inUnits(field, material, units, inside,
+                 inside ? inside->on(mesh, e, t) : contact::ParticularSolution::Value{});
 }
 
 std::string nameOf(const InsideField& field, bool isAxisymmetric) {
@@ -121,7 +113,7 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
     for (std::size_t k = 0; k < own.size(); ++k) {
       InsideValue& value = values[own[k]];
       value = inUnits(fields[k], scene_.bodies[b].material, scene_.units(), inside_[b],
-                      places[k], particular[k]);
+                      particular[k]);
       for (const Symmetry& line : scene_.mirrors()) {
         bem::Vec2 x = points[own[k]].x;
         if (line.across(x) * line.across(there[k]) < 0) {

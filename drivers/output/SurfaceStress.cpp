@@ -38,6 +38,17 @@ void SurfaceField::addNeighbour(int element, bool next, Samples& samples) const 
   const bem::Element& e = mesh[element];
   const int other = next ? e.next : e.previous;
   const double end = next ? 1 : -1;
+  if (mesh.isAxis(other)) {  // beyond it is the image, with the same strains
+    const Samples& own = own_[element];
+    const std::size_t count = own.places.size();
+    if (std::abs(e.curve.tangent(end).y) < smooth)
+      for (std::size_t k = 0; k < std::min<std::size_t>(2, count); ++k) {
+        const std::size_t i = next ? count - 1 - k : k;
+        samples.places.push_back(2 * end - own.places[i]);
+        samples.strains.push_back(own.strains[i]);
+      }
+    return;
+  }
   const bem::Curve& beyond = mesh[other].curve;
   if (mesh.boundary(other) != mesh.boundary(element) ||
       dot(e.curve.tangent(end), beyond.tangent(-end)) < 1 - smooth)

@@ -12,9 +12,11 @@ namespace epafi::drivers {
 ///
 /// The traction is the density ψ; along the surface σ_τ = 2μ/(1-ν) ε_τ + ν/(1-ν) ψ·n, ν the
 /// plane-strain ratio; of solids of revolution σ_τ and σ_θ = 2μ/(1-ν) (ε_τ + ν ε_θ, ε_θ + ν ε_τ) +
-/// ν/(1-ν) ψ·n, ε_θ = u_r/r.  On an axis of revolution they are those of the inside.  The strain ε_τ = du/ds·τ is that of the polynomial through its values at the
-/// Gauss points of the element and the nearest two of both neighbours, where derivatives of degree p
-/// are right to one order more.  Beyond corners and ends of boundaries there are no neighbours.
+/// ν/(1-ν) ψ·n, ε_θ = u_r/r.  On an axis of revolution they are those of the inside.  The strain
+/// ε_τ = du/ds·τ is that of the polynomial through its values at the Gauss points of the element and the
+/// nearest two of both neighbours, where derivatives of degree p are right to one order more; a surface
+/// that crosses the axis at a right angle has its image there.  Beyond corners and ends of boundaries
+/// there are no neighbours.
 class SurfaceField {
  public:
   /// Refers to the space and to u.

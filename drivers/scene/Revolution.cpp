@@ -144,12 +144,6 @@ void checkBody(const Part& body) {
             rigid.path("Fix"), ": ", type, ": '", name,
             "' is not a rigid motion of a solid of revolution; Y is the only one");
   checkBodyLoads(body.sub("Body Loads"));
-  const Part thermal = body.sub("Thermal Conditions");
-  if (thermal.isGiven())
-    throw InputError(
-        thermal.place.path, ": ", type,
-        ": heat conduction is not possible yet; give Body Loads->Temperature, a "
-        "polynomial in x and y that is even in x");
   const Part conditions = body.sub("Boundary Conditions");
   for (const auto& item : *conditions.list)
     refuse(

@@ -6,6 +6,7 @@
 #include "bem/fields/Interior.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/EnergyNorm.hpp"
+#include "bem/operators/RingLaplace.hpp"
 #include "bem/operators/RingBlocks.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "reference/QuadRings.hpp"
@@ -205,9 +206,13 @@ EntryErrors entryErrors(const bem::Space& space, const bem::Operators& operators
   const auto lower = [](const bem::Matrix& matrix, Index i, Index j) {
     return matrix(std::max(i, j), std::min(i, j));
   };
-  const auto take = [](double computed, const Quad& is, const QuadBlock& block,
-                       test::Largest& largest) {
-    largest.take(static_cast<double>(computed - is) / block.frobenius());
+  // Laplace's double layer of a plane on itself is zero
+  constexpr double nothing = 1e-20;
+  const auto take = [&](double computed, const Quad& is, const QuadBlock& block,
+                        test::Largest& largest) {
+    const double size = block.frobenius();
+    largest.take(static_cast<double>(computed - is) /
+                 (size > nothing ? size : exact.singleLayer.frobenius()));
   };
   for (int c = 0; c < 2; ++c)
     for (int d = 0; d < 2; ++d)
@@ -231,7 +236,8 @@ EntryErrors entryErrors(const bem::Space& space, const bem::Operators& operators
   return errors;
 }
 
-// With themselves, at nodes, facing, far, at the axis and beside it.
+// With themselves, at nodes, facing, far, at the axis and beside it; Laplace's, too, as of Lamé's
+// constants.
 TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
   struct Case {
     Sample sample;
@@ -246,18 +252,18 @@ TEUCHOS_UNIT_TEST(Rings, haveEntriesOf13Digits) {
       {{"rod", uniform(polygon(rod), 2, 2)}, {{2, 2}, {2, 3}, {1, 4}}},
       {{"sphere", uniform(sphere, 2, 2)}, {{0, 0}, {1, 2}, {0, 3}}},
       {{"thin ring", uniform(polygon(thinRing), 1, 2)}, {{0, 0}, {0, 2}}}};
-  for (const auto& [sample, pairs] : cases) {
-    const bem::Lame lame({1, 0.3, false});
-    const bem::Space space(sample.mesh);
-    const bem::Operators operators = bem::assembleOperators(space, lame);
-    for (const auto& [e, f] : pairs) {
-      const EntryErrors errors = entryErrors(space, operators, lame, e, f);
-      out << sample.name << ", " << e << " and " << f << ": ";
-      TEST_COMPARE(errors.single.size(), <, 1e-13);
-      TEST_COMPARE(errors.twofold.size(), <, 1e-13);
-      TEST_COMPARE(errors.hypersingular.size(), <, 1e-12);
+  for (const auto& [sample, pairs] : cases)
+    for (const bem::Lame& lame : {bem::Lame({1, 0.3, false}), bem::lameOfRingLaplace()}) {
+      const bem::Space space(sample.mesh);
+      const bem::Operators operators = bem::assembleOperators(space, lame);
+      for (const auto& [e, f] : pairs) {
+        const EntryErrors errors = entryErrors(space, operators, lame, e, f);
+        out << sample.name << ", " << e << " and " << f << ": ";
+        TEST_COMPARE(errors.single.size(), <, 1e-13);
+        TEST_COMPARE(errors.twofold.size(), <, 1e-13);
+        TEST_COMPARE(errors.hypersingular.size(), <, 1e-12);
+      }
     }
-  }
 }
 
 /// A sphere of radius 2 with a hole of radius 1, a quarter of a circle each.

@@ -124,6 +124,10 @@ class Revolutions(TwoBodies):
             for body in parts["Bodies"].values():
                 if draw.random() < 0.7:
                     self.add_loads(body)
+            draw = self.draw = random.Random("%d conduction" % self.seed)
+            for body in parts["Bodies"].values():
+                if "Rigid" not in body["Material"] and draw.random() < 0.4:
+                    self.conduct(body)
         return {"Geometry": {"Type": "Axisymmetric"}, **parts,
                 **({"History": {"Times": [1, 1.5], "Steps": [2, 2]}} if self.path else {})}
 
@@ -145,6 +149,26 @@ class Revolutions(TwoBodies):
         body["Material"]["Density"] = density
         if not rigid:
             body["Material"]["Thermal Expansion"] = expansion
+
+    def conduct(self, body):
+        """One temperature on some boundaries, fluxes on others, nothing on the axis."""
+        draw = self.draw
+        names = sorted({*body["Geometry"]["Edges"]} - {"any"})
+        draw.shuffle(names)
+        held = draw.randint(1, len(names))
+        expansion = body["Material"].setdefault("Thermal Expansion", 10 ** draw.uniform(-6, -4))
+        hot = self.stress / self.modulus / expansion * draw.uniform(-1, 1)
+        body["Material"]["Conductivity"] = conductivity = 10 ** draw.uniform(-2, 3)
+        body.get("Body Loads", {}).pop("Temperature", None)
+        body["Thermal Conditions"] = inner = {}
+        for k, name in enumerate(names):
+            if k < held:
+                inner[name] = {"Temperature": "(%s)*(1 + %s/%.6g)" % (
+                    self.grown(hot), draw.choice(("y", "x^2/%.6g" % self.size)) if held == 1 else "y",
+                    self.size)}
+            elif draw.random() < 0.7:
+                inner[name] = {"Heat Flux": "(%s)*(0.3 + n%s)" % (
+                    self.grown(hot * conductivity / self.size * draw.uniform(-1, 1)), draw.choice("xy"))}
 
     def pressed(self):
         bodies = {"upper": self.upper(self.load()), "lower": self.block("contact")}

@@ -42,8 +42,9 @@ class Integrals {
         y_(curveOf(mesh, f)),
         nu_(lame.nu),
         mu_(lame.mu),
-        b_(1 / (16 * pi * mu_ * (1 - nu_))),
-        a_((3 - 4 * nu_) * b_),
+        b_(lame.b == 0 ? Quad(0) : 1 / (16 * pi * mu_ * (1 - nu_))),
+        a_(lame.b == 0 ? 1 / (4 * pi)
+                       : (3 - 4 * nu_) * b_),  // Laplace's, see lameOfRingLaplace
         result{QuadBlock(2 * first_.densities, 2 * second_.densities),
                QuadBlock(2 * first_.densities, 2 * second_.degree + 2),
                QuadBlock(2 * first_.degree + 2, 2 * second_.degree + 2)} {}

@@ -81,12 +81,14 @@ case("coulomb", "force_normal", history("force_normal"), 0.125, "von_mises")
 case("cylinder-on-block", "largest pressure", peak, 0.5494505495, quick=False)
 case("disc", "largest pressure", peak, 10.989010989)
 case("dovetail", "force_normal", history("force_normal"), 753.7721601, "von_mises")
+case("flange", "force_normal", history("force_normal"), 39893.80702, "von_mises")
 case("fretting-wear", "friction's work", history("energy_friction"), None, "steps", False)
 case("fretting", "friction's work", history("energy_friction"), None, "slip", False)
 case("gasket", "largest pressure", peak)
 case("heap", "length that slips", history("slip_length"), None, "deformed")
 case("hertz", "largest pressure", peak, 5.4945054945)
 case("hot-hub", "force_normal at 8000/s", steps("fit.force_normal", 3), None, "hoop")
+case("hot-sleeve", "friction's work", history("energy_friction"), None, "hoop")
 case("hot-tube", "hoop stress inside", inside("syy"), -220.314893, "von_mises")
 case("hub-on-shaft", "force_normal", history("force_normal"), 101289.43104, "hoop")
 case("incline", "force over weight", lambda folder: abs(rows(
@@ -108,6 +110,7 @@ case("spinning-disc", "hoop stress in the middle", inside("hoop"), 129.8165714, 
 case("there-and-back", "friction's work", history("energy_friction"), None, "steps")
 case("tilting-punch", "length in contact", history("contact_length"), 1.2)
 case("tresca", "strain energy", history("energy_strain"), None, "von_mises")
+case("turning-hub", "force_normal, found again", steps("fit.force_normal", 2), 101289.43104, "path")
 case("two-blocks", "length that slips", history("slip_length"), None, "von_mises")
 case("two-cylinders", "largest pressure", peak, 3.048780488, quick=False)
 
@@ -120,6 +123,7 @@ FORMS = {
     "cylinder-on-block": ("Cattaneo, Mindlin", "p₀ = 2P/(πa)", "half-planes, a/R = 0.002"),
     "disc": ("Hertz", "p₀ = E* a/(2R)", "half-planes, a/R = 0.02"),
     "dovetail": ("balance of forces", "2N, N (cos 50° + f sin 50°) = 300", ""),
+    "flange": ("balance of forces", "bolts - π r² p", ""),
     "hertz": ("Hertz", "p₀ = E*/(2R)", "a half-plane; the block is 20 a wide"),
     "hot-tube": ("Timoshenko", "T = 100 ln(20/r)/ln 2", "just below the surface"),
     "hub-on-shaft": ("extrapolated", "an independent program's 2.41165312e-3, times E size²", ""),
@@ -136,6 +140,7 @@ FORMS = {
     "spheres": ("Hertz", "p₀ = (6 P E*²/(π³ R²))^(1/3)", "half-spaces"),
     "spinning-disc": ("Love", "ρω²((3+ν)R²/8 + ν(1+ν)h²/(24(1-ν)))", "stresses of the rim, far from the middle"),
     "tilting-punch": ("Sadowsky", "2c = 4 (a - e)", "ends at a node"),
+    "turning-hub": ("extrapolated", "that of the hub on a shaft", ""),
     "two-cylinders": ("Hertz", "p₀ = 2P/(πa)", "half-planes, a/R = 0.0075"),
 }
 

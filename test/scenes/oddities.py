@@ -13,7 +13,8 @@ SETTINGS = ["Adaptivity->Maximum Levels=1"]
 SHORT = {"fretting.xml": ["History->Times={1, 2}", "History->Steps={1, 1}"],
          "rough.xml": ["Adaptivity->Tolerance="],  # which a level misses
          **{name + ".xml": ["Adaptivity->Maximum Levels=20"]
-            for name in ("spheres", "hub-on-shaft", "o-ring", "indenter", "spinning-disc", "hot-hub")}}
+            for name in ("spheres", "hub-on-shaft", "o-ring", "indenter", "spinning-disc", "hot-hub",
+                         "hot-sleeve", "turning-hub", "flange")}}
 HARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "hard", "scenes")
 CONDITIONS = "Bodies->block->Boundary Conditions->"
 

@@ -280,8 +280,5 @@ for key, value in (("Stabilization", {"Form": "Exact"}), ("Multiplier", "Biortho
     refused(key, ["Discretization->" + key], other)
 refused("compressed", ["Solver->Linear->Method"], scene(
     {"b": column(CYLINDER, BLOCK)}, Solver={"Linear": {"Method": "Compressed"}}))
-refused("heat", ["Thermal Conditions"], scene({"b": column(
-    CYLINDER, BLOCK, material={**ELASTIC, "Thermal Expansion": 1e-3, "Conductivity": 1},
-    **{"Thermal Conditions": {"base": {"Temperature": 1}}})}))
 
 finish()

@@ -6,7 +6,6 @@
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
-#include "contact/conditions/ConductedHeat.hpp"
 
 #include <algorithm>
 

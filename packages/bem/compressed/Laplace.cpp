@@ -9,12 +9,16 @@ namespace epafi::bem {
 
 MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotentialGiven,
                            const Compression& options)
-    : space_(space),
-      isUnknown_(at(space.displacements() + space.densities()), false),
-      operators_(std::make_unique<const CompressedOperators>(
-          std::vector<CompressedOperators::Body>{{space, laplaceKernel()}}, options)) {
+    : space_(space) {
   assert(std::count(isPotentialGiven.begin(), isPotentialGiven.end(), true) > 0);
+  if (space.mesh().outline().isAxisymmetric()) {
+    rings_ = std::make_unique<const RingLaplace>(space, isPotentialGiven);
+    return;
+  }
+  operators_ = std::make_unique<const CompressedOperators>(
+      std::vector<CompressedOperators::Body>{{space, laplaceKernel()}}, options);
   findFreeLoops(isPotentialGiven);
+  isUnknown_.assign(at(space.displacements() + space.densities()), false);
   std::fill_n(isUnknown_.begin(), space.displacements(), true);
   const Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e)
@@ -67,6 +71,8 @@ Vector MixedLaplace::residual(const Vector& data) const {
 }
 
 Vector MixedLaplace::solve(Vector data) const {
+  if (rings_ != nullptr)
+    return rings_->solve(std::move(data));
   for (const FreeLoop& loop : freeLoops_)
     data[at(loop.nodes.front())] = 0;
   for (std::size_t i = 0; i < data.size(); ++i)

@@ -2,21 +2,13 @@
 
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
+#include "bem/operators/RingLaplace.hpp"
 #include "bem/space/Space.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace epafi::bem {
-
-// Vector of the Cauchy data of a harmonic function on a Space of one component: T by nodes and
-// bubbles, then its fluxes q = ∂T/∂n as Legendre series on the elements.
-inline Index potentialOf(const Space& space, int e, int k) {
-  return space.displacement(e, k, 0);
-}
-inline Index flowOf(const Space& space, int e, int i) {
-  return space.displacements() + space.density(e, i, 0);
-}
 
 /// Interior mixed problem of Laplace: T given on some elements, q on the others.  With w = x - y
 ///
@@ -26,7 +18,7 @@ inline Index flowOf(const Space& space, int e, int i) {
 /// the first equation is tested where T is given, the second where q is: these are the rows of
 /// CompressedOperators without what is given, since given q and free T have no node in common.  On
 /// a hole where only q is given, the second leaves a constant of T free: T is held in a node, and
-/// the mean of the first over the hole gives the constant.
+/// the mean of the first over the hole gives the constant.  Around an axis of revolution it is RingLaplace.
 /// Dimensionless, diameter of the outline at most 1.              [doc/theory/operators.md]
 class MixedLaplace {
  public:
@@ -51,6 +43,8 @@ class MixedLaplace {
   Vector residual(const Vector& data) const;
 
   const Space& space_;
+  std::unique_ptr<const RingLaplace>
+      rings_;  ///< of solids of revolution, in place of the rest
   std::vector<FreeLoop> freeLoops_;
   std::vector<bool> isUnknown_;
   std::unique_ptr<const CompressedOperators> operators_;

@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/conditions/RingHeat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,11 @@ bem::LegendreSeries<double> seriesOf(const bem::Function& given, const bem::Mesh
                       bem::largestDegree);
 }
 
-double square(const bem::LegendreSeries<double>& series, const bem::Element& element) {
+/// ∫ of its square over an element, with the radius of its middle.
+double square(const bem::LegendreSeries<double>& series, const bem::Mesh& mesh, int e) {
   double sum = 0;
   for (std::size_t k = 0; k < series.size(); ++k)
-    sum += element.half * series[k] * series[k] / (static_cast<double>(k) + 0.5);
+    sum += mesh.measure(e, 0) * series[k] * series[k] / (static_cast<double>(k) + 0.5);
   return sum;
 }
 
@@ -56,7 +58,9 @@ double square(const bem::LegendreSeries<double>& series, const bem::Element& ele
 Conduction::Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds)
     : space_(meshOfHeat(mesh), 1),
       laplace_(space_, isHeld(mesh, kinds)),
-      places_(ConductedHeat::placesInHoles(mesh.outline())) {}
+      places_(mesh.outline().isAxisymmetric()
+                  ? RingHeat::placesInHoles(mesh)
+                  : PlaneHeat::placesInHoles(mesh.outline())) {}
 
 std::shared_ptr<const ConductedHeat> Conduction::heat(
     const ThermalConditions& now) const {
@@ -70,7 +74,7 @@ std::shared_ptr<const ConductedHeat> Conduction::heat(
       for (int i = 0; i < mesh[e].densities; ++i)
         data[at(flowOf(space_, e, i))] = scale * std::exchange(rest[at(i)], 0.0);
       errors[at(e)] =
-          std::pow(scale * 2 * mesh[e].half / mesh[e].degree, 2) * square(rest, mesh[e]);
+          std::pow(scale * 2 * mesh[e].half / mesh[e].degree, 2) * square(rest, mesh, e);
     }
   std::vector<bool> isKnown(data.size(), false);
   double largest = 0;
@@ -98,11 +102,13 @@ std::shared_ptr<const ConductedHeat> Conduction::heat(
         for (int j = 0; j <= mesh[e].degree; ++j)
           rest[at(j)] -= phi(j, k) * value;
       }
-      errors[at(e)] = square(rest, mesh[e]);
+      errors[at(e)] = square(rest, mesh, e);
     }
   }
-  return std::make_shared<const ConductedHeat>(space_, laplace_.solve(std::move(data)),
-                                               places_, std::move(errors));
+  data = laplace_.solve(std::move(data));
+  if (mesh.outline().isAxisymmetric())
+    return std::make_shared<const RingHeat>(space_, data, places_, std::move(errors));
+  return std::make_shared<const PlaneHeat>(space_, data, places_, std::move(errors));
 }
 
 }  // namespace epafi::contact

@@ -2,7 +2,7 @@
 
 #include "bem/compressed/Laplace.hpp"
 #include "contact/conditions/Conditions.hpp"
-#include "contact/conditions/ConductedHeat.hpp"
+#include "contact/conditions/PlaneHeat.hpp"
 
 namespace epafi::contact {
 
@@ -19,7 +19,7 @@ class Conduction {
  private:
   bem::Space space_;
   bem::MixedLaplace laplace_;
-  ConductedHeat::Places places_;
+  PlaneHeat::Places places_;
 };
 
 }  // namespace epafi::contact

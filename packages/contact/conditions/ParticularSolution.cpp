@@ -1,7 +1,6 @@
 #include "contact/conditions/ParticularSolution.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/conditions/ConductedHeat.hpp"
 
 #include <cmath>
 #include <utility>
@@ -179,14 +178,25 @@ Vec2 ParticularSolution::displacementOfForces(Vec2 at) const {
   return asVector(sum(forces_.displacement, at));
 }
 
-Vec2 ParticularSolution::displacementOfPolynomials(Vec2 at) const {
-  return displacementOfForces(at) + asVector(sum(heat_.displacement, at));
+ParticularSolution::Value ParticularSolution::ofPolynomials(Vec2 at) const {
+  return {displacementOfForces(at) + asVector(sum(heat_.displacement, at)),
+          sum(loads_.temperature, at).real(),
+          stressOf(forces_, at) + stressOf(heat_, at)};
 }
 
-// α' ∫ f dz + m ∇Φ
-Vec2 ParticularSolution::displacementOfConducted(Vec2 at, Complex integral) const {
-  return asVector(loads_.expansion * integral +
-                  ofConducted() * conducted_->ofSources(asComplex(at)).gradient);
+Vec2 ParticularSolution::displacementOf(const ConductedHeat::Value& heat) const {
+  return freely() * heat.free + ofConducted() * heat.gradient;
+}
+
+ParticularSolution::Stress ParticularSolution::stressOf(
+    const ConductedHeat::Value& heat) const {
+  return 2 * lame_.mu * ofConducted() * heat.stress;
+}
+
+void ParticularSolution::add(const ConductedHeat::Value& heat, Value& value) const {
+  value.displacement = value.displacement + displacementOf(heat);
+  value.temperature = heat.temperature;
+  value.stress = value.stress + stressOf(heat);
 }
 
 std::vector<ParticularSolution::Value> ParticularSolution::at(
@@ -194,44 +204,33 @@ std::vector<ParticularSolution::Value> ParticularSolution::at(
   std::vector<Value> values;
   values.reserve(points.size());
   for (const Vec2 y : points)
-    values.push_back({displacementOfPolynomials(y), sum(loads_.temperature, y).real()});
+    values.push_back(ofPolynomials(y));
   if (conducted_ == nullptr)
     return values;
   const std::vector<ConductedHeat::Value> heat = conducted_->at(points);
   for (std::size_t k = 0; k < points.size(); ++k)
-    values[k] = {
-        values[k].displacement + displacementOfConducted(points[k], heat[k].integral),
-        heat[k].temperature};
+    add(heat[k], values[k]);
   return values;
 }
 
-Vec2 ParticularSolution::displacement(const bem::Mesh& mesh, int element,
-                                      double t) const {
-  const Vec2 y = mesh.scaledPoint(element, t);
-  const Vec2 u = displacementOfPolynomials(y);
-  return conducted_ == nullptr
-             ? u
-             : u + displacementOfConducted(y, conducted_->integral(element, t));
+ParticularSolution::Value ParticularSolution::on(const bem::Mesh& mesh, int element,
+                                                 double t) const {
+  Value value = ofPolynomials(mesh.scaledPoint(element, t));
+  if (conducted_ != nullptr)
+    add(conducted_->on(element, t), value);
+  return value;
+}
+
+ParticularSolution::Stress ParticularSolution::stressOfHeat(const bem::Mesh& mesh,
+                                                            int element, double t) const {
+  return conducted_ == nullptr ? stressOf(heat_, mesh.scaledPoint(element, t))
+                               : stressOf(conducted_->on(element, t));
 }
 
 ParticularSolution::Stress ParticularSolution::stressOf(const Part& part, Vec2 at) const {
   const double mean = 0.5 * sum(part.trace, at).real();
   const Complex rest = 2 * lame_.mu * conjugateSlope(part.displacement, at);
   return {mean + rest.real(), mean - rest.real(), rest.imag(), sum(part.hoop, at).real()};
-}
-
-// Of sources  σxx + σyy = -2μ m T,  σxx - σyy + 2i σxy = 4 μ m ∂(∇Φ)/∂z̄.
-ParticularSolution::Stress ParticularSolution::stressOfHeat(Vec2 at) const {
-  if (conducted_ == nullptr)
-    return stressOf(heat_, at);
-  const ConductedHeat::OfSources of = conducted_->ofSources(asComplex(at));
-  const double mean = -lame_.mu * ofConducted() * of.temperature;
-  const Complex rest = 0.5 * lame_.mu * ofConducted() * of.secondSlopes;
-  return {mean + rest.real(), mean - rest.real(), rest.imag()};
-}
-
-ParticularSolution::Stress ParticularSolution::stress(Vec2 at) const {
-  return stressOf(forces_, at) + stressOfHeat(at);
 }
 
 Vec2 ParticularSolution::force(Vec2 at) const {
@@ -281,45 +280,51 @@ ParticularSolution::Energies ParticularSolution::energies(const bem::Mesh& mesh)
   Energies result;
   result.own = integralInside(mesh, [&](Vec2 y) { return energyDensity(y); });
   result.work = integralInside(
-      mesh, [&](Vec2 y) { return dot(force(y), displacementOfPolynomials(y)); });
+      mesh, [&](Vec2 y) { return dot(force(y), ofPolynomials(y).displacement); });
   if (conducted_ != nullptr)
     addConducted(mesh, result);
   return result;
 }
 
-// With b the forces' solution, s the sources', T all of heat, ∇²Q = tr σ_b, and by Betti's and
-// Green's formulas
-//   ½ ∫ σ_s : C⁻¹ σ_s = ½ ∮ t_s·u_s + μ m α' ∫ T_s²,   ∫ T_s² = ∮ T_s ∂Φ/∂n - Φ ∂T_s/∂n,
+// With b the forces' solution, Φ and T₀ as in ConductedHeat, s the stress of Φ, κ = 1, around an axis
+// κ = 2, ∇²Q = tr σ_b, and by Betti's and Green's formulas
+//   ½ ∫ σ_s : C⁻¹ σ_s = ½ ∮ t_s·u_s + κ μ m α' ∫ (∇²Φ)²,   ∫ (∇²Φ)² = ∮ ∇²Φ ∂Φ/∂n - Φ ∂∇²Φ/∂n,
 //   ∫ σ_s : C⁻¹ σ_b = ∮ t_s·u_b,
 //   ∫ b·u_T = ∮ t_s·u_b - t_b·u_T + α' ∫ T tr σ_b,      ∫ T tr σ_b = ∮ T ∂Q/∂n - Q ∂T/∂n.
 void ParticularSolution::addConducted(const bem::Mesh& mesh, Energies& energies) const {
   const double m = ofConducted();
-  const double alpha = loads_.expansion;
+  const double alpha = freely();
+  const double heat = (loads_.isAxisymmetric ? 2 : 1) * lame_.mu * m * alpha;
   BodyLoads::Terms q = forces_.trace;
-  for (auto& [a, b, c] : q)
-    c /= 4.0 * ++a * ++b;
+  if (loads_.isAxisymmetric) {  // linear in y
+    q.insert(q.end(), forces_.hoop.begin(), forces_.hoop.end());
+    for (auto& [a, b, c] : q) {
+      a += 2;
+      c /= static_cast<double>(a) * a;
+    }
+  } else {
+    for (auto& [a, b, c] : q)
+      c /= 4.0 * ++a * ++b;
+  }
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
-    for (int k = 0; k < rule.size(); ++k) {
+    for (int k = 0; k < rule.size() && !mesh.isAxis(e); ++k) {
       const double t = rule.points[k];
-      const double weight = mesh[e].half * rule.weights[k];
+      const double weight = mesh.measure(e, t) * rule.weights[k];
       const Vec2 y = mesh.scaledPoint(e, t);
       const Vec2 normal = mesh[e].curve.normal(t);
-      const Complex n = asComplex(normal);
-      const ConductedHeat::OfSources of = conducted_->ofSources(asComplex(y));
-      const Vec2 gradient = asVector(of.gradient);
-      const Vec2 traction = stressOfHeat(y).on(normal);
+      const ConductedHeat::Value of = conducted_->on(e, t);
+      const Vec2 traction = stressOf(of).on(normal);
       const double twofold = dot(traction, displacementOfForces(y));
-      energies.own += weight * (0.5 * m * dot(traction, gradient) + twofold +
-                                lame_.mu * m * alpha *
-                                    (of.temperature * dot(gradient, normal) -
-                                     of.potential * (of.slope * n).real()));
-      const Vec2 u = displacementOfConducted(y, conducted_->integral(e, t));
+      energies.own += weight * (0.5 * m * dot(traction, of.gradient) + twofold +
+                                heat * (of.stressing * dot(of.gradient, normal) -
+                                        of.potential * of.stressingFlow));
       energies.work +=
-          weight * (twofold - dot(stressOf(forces_, y).on(normal), u) +
-                    alpha * (conducted_->temperature(e, t) * 2 *
-                                 (std::conj(n) * conjugateSlope(q, y)).real() -
-                             sum(q, y).real() * conducted_->flow(e, t)));
+          weight *
+          (twofold - dot(stressOf(forces_, y).on(normal), displacementOf(of)) +
+           alpha * (of.temperature * 2 *
+                        (std::conj(asComplex(normal)) * conjugateSlope(q, y)).real() -
+                    sum(q, y).real() * of.flow));
     }
   }
 }

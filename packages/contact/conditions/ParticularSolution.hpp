@@ -2,13 +2,12 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/mesh/Mesh.hpp"
+#include "contact/conditions/ConductedHeat.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace epafi::contact {
-
-class ConductedHeat;
 
 /// Body forces and temperature of a body, dimensionless, in scaled coordinates z = x + iy.
 struct BodyLoads {
@@ -32,8 +31,7 @@ struct BodyLoads {
 /// Particular solution u, σ of div σ + b = 0 for BodyLoads, as polynomials.  The boundary
 /// operators solve for the remaining homogeneous part, so that the interior is not discretised.
 /// It has two parts, for forces and for heat.  A harmonic temperature has no stress in the plane
-/// except that of sources in holes.  For conducted heat the second part consists of boundary
-/// integrals instead of polynomials.  Those of solids of revolution are polynomials in x and y.
+/// except that of sources in holes.  For conducted heat the second part is that of ConductedHeat.  Those of solids of revolution are polynomials in x and y.
 ///
 /// Dimensionless, in the outline's scaled coordinates; regular at ν = 1/2.
 ///                                                             [doc/theory/body-loads.md]
@@ -44,28 +42,17 @@ class ParticularSolution {
   ParticularSolution(const ParticularSolution& loads,
                      std::shared_ptr<const ConductedHeat> heat);
 
-  struct Stress {
-    double xx = 0;
-    double yy = 0;
-    double xy = 0;
-    double hoop = 0;  ///< of solids of revolution
-
-    Stress operator+(const Stress& other) const {
-      return {xx + other.xx, yy + other.yy, xy + other.xy, hoop + other.hoop};
-    }
-    bem::Vec2 on(bem::Vec2 normal) const {
-      return {xx * normal.x + xy * normal.y, xy * normal.x + yy * normal.y};
-    }
-  };
+  using Stress = BodyStress;
   struct Value {
     bem::Vec2 displacement;
     double temperature = 0;
+    Stress stress;
   };
   /// Values at points inside; many points in one call are cheapest.
   std::vector<Value> at(const std::vector<bem::Vec2>& points) const;
   bem::Vec2 displacement(bem::Vec2 place) const { return at({place})[0].displacement; }
   double temperature(bem::Vec2 place) const { return at({place})[0].temperature; }
-  Stress stress(bem::Vec2 at) const;
+  Stress stress(bem::Vec2 place) const { return at({place})[0].stress; }
   /// Per volume.
   bem::Vec2 force(bem::Vec2 at) const;
   /// ½ σ : C⁻¹ σ in the plane or around the axis, per volume, of forces and polynomial heat.
@@ -73,9 +60,8 @@ class ParticularSolution {
   /// Thermal part of σzz in plane strain, in addition to ν (σxx + σyy).
   double stressAcross(double temperature) const { return loads_.across * temperature; }
 
-  /// Displacement of the forces; stress of the heat.
+  /// Displacement of the forces.
   bem::Vec2 displacementOfForces(bem::Vec2 at) const;
-  Stress stressOfHeat(bem::Vec2 at) const;
 
   /// Over the body.
   struct Energies {
@@ -84,11 +70,16 @@ class ParticularSolution {
   };
   Energies energies(const bem::Mesh& mesh) const;
 
-  /// On an element's boundary, t in [-1, 1]; the mesh is that of conducted heat.
-  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const;
-  bem::Vec2 traction(const bem::Mesh& mesh, int element, double t) const {
-    return stress(mesh.scaledPoint(element, t)).on(mesh[element].curve.normal(t));
+  /// On the boundary, t in [-1, 1]; the mesh is that of conducted heat.
+  Value on(const bem::Mesh& mesh, int element, double t) const;
+  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const {
+    return on(mesh, element, t).displacement;
   }
+  bem::Vec2 traction(const bem::Mesh& mesh, int element, double t) const {
+    return on(mesh, element, t).stress.on(mesh[element].curve.normal(t));
+  }
+  /// Stress of the heat.
+  Stress stressOfHeat(const bem::Mesh& mesh, int element, double t) const;
   /// Null: heat is a polynomial.
   const ConductedHeat* conducted() const { return conducted_.get(); }
   double expansion() const { return loads_.expansion; }
@@ -106,10 +97,16 @@ class ParticularSolution {
   bem::Complex sum(const BodyLoads::Terms& terms, bem::Vec2 at) const;
   bem::Complex conjugateSlope(const BodyLoads::Terms& terms, bem::Vec2 at) const;
   Stress stressOf(const Part& part, bem::Vec2 at) const;
-  bem::Vec2 displacementOfPolynomials(bem::Vec2 at) const;
-  bem::Vec2 displacementOfConducted(bem::Vec2 at, bem::Complex integral) const;
+  Value ofPolynomials(bem::Vec2 at) const;
+  bem::Vec2 displacementOf(const ConductedHeat::Value& heat) const;
+  Stress stressOf(const ConductedHeat::Value& heat) const;
+  void add(const ConductedHeat::Value& heat, Value& value) const;
   void addConducted(const bem::Mesh& mesh, Energies& energies) const;
   double ofConducted() const { return loads_.expansion / (1 - lame_.nu); }  ///< m
+  /// α' of what needs no stress.
+  double freely() const {
+    return loads_.isAxisymmetric ? loads_.expansion / (1 + lame_.nu) : loads_.expansion;
+  }
 
   BodyLoads loads_;
   bem::Lame lame_;

@@ -177,7 +177,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
       const Vec2 y = mesh.scaledPoint(e, t);
       ofForces += weight *
                   dot(solved.space.densityAt(psi, e, t), inside->displacementOfForces(y));
-      ofHeat += weight * dot(inside->stressOfHeat(y).on(mesh[e].curve.normal(t)),
+      ofHeat += weight * dot(inside->stressOfHeat(mesh, e, t).on(mesh[e].curve.normal(t)),
                              solved.field.at(e, t));
     }
   }

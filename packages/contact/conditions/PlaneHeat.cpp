@@ -1,4 +1,4 @@
-#include "contact/conditions/ConductedHeat.hpp"
+#include "contact/conditions/PlaneHeat.hpp"
 
 #include "bem/base/Parallel.hpp"
 #include "bem/compressed/Laplace.hpp"
@@ -129,27 +129,15 @@ std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
 
 }  // namespace
 
-ConductedHeat::Places ConductedHeat::placesInHoles(const bem::Outline& outline) {
+PlaneHeat::Places PlaneHeat::placesInHoles(const bem::Outline& outline) {
   Places places;
   for (int loop = 1; loop < outline.loops(); ++loop)
     places.push_back(placesIn(outline, loop));
   return places;
 }
 
-std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
-  std::vector<Loop> loops(bem::at(mesh.outline().loops()));
-  for (int e = 0; e < mesh.size(); ++e) {
-    Loop& loop = loops[bem::at(mesh.outline().edge(mesh[e].piece.edge).loop)];
-    loop.length += 2 * mesh[e].half;
-    if (loop.elements.empty())
-      for (int f = e; loop.elements.empty() || f != e; f = mesh[f].next)
-        loop.elements.push_back(f);
-  }
-  return loops;
-}
-
-ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data,
-                             const Places& places, Vector errors)
+PlaneHeat::PlaneHeat(const bem::Space& space, const Vector& data, const Places& places,
+                     Vector errors)
     : missed_(std::move(errors)) {
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
@@ -163,26 +151,27 @@ ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data,
     for (int i = 0; i < mesh[e].densities; ++i)
       flow[bem::at(i)] = data[bem::at(flowOf(space, e, i))];
   }
-  const std::vector<Loop> loops = loopsOf(mesh);
+  const std::vector<bem::Surface> loops = bem::surfacesOf(mesh);
   cauchy_.emplace(mesh, densities(mesh, loops, places));
   follow(loops);
 }
 
 // f = T + i ∫ q ds along each loop, less what the sources have; what goes in comes out, if not
 // quite: the rest leaves the outer loop uniformly.
-void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
-                                   const Places& places, std::vector<Pair>& densities) {
+void PlaneHeat::startDensities(const bem::Mesh& mesh,
+                               const std::vector<bem::Surface>& loops,
+                               const Places& places, std::vector<Pair>& densities) {
   const auto flowOf = [&](int e) { return flows_[bem::at(e)]; };
   double rest = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const double flow = around(loops[k].elements, mesh, flowOf).real();
-    rest += flow / loops[0].length;
+    rest += flow / loops[0].size;
     for (std::size_t i = 0; k > 0 && i < places[k - 1].size(); ++i)
       sources_.push_back({places[k - 1][i],
                           -flow / twoPi / static_cast<double>(places[k - 1].size()),
                           Complex{}});
   }
-  for (const Loop& loop : loops) {
+  for (const bem::Surface& loop : loops) {
     Complex start;
     for (const int e : loop.elements) {
       Series& f = densities[bem::at(e)][0];
@@ -209,9 +198,9 @@ void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop
 
 // Each loop's imaginary constant and that of ∫ f dy are its own: inside a hole's they do nothing,
 // of the outer one they are a rigid motion.
-std::vector<ConductedHeat::Pair> ConductedHeat::densities(const bem::Mesh& mesh,
-                                                          const std::vector<Loop>& loops,
-                                                          const Places& places) {
+std::vector<PlaneHeat::Pair> PlaneHeat::densities(const bem::Mesh& mesh,
+                                                  const std::vector<bem::Surface>& loops,
+                                                  const Places& places) {
   std::vector<Pair> all(bem::at(mesh.size()));
   startDensities(mesh, loops, places, all);
   const auto along = [&](int e) {
@@ -244,10 +233,10 @@ std::vector<ConductedHeat::Pair> ConductedHeat::densities(const bem::Mesh& mesh,
                        });
   for (const int e : loops[0].elements)
     add(-gain, conjugate(e), all[bem::at(e)][0]);
-  for (const Loop& loop : loops) {
+  for (const bem::Surface& loop : loops) {
     const auto meanOf = [&](std::size_t n) {
       return around(loop.elements, mesh, [&](int e) { return all[bem::at(e)][n]; }) /
-             loop.length;
+             loop.size;
     };
     const Complex turning(0, meanOf(0).imag());
     Complex start;
@@ -264,7 +253,7 @@ std::vector<ConductedHeat::Pair> ConductedHeat::densities(const bem::Mesh& mesh,
   return all;
 }
 
-void ConductedHeat::follow(const std::vector<Loop>& loops) {
+void PlaneHeat::follow(const std::vector<bem::Surface>& loops) {
   const bem::Mesh& mesh = cauchy_->mesh();
   integrals_.resize(bem::at(mesh.size()));
   std::vector<std::vector<Complex>> missed(bem::at(mesh.size()));
@@ -282,7 +271,7 @@ void ConductedHeat::follow(const std::vector<Loop>& loops) {
       missed[bem::at(e)].push_back(
           values[q][0] - valueOf(cauchy_->density(bem::asInt(e))[0], rule.points[q]));
   });
-  const auto forEachPoint = [&](const Loop& loop, const auto& visit) {
+  const auto forEachPoint = [&](const bem::Surface& loop, const auto& visit) {
     for (const int e : loop.elements) {
       const bem::Rule& rule =
           bem::gaussLegendre(static_cast<int>(missed[bem::at(e)].size()));
@@ -290,10 +279,10 @@ void ConductedHeat::follow(const std::vector<Loop>& loops) {
         visit(e, mesh[e].half * rule.weights[q], missed[bem::at(e)][q]);
     }
   };
-  for (const Loop& loop : loops) {
+  for (const bem::Surface& loop : loops) {
     double turning = 0;
     forEachPoint(loop, [&](int, double weight, Complex value) {
-      turning += weight / loop.length * value.imag();
+      turning += weight / loop.size * value.imag();
     });
     forEachPoint(loop, [&](int e, double weight, Complex value) {
       missed_[bem::at(e)] += weight * std::norm(value - imaginary * turning);
@@ -301,30 +290,42 @@ void ConductedHeat::follow(const std::vector<Loop>& loops) {
   }
 }
 
-std::vector<ConductedHeat::Value> ConductedHeat::at(
-    const std::vector<Vec2>& points) const {
+PlaneHeat::Value PlaneHeat::whole(const OfSources& of, double temperature,
+                                  Complex integral) {
+  const double mean = -0.5 * of.temperature;
+  const Complex rest = 0.25 * of.secondSlopes;
+  Value value;
+  value.temperature = temperature;
+  value.free = asVector(integral);
+  value.potential = of.potential;
+  value.gradient = asVector(of.gradient);
+  value.stress = {mean + rest.real(), mean - rest.real(), rest.imag()};
+  value.stressing = of.temperature;
+  return value;
+}
+
+std::vector<PlaneHeat::Value> PlaneHeat::at(const std::vector<Vec2>& points) const {
   const auto pairs = cauchy_->at(points);
   std::vector<Value> values;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    values.push_back(
-        {pairs[k][0].real() + ofSources(asComplex(points[k])).temperature, pairs[k][1]});
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const OfSources of = ofSources(asComplex(points[k]));
+    values.push_back(whole(of, pairs[k][0].real() + of.temperature, pairs[k][1]));
+  }
   return values;
 }
 
-Complex ConductedHeat::integral(int element, double t) const {
-  return valueOf(integrals_[bem::at(element)], t);
-}
-
-double ConductedHeat::temperature(int element, double t) const {
-  return valueOf(temperatures_[bem::at(element)], t).real();
-}
-
-double ConductedHeat::flow(int element, double t) const {
-  return valueOf(flows_[bem::at(element)], t).real();
+PlaneHeat::Value PlaneHeat::on(int element, double t) const {
+  const bem::Mesh& mesh = cauchy_->mesh();
+  const OfSources of = ofSources(asComplex(mesh.scaledPoint(element, t)));
+  Value value = whole(of, valueOf(temperatures_[bem::at(element)], t).real(),
+                      valueOf(integrals_[bem::at(element)], t));
+  value.flow = valueOf(flows_[bem::at(element)], t).real();
+  value.stressingFlow = (of.slope * asComplex(mesh[element].curve.normal(t))).real();
+  return value;
 }
 
 // Φ = A |w|² (log|w| - 1)/4 + Re(C w̄) log|w|/2
-ConductedHeat::OfSources ConductedHeat::ofSources(Complex z) const {
+PlaneHeat::OfSources PlaneHeat::ofSources(Complex z) const {
   OfSources sum;
   for (const auto& [place, a, c] : sources_) {
     const Complex w = z - place;
