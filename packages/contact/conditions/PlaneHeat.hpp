@@ -2,6 +2,7 @@
 
 #include "bem/fields/CauchyIntegral.hpp"
 #include "bem/mesh/Surfaces.hpp"
+#include "bem/space/Space.hpp"
 #include "contact/conditions/ConductedHeat.hpp"
 
 #include <optional>

@@ -154,7 +154,9 @@ std::vector<Imbalance> Balance::of(const ContactSystem& system, const Configurat
   std::vector<Imbalance> all;
   Imbalance contact;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    motions_[b] = std::max(motions_[b], bem::largestEntry(at.displacements[b]));
+    // with that of body loads, which alone is there where a body grows freely
+    motions_[b] = std::max({motions_[b], bem::largestEntry(at.displacements[b]),
+                            system.body(b).loads().inside.largestDeformation});
     const double modulus =
         bodies[b].motions != nullptr ? bodies[b].motions->shearModuli[b] : 1;
     const double size = force * modulus * motions_[b];
