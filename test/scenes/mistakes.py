@@ -430,7 +430,7 @@ COMMANDS = [  # arguments; "@" is the scene
     ("report of a scene", ["report", "@"], ["there is no folder"]),
     ("fields of a scene", ["fields", "@"], ["there is no folder"]),
     ("study of a scene", ["study", "@"], ["epafi run"]),
-    ("check --format png", ["check", "@", "--format", "png"], ["'xml' or 'yaml'"]),
+    ("check --format png", ["check", "@", "--format", "png"], ["'xml', 'yaml' or 'json'"]),
 ]
 
 answered = []
