@@ -119,9 +119,13 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
       ++unknowns[c];
   }
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, processes);
+  // what is missed of a rigid motion adds up over the unknowns
+  constexpr double many = 65536;
+  Compression accurate = options;
+  accurate.tolerance *= std::min(1.0, many / static_cast<double>(size()));
   all.setAbroad(across, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    skeletonise(all.shares[b], bodies[b].space, *bodies[b].kernel, trees_[b], options,
+    skeletonise(all.shares[b], bodies[b].space, *bodies[b].kernel, trees_[b], accurate,
                 *subtrees_);
   parts_ = all.shares.size() == 1
                ? std::move(all.shares.front().parts)

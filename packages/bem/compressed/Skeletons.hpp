@@ -7,7 +7,8 @@
 namespace epafi::bem {
 
 struct Compression {
-  /// Error of the far field of a function, relative to the largest in its cluster.
+  /// Error of the far field of a function, relative to the largest in its cluster; of systems with more
+  /// than 65536 unknowns smaller in proportion.
   double tolerance = 1e-12;
   Index leafUnknowns = 200;
   /// Radius of the proxy circle over the radius of the cluster.
