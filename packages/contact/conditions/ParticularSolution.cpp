@@ -178,9 +178,12 @@ Vec2 ParticularSolution::displacementOfForces(Vec2 at) const {
   return asVector(sum(forces_.displacement, at));
 }
 
+Vec2 ParticularSolution::displacementOfPolynomials(Vec2 at) const {
+  return displacementOfForces(at) + asVector(sum(heat_.displacement, at));
+}
+
 ParticularSolution::Value ParticularSolution::ofPolynomials(Vec2 at) const {
-  return {displacementOfForces(at) + asVector(sum(heat_.displacement, at)),
-          sum(loads_.temperature, at).real(),
+  return {displacementOfPolynomials(at), sum(loads_.temperature, at).real(),
           stressOf(forces_, at) + stressOf(heat_, at)};
 }
 
@@ -219,6 +222,12 @@ ParticularSolution::Value ParticularSolution::on(const bem::Mesh& mesh, int elem
   if (conducted_ != nullptr)
     add(conducted_->on(element, t), value);
   return value;
+}
+
+Vec2 ParticularSolution::displacement(const bem::Mesh& mesh, int element,
+                                      double t) const {
+  const Vec2 u = displacementOfPolynomials(mesh.scaledPoint(element, t));
+  return conducted_ == nullptr ? u : u + displacementOf(conducted_->on(element, t));
 }
 
 ParticularSolution::Stress ParticularSolution::stressOfHeat(const bem::Mesh& mesh,
@@ -280,7 +289,7 @@ ParticularSolution::Energies ParticularSolution::energies(const bem::Mesh& mesh)
   Energies result;
   result.own = integralInside(mesh, [&](Vec2 y) { return energyDensity(y); });
   result.work = integralInside(
-      mesh, [&](Vec2 y) { return dot(force(y), ofPolynomials(y).displacement); });
+      mesh, [&](Vec2 y) { return dot(force(y), displacementOfPolynomials(y)); });
   if (conducted_ != nullptr)
     addConducted(mesh, result);
   return result;

@@ -72,9 +72,7 @@ class ParticularSolution {
 
   /// On the boundary, t in [-1, 1]; the mesh is that of conducted heat.
   Value on(const bem::Mesh& mesh, int element, double t) const;
-  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const {
-    return on(mesh, element, t).displacement;
-  }
+  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const;
   bem::Vec2 traction(const bem::Mesh& mesh, int element, double t) const {
     return on(mesh, element, t).stress.on(mesh[element].curve.normal(t));
   }
@@ -98,6 +96,7 @@ class ParticularSolution {
   bem::Complex conjugateSlope(const BodyLoads::Terms& terms, bem::Vec2 at) const;
   Stress stressOf(const Part& part, bem::Vec2 at) const;
   Value ofPolynomials(bem::Vec2 at) const;
+  bem::Vec2 displacementOfPolynomials(bem::Vec2 at) const;
   bem::Vec2 displacementOf(const ConductedHeat::Value& heat) const;
   Stress stressOf(const ConductedHeat::Value& heat) const;
   void add(const ConductedHeat::Value& heat, Value& value) const;
