@@ -30,8 +30,7 @@ claim(abs(force / 1.656095199650e-2 - 1) < 2e-7,
 
 # a shell without change of volume under pressure from both sides: u = B/R^2; each surface, to the axis,
 # is a closed one, whose normal field the densities do not feel
-# what rounds grows as the surfaces come closer: 5e-9 at 1 : 19, of any degree
-for radius, inside, outside, limit in ((1, 0.2, 0, 1e-9), (1.9, 0.3, 0.1, 2e-8)):
+for radius, inside, outside in ((1, 0.2, 0), (1.9, 0.3, 0.1)):
     row, _ = last("shell", scene({"shell": body(
         [[0, -2], [2, 0], [0, 2], [0, radius], [radius, 0], [0, -radius]],
         ["out", "out", "axis", "in", "in", "axis"],
@@ -41,7 +40,7 @@ for radius, inside, outside, limit in ((1, 0.2, 0, 1e-9), (1.9, 0.3, 0.1, 2e-8))
     excess = inside - outside
     energy = 2 * math.pi * excess**2 / (4 / 3 * (1 / radius**3 - 1 / 8))
     error = abs(row["energy_strain"] / energy - 1)
-    claim(error < limit, "shell without change of volume: energy within %.1e" % error)
+    claim(error < 1e-9, "shell without change of volume: energy within %.1e" % error)
 
 
 # Hertz, exactly: a rigid paraboloid on a block whose base and side move as in the half-space, by the

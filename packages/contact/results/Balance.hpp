@@ -66,7 +66,8 @@ class Balance {
 
  private:
   Vector compressibilities_;
-  Vector motions_;  ///< max |u| of each elastic body, dimensionless
+  Vector
+      motions_;  ///< max |u| of each elastic body, that of body loads, too, dimensionless
   Vector largest_;
   double largestWork_ = 0;
 };
