@@ -47,6 +47,7 @@ struct BodySize {
   double elements = 0;
   double grading = 1;   ///< largest over smallest element
   double opposite = 0;  ///< normal multipliers that act on another body, too
+  double heat = 0;      ///< temperatures and fluxes where it conducts
 
   double unknowns() const { return displacements + densities; }
 };
@@ -80,6 +81,15 @@ double compressedMemory(const std::vector<BodySize>& sizes, int steps, int proce
   return processes * programMemory + bytes / mebi;
 }
 
+/// What conduction keeps beside either [MiB]: a compressed system, around an axis a dense one and its
+/// factor.
+double heatMemory(const std::vector<BodySize>& sizes, bool isDense, int processes) {
+  double bytes = 0;
+  for (const BodySize& b : sizes)
+    bytes += b.heat * (isDense ? 16 * b.heat : 6e3);
+  return processes * bytes / mebi;
+}
+
 /// What dense matrices cost, the cubes of the bodies' unknowns, over what compressed operators
 /// do, their number and thirty times that of normal multipliers between bodies, which stay in
 /// skeletons.  1 at 3100 unknowns of one body, at some 7300 of two that meet.
@@ -108,6 +118,8 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
     size.densities = static_cast<double>(space.densities());
     size.multipliers = static_cast<double>(columns.size());
     size.elements = static_cast<double>(elements.size());
+    if (spaces.scene().bodies[b].conditions.heat)
+      size.heat = 0.5 * size.unknowns();
     size.grading = largest->half / smallest->half;
     if (spaces.opposite()->meetsDeformable(b))
       size.opposite =
@@ -154,8 +166,9 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
   const bool isGraded = std::any_of(sizes.begin(), sizes.end(), [](const BodySize& b) {
     return b.grading > mostGraded;
   });
-  const double dense = denseMemory(sizes, processes);
-  const double less = compressedMemory(sizes, scene.history.steps(), processes);
+  const double heat = heatMemory(sizes, scene.isAxisymmetric, processes);
+  const double dense = denseMemory(sizes, processes) + heat;
+  const double less = compressedMemory(sizes, scene.history.steps(), processes) + heat;
   LevelRow row = spaces.levelRow();
   row.memoryAllowed = std::max(dense, less) < plentiful * allowedBefore
                           ? allowedBefore

@@ -17,39 +17,14 @@ MixedLaplace::MixedLaplace(const Space& space, const std::vector<bool>& isPotent
   }
   operators_ = std::make_unique<const CompressedOperators>(
       std::vector<CompressedOperators::Body>{{space, laplaceKernel()}}, options);
-  findFreeLoops(isPotentialGiven);
-  isUnknown_.assign(at(space.displacements() + space.densities()), false);
-  std::fill_n(isUnknown_.begin(), space.displacements(), true);
-  const Mesh& mesh = space.mesh();
-  for (int e = 0; e < mesh.size(); ++e)
-    if (isPotentialGiven[at(e)]) {
-      for (int k = 0; k <= mesh[e].degree; ++k)
-        isUnknown_[at(potentialOf(space, e, k))] = false;
-      for (int i = 0; i < mesh[e].densities; ++i)
-        isUnknown_[at(flowOf(space, e, i))] = true;
-    }
-  for (const FreeLoop& loop : freeLoops_)
-    isUnknown_[at(loop.nodes.front())] = false;
+  freeSurfaces_ = freeSurfaces(space, isPotentialGiven);
+  isUnknown_ = missingData(space, isPotentialGiven);
+  for (const FreeSurface& hole : freeSurfaces_)
+    isUnknown_[at(hole.nodes.front())] = false;
   Restriction restriction;
   for (const bool isUnknown : isUnknown_)
     restriction.held.push_back(isUnknown ? 0 : 1);
   factor_ = std::make_unique<const CompressedFactor>(*operators_, std::move(restriction));
-}
-
-void MixedLaplace::findFreeLoops(const std::vector<bool>& isPotentialGiven) {
-  const Mesh& mesh = space_.mesh();
-  std::vector<FreeLoop> loops(at(mesh.outline().loops()));
-  std::vector<bool> isFree(loops.size(), true);
-  for (int e = 0; e < mesh.size(); ++e) {
-    const std::size_t k = at(mesh.outline().edge(mesh[e].piece.edge).loop);
-    isFree[k] = isFree[k] && k > 0 && !isPotentialGiven[at(e)];
-    loops[k].flows.push_back(flowOf(space_, e, 0));
-    loops[k].nodes.push_back(potentialOf(space_, e, 0));
-    loops[k].length += 2 * mesh[e].half;
-  }
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    if (isFree[k])
-      freeLoops_.push_back(std::move(loops[k]));
 }
 
 Vector MixedLaplace::residual(const Vector& data) const {
@@ -73,8 +48,8 @@ Vector MixedLaplace::residual(const Vector& data) const {
 Vector MixedLaplace::solve(Vector data) const {
   if (rings_ != nullptr)
     return rings_->solve(std::move(data));
-  for (const FreeLoop& loop : freeLoops_)
-    data[at(loop.nodes.front())] = 0;
+  for (const FreeSurface& hole : freeSurfaces_)
+    data[at(hole.nodes.front())] = 0;
   for (std::size_t i = 0; i < data.size(); ++i)
     if (isUnknown_[i])
       data[i] = 0;
@@ -86,14 +61,9 @@ Vector MixedLaplace::solve(Vector data) const {
   for (std::size_t i = 0; i < data.size(); ++i)
     if (isUnknown_[i])
       data[i] = found(static_cast<Index>(i), 0);
-  const Vector missed = freeLoops_.empty() ? Vector() : residual(data);
-  for (const FreeLoop& loop : freeLoops_) {
-    double sum = 0;
-    for (const Index i : loop.flows)
-      sum += missed[at(i)];
-    for (const Index j : loop.nodes)
-      data[at(j)] += sum / loop.length;
-  }
+  const Vector missed = freeSurfaces_.empty() ? Vector() : residual(data);
+  for (const FreeSurface& hole : freeSurfaces_)
+    hole.addConstant(missed, data);
   return data;
 }
 

@@ -32,20 +32,13 @@ class MixedLaplace {
   Vector solve(Vector data) const;
 
  private:
-  /// A hole where only q is given: its constant fluxes, and the nodes of the constant T.
-  struct FreeLoop {
-    std::vector<Index> flows;
-    std::vector<Index> nodes;
-    double length = 0;
-  };
-  void findFreeLoops(const std::vector<bool>& isPotentialGiven);
   /// The rows above, right sides minus left ones.
   Vector residual(const Vector& data) const;
 
   const Space& space_;
   std::unique_ptr<const RingLaplace>
       rings_;  ///< of solids of revolution, in place of the rest
-  std::vector<FreeLoop> freeLoops_;
+  std::vector<FreeSurface> freeSurfaces_;
   std::vector<bool> isUnknown_;
   std::unique_ptr<const CompressedOperators> operators_;
   std::unique_ptr<const CompressedFactor> factor_;

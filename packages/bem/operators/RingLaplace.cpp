@@ -1,7 +1,6 @@
 #include "bem/operators/RingLaplace.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
-#include "bem/mesh/Surfaces.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/Kernel.hpp"
 #include "bem/operators/RingBlocks.hpp"
@@ -21,23 +20,15 @@ Lame lameOfRingLaplace() {
 }
 
 RingLaplace::RingLaplace(const Space& space, const std::vector<bool>& isPotentialGiven)
-    : all_(space.displacements() + space.densities(),
+    : freeSurfaces_(freeSurfaces(space, isPotentialGiven)),
+      all_(space.displacements() + space.densities(),
            space.displacements() + space.densities()) {
   assert(std::count(isPotentialGiven.begin(), isPotentialGiven.end(), true) > 0);
   assemble(space);
-  holdConstants(space, isPotentialGiven);
-  const Mesh& mesh = space.mesh();
-  std::vector<bool> isUnknown(at(all_.rows()), false);
-  std::fill_n(isUnknown.begin(), space.displacements(), true);
-  for (int e = 0; e < mesh.size(); ++e)
-    if (isPotentialGiven[at(e)]) {
-      for (int k = 0; k <= mesh[e].degree; ++k)
-        isUnknown[at(potentialOf(space, e, k))] = false;
-      for (int i = 0; i < mesh[e].densities; ++i)
-        isUnknown[at(flowOf(space, e, i))] = true;
-    }
+  holdConstants();
+  const std::vector<bool> isMissing = missingData(space, isPotentialGiven);
   for (Index i = 0; i < all_.rows(); ++i)
-    if (isUnknown[at(i)])
+    if (isMissing[at(i)])
       unknown_.push_back(i);
   const auto size = static_cast<Index>(unknown_.size());
   Matrix system(size, size);
@@ -74,27 +65,11 @@ void RingLaplace::assemble(const Space& space) {
       all_(i, j) = all_(j, i) = lame.hypersingular(2 * i + c, 2 * j + c);
 }
 
-void RingLaplace::holdConstants(const Space& space,
-                                const std::vector<bool>& isPotentialGiven) {
-  const std::vector<Surface> surfaces = surfacesOf(space.mesh());
-  for (std::size_t k = 1; k < surfaces.size(); ++k) {
-    const std::vector<int>& elements = surfaces[k].elements;
-    if (std::any_of(elements.begin(), elements.end(),
-                    [&](int e) { return isPotentialGiven[at(e)]; }))
-      continue;
-    FreeSurface surface;
-    surface.area = surfaces[k].size;
-    for (const int e : elements) {
-      surface.flows.push_back(flowOf(space, e, 0));
-      surface.nodes.push_back(potentialOf(space, e, 0));
-    }
-    if (!surfaces[k].isClosed)
-      surface.nodes.push_back(potentialOf(space, elements.back(), 1));
+void RingLaplace::holdConstants() {
+  for (const FreeSurface& surface : freeSurfaces_)
     for (const Index i : surface.nodes)
       for (const Index j : surface.nodes)
         all_(i, j) += 1 / static_cast<double>(surface.nodes.size());
-    freeSurfaces_.push_back(std::move(surface));
-  }
 }
 
 Vector RingLaplace::solve(Vector data) const {
@@ -108,13 +83,8 @@ Vector RingLaplace::solve(Vector data) const {
   for (std::size_t k = 0; k < right.size(); ++k)
     data[at(unknown_[k])] = right[k];
   const Vector missed = freeSurfaces_.empty() ? Vector() : multiply(all_, data);
-  for (const FreeSurface& surface : freeSurfaces_) {
-    double sum = 0;
-    for (const Index i : surface.flows)
-      sum += missed[at(i)];
-    for (const Index j : surface.nodes)
-      data[at(j)] += sum / surface.area;
-  }
+  for (const FreeSurface& surface : freeSurfaces_)
+    surface.addConstant(missed, data);
   return data;
 }
 

@@ -46,6 +46,8 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
     return problem.size() + problem.rigidMotions();
   }
 
+  /// Of a system with a Bedding (ContactSystem::depth) the solution is that of the numbers, short of a
+  /// thousandth of what the bed gives way: corrected() takes that off.
   /// \throws bem::InputError if the space is of another kind or dimension.
   explicit ContactModel(const ContactSystem& system) : ContactModel(system, Options()) {}
   ContactModel(const ContactSystem& system, const Options& options);

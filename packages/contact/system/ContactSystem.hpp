@@ -89,7 +89,7 @@ class ContactSystem {
   const ContactBody& body(std::size_t b) const { return (*bodies_)[b]; }
   const MultiplierSpace& multiplier() const { return obstacle_->multiplier; }
 
-  /// The problem for the nonlinear solver; and g per normal coefficient, which the offset
+  /// The problem for the nonlinear solver, D without feet of beddings; and g per normal coefficient, which the offset
   /// contains as -g.  Dimensionless.
   const Problem& numbers() const { return numbers_; }
   const Vector& gap() const { return obstacle_->gap; }
