@@ -12,6 +12,7 @@
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 
@@ -214,6 +215,9 @@ std::string checkScene(const Scene& scene) {
   text << scene.title << " (" << scene.file << ")\n";
   for (const Body& body : scene.bodies) {
     const bem::Mesh mesh = firstMesh(body);
+    const bool raised =
+        std::any_of(mesh.elements().begin(), mesh.elements().end(),
+                    [&](const bem::Element& e) { return e.degree > body.degree; });
     text << "  body        " << body.name << ": E = " << body.material.youngsModulus
          << ", nu = " << body.material.poissonsRatio
          << (scene.isAxisymmetric        ? ", axisymmetric"
@@ -224,7 +228,7 @@ std::string checkScene(const Scene& scene) {
          << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
          << body.outline->diameter() << "\n"
          << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
-         << "\n"
+         << (raised ? ", 2 on wide arcs\n" : "\n")
          << "  Dirichlet  " << heldOf(body.conditions) << "\n"
          << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
          << "  contact    " << contactsOf(body.conditions) << "\n"

@@ -250,7 +250,9 @@ std::vector<int> readElements(const Part& part, const bem::Outline& outline) {
 
 bem::SchemaRows meshRows(const char* degree) {
   Row ownDegree =
-      Row("Degree", Kind::Whole, "1", {1, 25}, "polynomial degree of the displacement");
+      Row("Degree", Kind::Whole, "1", {1, 25},
+          "polynomial degree of the displacement; at least 2 on arcs whose elements turn "
+          "by more than 16 degrees");
   return {
       Row("Elements per Edge", Kind::Counts, "1", bem::from(1),
           "equal elements on each edge of the outer polygon; or give Mesh Size"),

@@ -111,24 +111,40 @@ for method in METHODS:
         claim(error < 1e-11, "%s square with a hole of %s: energy of four quarters within %.1e" %
               (method, name, error))
 
+
+def press_fit(angles, degree, sides, method, hole=None):
+    """Of a disc in a ring whose hole has the same arcs, or others: last level, points."""
+    inner, outer = arcs(angles, 1), arcs(hole or angles, 1)
+    bodies = [body("disc", outline(*inner), 1.0, NONE, "X, Y, Rotation",
+                   listed("Mesh", elements(angles), Degree=degree), NU),
+              body("ring", geometry(circle(2), "o, o, o, o", QUARTERS,
+                                    loop(outer[0], ["i"] * len(outer[0]), outer[1], "Hole 1 ")),
+                   1.0, NONE, "X, Y, Rotation",
+                   listed("Mesh", elements([90] * 4, hole or angles), Degree=degree), NU)]
+    levels, points = run(written("fit", bodies, contact("fit", *sides, Interference=0.001),
+                                 "Density", more=listed("Adaptivity", Maximum_Levels=1)), "fit",
+                         ["Solver->Linear->Method=" + method])[:2]
+    return levels[-1], points
+
+
 # a disc of two arcs in a ring whose hole has two: a press fit, p/d of plane strain
+SIDES = ("disc:o", "ring:i")
+# both give way by p times this
+give = (1 + NU) * (1 - 2 * NU) + (1 + NU) * ((1 - 2 * NU) * 1 + 4) / 3
 for method in METHODS:
     pressures = []
     for angles in ([180, 180], [90] * 4):
-        inner = arcs(angles, 1)
-        bodies = [body("disc", outline(*inner), 1.0, NONE, "X, Y, Rotation",
-                       listed("Mesh", elements(angles), Degree=12), NU),
-                  body("ring", geometry(circle(2), "o, o, o, o", QUARTERS,
-                                        loop(inner[0], ["i"] * len(angles), inner[1], "Hole 1 ")),
-                       1.0, NONE, "X, Y, Rotation",
-                       listed("Mesh", elements([90] * 4, angles), Degree=12), NU)]
-        points = run(written("fit", bodies, contact("fit", "disc:o", "ring:i", Interference=0.001),
-                             "Density", more=listed("Adaptivity", Maximum_Levels=1)), "fit",
-                     ["Solver->Linear->Method=" + method])[1]
+        points = press_fit(angles, 12, SIDES, method)[1]
         pressures.append([point["lambda_n"] for point in points])
-    # both give way by p times this
-    give = (1 + NU) * (1 - 2 * NU) + (1 + NU) * ((1 - 2 * NU) * 1 + 4) / 3
     error = max(abs(value * give / 0.001 - 1) for value in pressures[0])
     claim(error < 1e-9, "%s press fit of half circles: pressure within %.1e, of quarters %.1e" % (
         method, error, max(abs(value * give / 0.001 - 1) for value in pressures[1])))
+
+# nine elements against eight: linear displacements of the two circles would press at their nodes
+for sides in (SIDES, SIDES[::-1]):
+    for angles in ([40] * 9, [45] * 8):
+        level, _ = press_fit(angles, 1, sides, "Dense", [85 - angles[0]] * (17 - len(angles)))
+        error = level["pressure_max"] * give / 0.001 - 1
+        claim(abs(error) < 0.02, "%s, %d elements against %d, degree 1: largest pressure within %.1e" %
+              (sides[0], len(angles), 17 - len(angles), error))
 finish()
