@@ -228,8 +228,8 @@ std::string checkScene(const Scene& scene) {
          << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
          << body.outline->diameter() << "\n"
          << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
-         << (raised ? ", 2 on wide arcs\n" : "\n")
-         << "  Dirichlet  " << heldOf(body.conditions) << "\n"
+         << (raised ? ", 2 on wide arcs\n" : "\n") << "  Dirichlet  "
+         << heldOf(body.conditions) << "\n"
          << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
          << "  contact    " << contactsOf(body.conditions) << "\n"
          << "  held       " << fixedMotions(body.conditions.fix) << "\n";

@@ -186,7 +186,8 @@ bem::Mesh ungradedMesh(const Body& body) {
 /// edge misses more than 0.01, the degree is 2; next to a required node, too.
 int leastDegree(const Body& body, int edge) {
   constexpr double missed = 0.01;
-  const double angle = body.outline->edge(edge).curve.angle() / body.elementsPerEdge[edge];
+  const double angle =
+      body.outline->edge(edge).curve.angle() / body.elementsPerEdge[edge];
   return angle * angle / 8 > missed ? 2 : 1;
 }
 
