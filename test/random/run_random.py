@@ -82,9 +82,10 @@ class Result:
 
 def makes_sense(level, scene):
     """Bonds may pull."""
-    # pairs may not touch yet: their energy is rounding
-    least = -NOTHING * scene.energy if hasattr(scene, "wrong") else 0
-    return level["energy_strain"] >= least and level["energy_friction"] >= 0 and (
+    # pairs may not touch yet, loads may be zero: all is rounding
+    if abs(level["energy_strain"]) <= NOTHING * getattr(scene, "energy", 0):
+        return True
+    return level["energy_strain"] >= 0 and level["energy_friction"] >= 0 and (
         "Tied" in scene.laws or level["force_normal"] >= 0)
 
 

@@ -35,6 +35,7 @@ class Scene:
         self.modulus = 10 ** draw.uniform(0, 11)
         self.ratio = draw.uniform(0, 0.49)
         self.diameter = 10 ** draw.uniform(-3, 3)
+        self.energy = self.modulus * self.diameter ** 2
         self.stress = self.modulus * 10 ** draw.uniform(-5, -2)  # of the loads
         self.corners = self.turned(polygon(draw))
         self.sides = len(self.corners)
