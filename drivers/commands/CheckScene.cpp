@@ -66,11 +66,11 @@ void evaluateAll(const Scene& scene) {
   aboveCap(0, spaces.levelRow(), scene);
   if (scene.history)
     evaluateAt(scene, spaces, spaces.conditionsAt(0), 0);
-  for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
-    evaluateAt(scene, spaces, spaces.conditionsAt(scene.history.times[k]),
-               scene.history.times[k]);
-  const std::vector<contact::Conditions> last = spaces.conditionsAt(scene.endOfPath());
-  evaluateAt(scene, spaces, last, scene.endOfPath());
+  std::vector<contact::Conditions> last;
+  for (const double t : scene.history.times) {
+    last = spaces.conditionsAt(t);
+    evaluateAt(scene, spaces, last, t);
+  }
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
     const std::vector<double> places = outputPlaces(scene, scene.bodies[b].degree);

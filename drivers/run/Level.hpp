@@ -88,7 +88,7 @@ struct Level {
 };
 
 /// A row of steps.csv, in the user's units.  Works are sums over the path, see
-/// contact::PathMemory.  Without a History it has the energies and rigid bodies of the load.
+/// contact::PathMemory.  A load without a History is one step, of number and time 0.
 /// Contacts and rigid bodies stand under their names; moments on a rigid body are about its
 /// reference point.
 struct StepRow {

@@ -168,7 +168,8 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
   });
   const double heat = heatMemory(sizes, scene.isAxisymmetric, processes);
   const double dense = denseMemory(sizes, processes) + heat;
-  const double less = compressedMemory(sizes, scene.history.steps(), processes) + heat;
+  const double less =
+      compressedMemory(sizes, scene.history.times.size(), processes) + heat;
   LevelRow row = spaces.levelRow();
   row.memoryAllowed = std::max(dense, less) < plentiful * allowedBefore
                           ? allowedBefore

@@ -44,12 +44,10 @@ Level firstLevel(const Scene& scene) {
   first.meshes = matchedAtBonds(scene, std::move(first.meshes));
   constexpr int most = 12;
   Level finer = first;
-  const std::vector<double> times =
-      scene.history ? scene.history.times : std::vector<double>{1};
   const BodySpaces spaces(scene, first);
-  for (const double t : times)
+  for (const double t : scene.history.times)
     checkRoom(spaces, t);
-  std::vector<double> left = unbalanced(spaces, times);
+  std::vector<double> left = unbalanced(spaces, scene.history.times);
   for (int k = 0; k < most && !left.empty(); ++k) {
     for (std::size_t b = 0; b < finer.meshes.size(); ++b)
       finer.meshes[b] = halvedAtEnds({scene.bodies[b].outline, finer.meshes[b]},

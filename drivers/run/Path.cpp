@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace epafi::drivers {
@@ -64,18 +65,19 @@ class Remainder {
 
 class Follower {
  public:
-  Follower(const BodySpaces& spaces, const contact::ContactSystem& atZero,
-           const Level& from, const Run& run, SolvedLevel& path)
+  Follower(const BodySpaces& spaces, const PathStart& start, const Level& from,
+           const Run& run, SolvedLevel& path)
       : scene_(spaces.scene()),
         spaces_(spaces),
-        atZero_(atZero),
+        start_(start),
         from_(from),
         run_(run),
         known_(knownOf(from.path, scene_.history)),
-        here_{contact::PathMemory(atZero, scene_.history.tolerance > 0
-                                              ? contact::PathMemory::Shear::Mean
-                                              : contact::PathMemory::Shear::AtEnd),
-              contact::Prediction(atZero), std::make_shared<const SolvedPart>(spaces)},
+        here_{contact::PathMemory(*start.system, scene_.history.tolerance > 0
+                                                     ? contact::PathMemory::Shear::Mean
+                                                     : contact::PathMemory::Shear::AtEnd),
+              contact::Prediction(*start.system),
+              std::make_shared<const SolvedPart>(spaces)},
         balance_(balanceOf(scene_)),
         path_(path),
         empty_(spaces.stepRow()) {}
@@ -84,9 +86,11 @@ class Follower {
   bool goTo(double time) {
     row_ = empty_;
     row_.level = from_.number;
-    row_.step = static_cast<int>(path_.steps.size()) + 1;
-    run_.timer.startStep(row_.step, static_cast<int>(scene_.history.times.size()));
-    row_.t = time;
+    if (scene_.history) {
+      row_.step = static_cast<int>(path_.steps.size()) + 1;
+      run_.timer.startStep(row_.step, static_cast<int>(scene_.history.times.size()));
+      row_.t = time;
+    }
     row_.parts = 0;
     while (here_.t < time && isKnown())
       solve(from_.path[points().size()].t);
@@ -192,9 +196,11 @@ class Follower {
       step *= 0.5;
       if (step >= shortest)
         continue;
-      path_.level.reason = bem::message(
-          "step ", row_.step, " of the path ends at t = ", here_.t, ", before t = ", time,
-          ", although it was halved down to ", 2 * step, ": ", path_.level.reason);
+      if (scene_.history)
+        path_.level.reason =
+            bem::message("step ", row_.step, " of the path ends at t = ", here_.t,
+                         ", before t = ", time, ", although it was halved down to ",
+                         2 * step, ": ", path_.level.reason);
       break;
     }
     return step;
@@ -204,8 +210,9 @@ class Follower {
     // where solutions are not unique a path of one step shall find that of the load alone
     const bool isFirst = points().empty() && time == scene_.history.times.front();
     const auto first = [&] {
-      return from_.steps.empty() ? system.start()
-                                 : atZero_.with(from_.last().rigid, from_.last().state);
+      return from_.steps.empty()
+                 ? system.start()
+                 : start_.system->with(from_.last().rigid, from_.last().state);
     };
     return settled(
         system,
@@ -229,10 +236,14 @@ class Follower {
     const bool known = isKnown();
     std::shared_ptr<contact::ContactSystem> system;
     run_.timer.run(Phase::Stabilization, [&] {
+      if (next == scene_.history.start()) {
+        std::tie(conditions_, system) = std::tie(start_.conditions, start_.system);
+        return;
+      }
       conditions_ =
           std::make_shared<const SolvedStep::Conditions>(spaces_.conditionsAt(next));
-      system = std::make_shared<contact::ContactSystem>(
-          atZero_.under(*conditions_, scene_.drivesAt(next), here_.memory.forStep()));
+      system = std::make_shared<contact::ContactSystem>(start_.system->under(
+          *conditions_, scene_.drivesAt(next), here_.memory.forStep()));
     });
     if (known) {
       const SolvedState& point = from_.path[points().size()];
@@ -271,9 +282,10 @@ class Follower {
       here_.cycles += (next - here_.t) * cyclesOf(*conditions_);
       ++row_.parts;
       const SolvedState before = known ? from_.path[points().size()] : SolvedState();
-      points().push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
-                          std::exchange(coulombIterations_, 0), before.workError,
-                          before.volumeError});
+      if (scene_.history)
+        points().push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
+                            std::exchange(coulombIterations_, 0), before.workError,
+                            before.volumeError});
       here_.t = next;
     }
     return converged;
@@ -290,11 +302,10 @@ class Follower {
     double ofInside = 0;
     for (const contact::Solved& solved : step.bodies)
       ofInside += contact::energiesOfInside(solved).strain;
-    const double strain =
-        wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain / energy -
-        ofInside;
+    row_.energyStrain =
+        wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain;
+    const double strain = row_.energyStrain / energy - ofInside;
     const double stored = step.at.storedEnergy();
-    row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
     double workError = 0;
     double volumeError = 0;
@@ -332,7 +343,7 @@ class Follower {
 
   const Scene& scene_;
   const BodySpaces& spaces_;
-  const contact::ContactSystem& atZero_;
+  const PathStart& start_;
   const Level& from_;
   const Run& run_;
   const std::size_t known_;
@@ -352,10 +363,9 @@ class Follower {
 
 }  // namespace
 
-void followPath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
-                const Level& from, const Run& run, const std::function<void()>& handOut,
-                SolvedLevel& path) {
-  Follower follower(spaces, atZero, from, run, path);
+void followPath(const BodySpaces& spaces, const PathStart& start, const Level& from,
+                const Run& run, const std::function<void()>& handOut, SolvedLevel& path) {
+  Follower follower(spaces, start, from, run, path);
   for (const double time : spaces.scene().history.times) {
     const bool reached = follower.goTo(time);
     handOut();

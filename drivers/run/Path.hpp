@@ -10,8 +10,17 @@ namespace epafi::drivers {
 /// work: less comes from first contacts on a mesh.
 constexpr double leastFriction = 1e-4;
 
+/// The problem at History::start().
+struct PathStart {
+  std::shared_ptr<const SolvedStep::Conditions> conditions;
+  std::shared_ptr<contact::ContactSystem> system;
+};
+
 /// Solves the path of the scene into `path`: its steps, the points and the reason of its level,
-/// the report of its row.  All steps use operators, factors and D of `atZero`.
+/// the report of its row.  All steps use operators, factors and D of `start`.
+///
+/// One load is a path of one step, which is the problem that it starts with; it is not halved, and
+/// keeps no points.
 ///
 /// A step starts from contact::Prediction, the first one from `from`.  If it fails it is
 /// halved, down to History->Minimum Step; there the path ends.  With History->Tolerance
@@ -22,8 +31,7 @@ constexpr double leastFriction = 1e-4;
 ///   is a start at the first of History->Times
 /// \param handOut called after each step of History
 /// \throws bem::InputError, Interrupted.
-void followPath(const BodySpaces& spaces, const contact::ContactSystem& atZero,
-                const Level& from, const Run& run, const std::function<void()>& handOut,
-                SolvedLevel& path);
+void followPath(const BodySpaces& spaces, const PathStart& start, const Level& from,
+                const Run& run, const std::function<void()>& handOut, SolvedLevel& path);
 
 }  // namespace epafi::drivers

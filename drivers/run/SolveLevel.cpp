@@ -31,7 +31,7 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
       return contact::makeCompressedStiffness(
           spaces.all(), lames, spaces.multiplier(), *spaces.opposite(),
           scene.stabilization, scene.units(), run.processes,
-          scene.solver.linear.compression, formedUpTo(scene.history.steps()));
+          scene.solver.linear.compression, formedUpTo(scene.history.times.size()));
     });
   std::vector<bem::SteklovPoincare> all;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
@@ -213,50 +213,6 @@ void handOutStep(const Run& run, SolvedLevel& path) {
   run.handOutStep(path);
 }
 
-/// One load, from the start value of the level, into `level`.
-void solveOnce(const BodySpaces& spaces,
-               const std::shared_ptr<const SolvedStep::Conditions>& conditions,
-               const std::shared_ptr<contact::ContactSystem>& system, const Level& from,
-               const Run& run, SolvedLevel& level) {
-  const bool isFirst = from.steps.empty();
-  const contact::State start =
-      isFirst ? system->start() : system->with(from.last().rigid, from.last().state);
-  SettledProblem outcome = run.timer.run(Phase::Newton, [&] {
-    return settled(
-        *system,
-        [&](const contact::State* before) {
-          const contact::State& first = before != nullptr ? *before : start;
-          return solve(
-              *system, spaces, [&] { return first; },
-              isFirst && before == nullptr ? contact::State() : first, run.processes,
-              run.timer);
-        },
-        run.processes);
-  });
-  level.row.report = outcome.solution.report;
-  level.level.reason = outcome.reason;
-  const bool converged = level.row.report.converged();
-  if (level.row.memoryOfDense && !converged)
-    return;
-  contact::Configuration at = run.timer.run(Phase::Newton, [&] {
-    return converged ? std::move(outcome.at)
-                     : system->configuration(outcome.solution.state);
-  });
-  const auto solved =
-      std::make_shared<SolvedStep>(spaces, conditions, system, std::move(at));
-  StepRow& row = solved->row = spaces.stepRow();
-  row.level = from.number;
-  row.energyStrain =
-      wholeOf(spaces.scene().symmetry, contact::sumOf(solved->summaries())).energyStrain;
-  row.energyDissipated = solved->frictionWorkOfStep();
-  solved->addRigid(row);
-  solved->addContacts(row);
-  level.steps.push_back(solved);
-  contact::Balance balance = balanceOf(spaces.scene());
-  if (converged)
-    checkBalance(balance, run, *solved, level);
-}
-
 }  // namespace
 
 Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& planned,
@@ -267,36 +223,32 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
     lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const auto stiffness = makeStiffness(spaces, lames, planned.isCompressed(), run);
-  // a path starts with the conditions at t = 0
-  const double start = scene.history ? 0 : 1;
-  const auto first =
-      std::make_shared<const SolvedStep::Conditions>(spaces.conditionsAt(start));
-  const auto system = run.timer.run(Phase::Stabilization, [&] {
+  const double time = scene.history.start();
+  PathStart start{
+      std::make_shared<const SolvedStep::Conditions>(spaces.conditionsAt(time)), {}};
+  run.timer.run(Phase::Stabilization, [&] {
     std::vector<contact::BodyInput> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)
       inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
-                        (*first)[b], basis, scene.stabilization,
-                        formedUpTo(scene.history.steps())});
-    return std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(start),
-                                                    spaces.opposite());
+                        (*start.conditions)[b], basis, scene.stabilization,
+                        formedUpTo(scene.history.times.size())});
+    start.system = std::make_shared<contact::ContactSystem>(inputs, scene.drivesAt(time),
+                                                            spaces.opposite());
   });
-  checkResistance(spaces, *system);
+  checkResistance(spaces, *start.system);
   SolvedLevel solved{stiffness, {from.number}, planned};
   solved.level.meshes = from.meshes;
-  if (scene.history)
-    followPath(
-        spaces, *system, from, run,
-        [&] {
-          const bool another = solved.row.memoryOfDense && !solved.last().row.converged;
-          if (run.handOutStep && !another)
-            run.timer.run(Phase::Results, [&] { handOutStep(run, solved); });
-        },
-        solved);
-  else
-    solveOnce(spaces, first, system, from, run, solved);
+  followPath(
+      spaces, start, from, run,
+      [&] {
+        const bool another = solved.row.memoryOfDense && !solved.last().row.converged;
+        if (scene.history && run.handOutStep && !another)
+          run.timer.run(Phase::Results, [&] { handOutStep(run, solved); });
+      },
+      solved);
   if (planned.memoryOfDense && !solved.row.report.converged())
     return solved.level.reason;
-  if (!solved.row.report.converged() && !solved.steps.empty())
+  if (!solved.row.report.converged())
     solved.level.reason = frictionLimits(solved.last()) + solved.level.reason;
   const std::string unbalanced = solved.unbalanced;
   Level level = finish(run, std::move(solved));

@@ -6,7 +6,6 @@
 #include "contact/path/PathMemory.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace epafi::drivers {
@@ -69,11 +68,9 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
     solved.motions = &motions;
     if (!wear.depth.empty())
       solved.wear = &wear;
-    if (before) {
-      solved.displacementBefore = &before->motions.displacements[b];
-      solved.motionsBefore = &before->motions;
-    }
-    if (before && before->conditions) {
+    solved.displacementBefore = &before->motions.displacements[b];
+    solved.motionsBefore = &before->motions;
+    if (before->conditions) {
       solved.stateBefore = &before->at.state;
       solved.conditionsBefore = &(*before->conditions)[b];
     }
@@ -121,12 +118,6 @@ SolvedStep::Storable SolvedStep::storable() const {
   return energy;
 }
 
-double SolvedStep::frictionWorkOfStep() const {
-  const bem::Vector work =
-      contact::frictionWork(system->numbers(), at.state, at.penetration);
-  return spaces.scene().energy() * std::accumulate(work.begin(), work.end(), 0.0);
-}
-
 double SolvedStep::interfaceEnergy() const {
   return spaces.scene().energy() * system->numbers().surface.energy(at.state.multiplier);
 }
@@ -163,9 +154,7 @@ void SolvedStep::addContacts(StepRow& filled) const {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const bem::Outline& outline = *scene.bodies[b].outline;
     const bool isCut = scene.symmetry.cuts(outline);
-    std::map<std::string, double> work;
-    if (!frictionWork.empty())
-      work = contact::frictionWorkOfContacts(system->body(b), frictionWork);
+    auto work = contact::frictionWorkOfContacts(system->body(b), frictionWork);
     for (const auto& [name, summary] : contact::summarizeContacts(bodies[b])) {
       contact->second = wholeOf(scene.symmetry, outline, summary);
       if (!touchesLine(bodies[b], name))

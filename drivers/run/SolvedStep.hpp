@@ -28,15 +28,14 @@ struct SolvedPart {
   contact::Motions motions;
 };
 
-/// A solution with the data for results: under a load, or in a step of a path.
+/// A solution with the data for results, in a step of a path or under one load.
 struct SolvedStep : SolvedPart {
-  /// \param before of a path: from where slip is measured, the part before the last one of this
-  ///   step; null: no path
+  /// \param before from where slip is measured, the part before the last one of this step
   /// \param wear after the step
   SolvedStep(const BodySpaces& spaces, std::shared_ptr<const Conditions> conditions,
              std::shared_ptr<const contact::ContactSystem> system,
-             contact::Configuration at, std::shared_ptr<const SolvedPart> before = {},
-             contact::Wear wear = {});
+             contact::Configuration at, std::shared_ptr<const SolvedPart> before,
+             contact::Wear wear);
 
   /// As numbers.
   SolvedState fields() const;
@@ -53,8 +52,6 @@ struct SolvedStep : SolvedPart {
     double rounding = 0;
   };
   Storable storable() const;
-  /// Friction's work in this step, in the user's units.
-  double frictionWorkOfStep() const;
   /// Energy stored by contact surfaces, in the user's units.
   double interfaceEnergy() const;
   /// Fills what a row says of rigid bodies.
@@ -85,7 +82,7 @@ struct SolvedLevel {
   const std::vector<bem::SteklovPoincare>& stiffness;  ///< of each body
   Level level;
   LevelRow row{};  ///< of a path that is not at its end: its report and times only
-  std::vector<std::shared_ptr<const SolvedStep>> steps{};  ///< one without a History
+  std::vector<std::shared_ptr<const SolvedStep>> steps{};
   std::string
       unbalanced{};  ///< what ends the run, see checkBalance; empty: all is in balance
 

@@ -134,6 +134,7 @@ History parseHistory(const Teuchos::ParameterList& list) {
   if (times.size() == 0)
     throw InputError("History->Times: is empty; at least one time is needed");
   const std::vector<int> steps = stepsOf(list, static_cast<std::size_t>(times.size()));
+  history = {true, {}};
   double start = 0;
   for (int k = 0; k < times.size(); ++k) {
     const double end = times[k];

@@ -120,9 +120,10 @@ struct OutputOptions {
 };
 
 /// The path of the loads: it starts unloaded at t = 0 and is solved up to each of `times`
-/// in this order.  Without times there is no path, only one load at t = 1.
+/// in this order.  One load is there at t = 1, from the beginning.
 struct History {
-  std::vector<double> times;
+  bool isPath = false;  ///< or one load
+  std::vector<double> times{1};
   /// Shortest step; 0: 1/64 of a step, with a tolerance 1/1024.
   double minimumStep = 0;
   double tolerance = 0;  ///< relative time error of friction's work; 0: steps as given
@@ -131,11 +132,12 @@ struct History {
   /// that rise and fall in between.
   static constexpr int fewestSteps = 8;
 
-  explicit operator bool() const { return !times.empty(); }
-  /// Number of steps; 1 without a path.
-  int steps() const { return times.empty() ? 1 : static_cast<int>(times.size()); }
+  explicit operator bool() const { return isPath; }
+  double start() const { return isPath ? 0 : 1; }
   double shortest(double step) const {
-    return minimumStep > 0 ? minimumStep : step / (tolerance > 0 ? 1024 : 64);
+    return !isPath           ? step
+           : minimumStep > 0 ? minimumStep
+                             : step / (tolerance > 0 ? 1024 : 64);
   }
 };
 

@@ -108,7 +108,7 @@ struct Scene {
 
   /// The prescribed motions and loads of the rigid bodies at a time, scaled.
   std::vector<contact::Drive> drivesAt(double t) const;
-  double endOfPath() const { return history ? history.times.back() : 1; }
+  double endOfPath() const { return history.times.back(); }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
   /// The unit of energies of the whole scene, both halves of a symmetric one included.
