@@ -18,14 +18,22 @@ namespace {
 
 using bem::InputError;
 
-[[noreturn]] void refuseOption(const Command& command, const std::string& text) {
-  std::vector<std::string> known;
-  for (const Option& option : command.options)
-    known.push_back(option.name);
-  known.emplace_back("--help");
-  const std::string name = text.substr(0, text.find('='));
-  throw InputError(command.name, ": unknown option '", name, "'",
-                   bem::suggestion(name, known));
+/// What no option and no argument takes.
+[[noreturn]] void refuse(const Command& command, const std::string& text,
+                         const std::string& argument) {
+  if (text.size() > 1 && text[0] == '-') {
+    std::vector<std::string> known{"--help"};
+    for (const Option& option : command.options)
+      known.push_back(option.name);
+    const std::string name = text.substr(0, text.find('='));
+    throw InputError(command.name, ": unknown option '", name, "'",
+                     bem::suggestion(name, known));
+  }
+  if (command.argument.name.empty())
+    throw InputError(command.name, ": argument '", text,
+                     "' is not understood; usage: ", usageLine(command));
+  throw InputError(command.name, ": two arguments, '", argument, "' and '", text,
+                   "'; one ", command.argument.what, " is allowed");
 }
 
 /// Reports errors that CLI11 would report in other words.
@@ -42,46 +50,25 @@ void checkForm(const Command& command, const std::vector<std::string>& arguments
   }
 }
 
-void checkValues(const Command& command, const Given& given) {
-  for (const Option& option : command.options) {
-    const std::vector<std::string> values = given.values(option.name);
-    if (values.size() > 1 && !option.repeatable)
-      throw InputError(command.name, ": ", option.name, " is given ", values.size(),
-                       " times; once is allowed");
-    for (const std::string& value : values) {
-      if (value.empty())
-        throw InputError(command.name, ": ", option.name, ": the value is empty; ",
-                         option.value, " is needed");
-      if (!option.words.empty() && std::find(option.words.begin(), option.words.end(),
-                                             value) == option.words.end())
-        throw InputError(command.name, ": ", option.name, ": unknown value '", value, "'",
-                         bem::suggestion(value, option.words));
-    }
-  }
+/// \returns what is wrong with a value, as CLI11's validators do
+std::string refusal(const Option& option, const std::string& value) {
+  if (value.empty())
+    return "the value is empty; " + option.value + " is needed";
+  const auto& words = option.words;
+  if (words.empty() || std::find(words.begin(), words.end(), value) != words.end())
+    return "";
+  return "unknown value '" + value + "'" + bem::suggestion(value, words);
 }
 
-void takeArgument(const Command& command, const std::vector<std::string>& rest,
-                  Given& given) {
-  bool options = true;  // false behind --
-  for (const std::string& text : rest) {
-    if (options && text == "--") {
-      options = false;
-      continue;
-    }
-    if (options && text.size() > 1 && text[0] == '-')
-      refuseOption(command, text);
-    if (command.argument.name.empty())
-      throw InputError(command.name, ": argument '", text,
-                       "' is not understood; usage: ", usageLine(command));
-    if (!given.argument.empty())
-      throw InputError(command.name, ": two arguments, '", given.argument, "' and '",
-                       text, "'; one ", command.argument.what, " is allowed");
-    given.argument = text;
+void addOption(CLI::App& app, const Option& option) {
+  if (option.value.empty()) {
+    app.add_flag(option.name)->disable_flag_override();
+    return;
   }
-  if (given.argument.empty() && !command.argument.name.empty() &&
-      command.argument.required && !given.has("--help"))
-    throw InputError(command.name, ": no ", command.argument.what,
-                     " is given; usage: ", usageLine(command));
+  app.add_option(option.name)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check([option](const std::string& value) { return refusal(option, value); });
 }
 
 }  // namespace
@@ -111,31 +98,40 @@ std::vector<std::string> Given::words() const {
 
 Given parseArguments(const Command& command, const std::vector<std::string>& arguments) {
   checkForm(command, arguments);
+  Given given;
   CLI::App app;
   app.set_help_flag();  // this program has its own --help
-  app.allow_extras();
   app.add_flag("-h,--help")->disable_flag_override();
+  if (!command.argument.name.empty())
+    app.add_option(command.argument.name, given.argument);
   for (const Option& option : command.options)
-    if (option.value.empty())
-      app.add_flag(option.name)->disable_flag_override();
-    else
-      app.add_option(option.name)
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addOption(app, option);
   try {
     // CLI11 expects the reverse order
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ExtrasError&) {
+    const std::vector<std::string> rest = app.remaining();
+    refuse(command,
+           *std::find_if(rest.begin(), rest.end(),
+                         [](const auto& text) { return text != "--"; }),
+           given.argument);
   } catch (const CLI::ParseError& error) {
     throw InputError(command.name, ": ", error.what(), "; usage: ", usageLine(command));
   }
-  Given given;
   for (const CLI::Option* option : app.get_options())
-    if (option->count() > 0)
+    if (option->count() > 0 && option->nonpositional())
       given.options[option->get_name()] = option->get_items_expected() > 0
                                               ? option->results()
                                               : std::vector<std::string>();
-  takeArgument(command, app.remaining(), given);
-  checkValues(command, given);
+  for (const Option& option : command.options)
+    if (const auto values = given.values(option.name);
+        values.size() > 1 && !option.repeatable)
+      throw InputError(command.name, ": ", option.name, " is given ", values.size(),
+                       " times; once is allowed");
+  if (given.argument.empty() && command.argument.required &&
+      !command.argument.name.empty() && !given.has("--help"))
+    throw InputError(command.name, ": no ", command.argument.what,
+                     " is given; usage: ", usageLine(command));
   return given;
 }
 
