@@ -4,14 +4,13 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/Holding.hpp"
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/system/LoadSize.hpp"
+#include "drivers/run/FreeMotions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -21,9 +20,6 @@ namespace {
 
 using bem::Vector;
 
-/// The free rigid motions of each elastic body, as displacements.
-using FreeMotions = std::vector<std::vector<Vector>>;
-
 FreeMotions motionsOf(const contact::ContactSystem& system) {
   FreeMotions motions(system.size());
   for (std::size_t b = 0; b < system.size(); ++b) {
@@ -32,96 +28,6 @@ FreeMotions motionsOf(const contact::ContactSystem& system) {
       motions[b].push_back(bem::columnOf(holding.allowed, k));
   }
   return motions;
-}
-
-/// A rigid motion of a body.
-struct Moved {
-  double size = 0;  ///< of the largest displacement, scaled
-  std::string body{};
-  std::string how{};  ///< " in the direction (0, 1)", " about (0, 3)"
-  double unit = 1;    ///< of force or moment: the displacement or the angle, scaled
-  bool turns = false;
-};
-
-/// To three digits of a unit, zero without a sign.
-double tidy(double x, double unit) {
-  return std::round(1000 * x / unit) / 1000 * unit + 0.0;
-}
-
-std::string direction(bem::Vec2 u) {
-  const double size = norm(u);
-  return bem::message(" in the direction (", tidy(u.x / size, 1), ", ",
-                      tidy(u.y / size, 1), ")");
-}
-
-/// A rigid displacement U + θ e_z x (x - c), c the nodes' mean, scaled.
-struct RigidPart {
-  bem::Vec2 centre{};
-  bem::Vec2 mean{};  ///< U
-  double turn = 0;   ///< θ
-  double farthest = 0;
-};
-
-RigidPart rigidPart(const Vector& u, const bem::Space& space) {
-  const bem::Mesh& mesh = space.mesh();
-  const bem::DisplacementField field(space, u);
-  RigidPart part;
-  for (int e = 0; e < mesh.size(); ++e) {
-    part.centre = part.centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
-    part.mean = part.mean + (1.0 / mesh.size()) * field.at(e, -1);
-  }
-  double squares = 0;
-  for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Vec2 arm = mesh.scaledPoint(e, -1) - part.centre;
-    part.turn += cross(arm, field.at(e, -1) - part.mean);
-    squares += dot(arm, arm);
-    part.farthest = std::max(part.farthest, norm(arm));
-  }
-  part.turn /= squares;
-  return part;
-}
-
-Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
-  const auto [centre, mean, turn, farthest] = rigidPart(u, space);
-  const double arc = std::abs(turn) * farthest;
-  const bool turns = arc > 1e-3 * norm(mean);  // else about a point far away
-  std::string how = direction(mean);
-  if (turns) {
-    const bem::Vec2 pole = body.outline->physical(centre + (1 / turn) * turnLeft(mean));
-    const double length = body.outline->diameter();
-    how = bem::message(" about (", tidy(pole.x, length), ", ", tidy(pole.y, length), ")");
-  }
-  return {norm(mean) + arc, body.name, how, turns ? std::abs(turn) : norm(mean), turns};
-}
-
-Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
-  const bem::Vec2 slide{components[0], components[1]};
-  const double turn = std::abs(components[2]);
-  const bool turns = turn > 1e-3 * norm(slide);
-  return {norm(slide) + turn, body.name, turns ? "" : direction(slide),
-          turns ? turn : norm(slide), turns};
-}
-
-/// The motions of all bodies for amplitudes of the free ones, the elastic bodies first.
-std::vector<Moved> movedBy(const Vector& amplitudes, const BodySpaces& spaces,
-                           const FreeMotions& free) {
-  const Scene& scene = spaces.scene();
-  std::vector<Moved> result;
-  const double* next = amplitudes.data();
-  for (std::size_t b = 0; b < free.size(); ++b) {
-    Vector moved(spaces.space(b).displacements());
-    for (const Vector& one : free[b])
-      bem::axpy(*next++, one, moved);
-    result.push_back(movedBy(moved, spaces.space(b), scene.bodies[b]));
-  }
-  for (const RigidBody& body : scene.rigid) {
-    std::array<double, 3> components{};
-    for (std::size_t c = 0; c < 3; ++c)
-      if (body.components[c].free)
-        components[c] = *next++;
-    result.push_back(movedBy(components, body));
-  }
-  return result;
 }
 
 /// Tells motions that do nothing to contact from what they do, a column each.

@@ -91,8 +91,9 @@ FilePart partOf(const ParameterList& geometry) {
 /// \throws bem::InputError if both or neither are given, or if the file has no outline.
 void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sceneFile,
                         const std::string& path) {
+  constexpr const char* ofFile[] = {"File", "Scale", "Surface", "Boundaries"};
   if (!geometry.isParameter("File")) {
-    for (const char* key : {"Scale", "Surface", "Boundaries"})
+    for (const char* key : ofFile)
       if (geometry.isParameter(key))
         throw InputError(path, "->", key, ": is of what a File holds, and none is given");
     for (const char* key : {"Vertices", "Edges"})
@@ -101,11 +102,8 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
                          "or File");
     return;
   }
-  const auto isOfFile = [](const std::string& key) {
-    return key == "File" || key == "Scale" || key == "Surface" || key == "Boundaries";
-  };
   for (const auto& item : geometry)
-    if (!isOfFile(item.first))
+    if (std::find(std::begin(ofFile), std::end(ofFile), item.first) == std::end(ofFile))
       throw InputError(path, "->", item.first, ": give this or File, not both");
   const auto name = geometry.get<std::string>("File");
   const std::string file =
@@ -116,7 +114,7 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
     const bool isDrawing = extension == ".dxf" || extension == ".DXF";
     const bem::Loops loops =
         (isDrawing ? readDxf : readGmsh)(readText(file), partOf(geometry));
-    for (const char* key : {"File", "Scale", "Surface", "Boundaries"})
+    for (const char* key : ofFile)
       geometry.remove(key, false);
     setLoop(geometry, "", loops.outer);
     for (std::size_t k = 0; k < loops.holes.size(); ++k)
