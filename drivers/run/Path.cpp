@@ -268,11 +268,13 @@ class Follower {
     run_.timer.run(Phase::Newton, [&] {
       latestAt_ = converged && !known ? std::move(attempt.at)
                                       : system->configuration(solved.state);
-      if (!converged)
+      if (!converged && scene_.history)
         return;
       if (known)
         latestAt_ = contact::worn(*system, std::move(latestAt_));
       here_.memory.add(*system, latestAt_);
+      if (!converged)
+        return;
       here_.prediction.add(*system, latestAt_.state);
       here_.before = std::exchange(here_.part, std::make_shared<const SolvedPart>(
                                                    spaces_, conditions_, latestAt_));
@@ -320,7 +322,8 @@ class Follower {
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
     row_.energyStabilisation = energy * (stored - strain);
-    row_.energyInterface = step.interfaceEnergy();
+    row_.energyInterface =
+        energy * system.numbers().surface.energy(step.at.state.multiplier);
     row_.energyStored = energy * stored + row_.energyInterface;
     row_.energyWorn = energy * here_.memory.worn();
     row_.cycles = here_.cycles;

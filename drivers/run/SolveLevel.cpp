@@ -147,7 +147,7 @@ void addResults(const bem::Vector& estimates, SolvedLevel& solved) {
   row.contacts = last.row.contacts;
   row.summary = wholeOf(last.spaces.scene().symmetry, contact::sumOf(last.summaries()));
   row.energyFriction = last.row.energyDissipated;
-  row.energyInterface = last.interfaceEnergy();
+  row.energyInterface = last.row.energyInterface;
   row.estimate = level.estimate();
   row.relativeEstimate = level.relativeEstimate;
   for (const ContactEstimate& contact : level.contacts)

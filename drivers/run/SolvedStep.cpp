@@ -118,10 +118,6 @@ SolvedStep::Storable SolvedStep::storable() const {
   return energy;
 }
 
-double SolvedStep::interfaceEnergy() const {
-  return spaces.scene().energy() * system->numbers().surface.energy(at.state.multiplier);
-}
-
 void SolvedStep::addRigid(StepRow& filled) const {
   const Scene& scene = spaces.scene();
   const bem::Units units = scene.units();

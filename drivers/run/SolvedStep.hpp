@@ -52,8 +52,6 @@ struct SolvedStep : SolvedPart {
     double rounding = 0;
   };
   Storable storable() const;
-  /// Energy stored by contact surfaces, in the user's units.
-  double interfaceEnergy() const;
   /// Fills what a row says of rigid bodies.
   void addRigid(StepRow& filled) const;
   /// Fills what a row says of contacts.  Of a body that a line of symmetry cuts, the shear of a contact away

@@ -269,7 +269,10 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
   const auto from = [&](const contact::State& state) -> SolvedProblem {
     std::string reason;
     try {
-      return solveFrom(state, scene, system, timer);
+      SolvedProblem solved = solveFrom(state, scene, system, timer);
+      if (!onPath)
+        solved.reason += changingPlaces(solved.solution.report, system, spaces);
+      return solved;
     } catch (const contact::NoBalance& error) {
       reason = withAdvice(error, unresisted(spaces, system));
     } catch (const bem::NumericalError& error) {
@@ -282,12 +285,15 @@ SolvedProblem solve(const contact::ContactSystem& system, const BodySpaces& spac
   return onFirstRank(system, processes, [&] {
     const contact::State first = start();
     SolvedProblem solved = from(first);
-    if (!onPath)
-      solved.reason += changingPlaces(solved.solution.report, system, spaces);
     if (solved.solution.report.converged() ||
         (first.multiplier == otherwise.multiplier && first.rigid == otherwise.rigid))
       return solved;
-    SolvedProblem again = from(otherwise);
+    SolvedProblem again;
+    try {
+      again = from(otherwise);
+    } catch (const bem::NumericalError&) {
+      return solved;  // which has a state
+    }
     again.solution.report =
         contact::joined(std::move(again.solution.report), solved.solution.report);
     return again;
