@@ -15,7 +15,7 @@ if [[ $1 == --assets && -n $2 ]]; then
   rm -r "$folder/cpack"
   tree=$(mktemp -d)  # setuptools writes into the tree that it builds
   cp -r "$root/python" "$tree"
-  python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --wheel-dir "$folder" "$tree/python"
+  /usr/bin/python3 -m pip wheel --quiet --no-index --no-deps --no-build-isolation --wheel-dir "$folder" "$tree/python"
   rm -r "$tree"
   ls -1 "$folder"
   exit
@@ -33,8 +33,9 @@ headers of C++ within a minor version only.
 2. CHANGELOG.md: "Unreleased" becomes "$version", with the date; a new, empty "Unreleased" above it.
 3. All tests, on a clean clone:           ./check --all
 4. What is handed out, once here:         cmake/release.sh --assets /tmp/epafi-$version
-   into an empty Debian 12:               apt install ./epafi_${version}_*.deb && epafi run hertz.xml
-                                          pip install epafi-$version-py3-none-any.whl
+   into an empty Debian 12 (debootstrap): apt install ./epafi_${version}_*.deb && epafi run hertz.xml
+                                          python3 -m venv --system-site-packages v && v/bin/pip install epafi-$version-py3-none-any.whl
+   and the clone's own way there:         ./run
                                           podman build -t epafi:$version .
 5. The tag:                               git tag -s v$version -m "Epafi $version" && git push origin v$version
    .github/workflows/release.yml builds the .deb and the wheel of it and drafts a release with them.
