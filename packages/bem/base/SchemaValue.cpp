@@ -4,6 +4,8 @@
 #include "bem/base/Suggestion.hpp"
 #include "bem/base/Written.hpp"
 
+#include <Teuchos_ParameterEntry.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -2,7 +2,9 @@
 
 #include "bem/base/Schema.hpp"
 
-#include <Teuchos_ParameterEntry.hpp>
+namespace Teuchos {
+class ParameterEntry;
+}
 
 namespace epafi::bem {
 
