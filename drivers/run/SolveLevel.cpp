@@ -6,10 +6,8 @@
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/ContactEstimate.hpp"
 #include "drivers/run/FrictionLimit.hpp"
-#include "drivers/run/LevelBalance.hpp"
 #include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
-#include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
