@@ -175,6 +175,10 @@ history, contact = run(TRESCA, "unconverged", levels(3) + ["Solver->Maximum Iter
                        expect=3)
 claim(history[-1]["status"] == "not converged" and len(contact) > 0,
       "what did not converge is written and said")
+history, contact = run(TRESCA, "unconverged later", ["Solver->Maximum Iterations=2"], expect=3)
+claim(history[-1]["energy_friction"] > 0, "with the work of its friction")
+fails("points that still change are told, of the first level, too", ["still change state: ("], "run",
+      scene("two-blocks.xml"), "--output", fresh("changing"), "--set", "Solver->Maximum Iterations=1", code=3)
 claim(0 < max(row["newton_iterations"] for row in history) <= 45,
       "one step allowed: other methods make 20 in all, steps of the load as many")
 
