@@ -196,13 +196,6 @@ std::vector<int> countsFromSize(double size, const Part& part,
   return counts;
 }
 
-bool isSized(const Part& part) {
-  return std::any_of(part.list->begin(), part.list->end(), [&](const auto& item) {
-    return item.first == "Mesh Size" ||
-           item.first.find("Elements per Edge") != std::string::npos;
-  });
-}
-
 std::vector<int> readElements(const Part& part, const bem::Outline& outline) {
   const int holes = outline.loops() - 1;
   if (part.has("Mesh Size")) {
@@ -212,7 +205,7 @@ std::vector<int> readElements(const Part& part, const bem::Outline& outline) {
     return countsFromSize(part.list->get<double>("Mesh Size"), part, outline);
   }
   constexpr double usual = 1.0 / 8;  // of the body's diameter
-  if (!isSized(part))
+  if (!isSized(*part.list))
     return countsFromSize(usual * outline.diameter(), part, outline);
   const auto edgesOf = [&outline](int loop) {
     return static_cast<std::size_t>(
@@ -263,8 +256,16 @@ bem::SchemaRows meshRows(const char* degree) {
   };
 }
 
+bool isSized(const ParameterList& mesh) {
+  return std::any_of(mesh.begin(), mesh.end(), [](const auto& item) {
+    return item.first == "Mesh Size" ||
+           item.first.find("Elements per Edge") != std::string::npos;
+  });
+}
+
 void readMesh(const Part& own, const Part& discretization, Body& body) {
-  body.elementsPerEdge = readElements(isSized(own) ? own : discretization, *body.outline);
+  body.elementsPerEdge =
+      readElements(isSized(*own.list) ? own : discretization, *body.outline);
   for (std::size_t k = 0; k < body.elementsPerEdge.size(); ++k)
     if (body.outline->isAxis(static_cast<int>(k)))
       body.elementsPerEdge[k] = 1;

@@ -58,6 +58,9 @@ std::string holeKey(int hole, const std::string& what);
 /// applies.
 bem::SchemaRows meshRows(const char* degree = nullptr);
 
+/// Does a list Mesh, or Discretization, say how long or how many elements are?
+bool isSized(const Teuchos::ParameterList& mesh);
+
 /// Sets elements and degree of a body from its validated list Mesh; what is missing there
 /// is taken from Discretization.
 /// \throws bem::InputError unless there is one number per edge, for Mesh Size beside

@@ -57,20 +57,14 @@ void checkLinear(const Scene& scene) {
 
 /// Does a scene say how long or how many its first elements are?
 bool statesMesh(const ParameterList& scene) {
-  const auto states = [](const ParameterList& mesh) {
-    return std::any_of(mesh.begin(), mesh.end(), [](const auto& item) {
-      return item.first == "Mesh Size" ||
-             item.first.find("Elements per Edge") != std::string::npos;
-    });
-  };
-  if (scene.isSublist("Discretization") && states(scene.sublist("Discretization")))
+  if (scene.isSublist("Discretization") && isSized(scene.sublist("Discretization")))
     return true;
   if (!scene.isSublist("Bodies"))
     return false;
   const ParameterList& bodies = scene.sublist("Bodies");
   return std::any_of(bodies.begin(), bodies.end(), [&](const auto& body) {
     return bodies.isSublist(body.first) && bodies.sublist(body.first).isSublist("Mesh") &&
-           states(bodies.sublist(body.first).sublist("Mesh"));
+           isSized(bodies.sublist(body.first).sublist("Mesh"));
   });
 }
 
