@@ -1,5 +1,6 @@
 #include "contact/newton/NewtonSystem.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 
@@ -159,7 +160,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
   const Matrix combinations = withScaledRows(held_, motionScale_);
   system.motions = combined(problem_.rigid, combinations);
   if (!problem_.rigidStiffness.empty())
-    system.stiffness = transposedTimes(
+    system.stiffness = transposedProduct(
         combinations, withScaledRows(combinations, problem_.rigidStiffness));
   return system;
 }
@@ -187,8 +188,8 @@ Vector NewtonSystem::byFactor(const Vector& b) const {
   Vector right = knownChanges(b);
   for (const Index i : inactive_)
     right[at(i)] = b[at(i)] / rows_.weights[at(i)];
-  const Matrix balances = transposedTimes(held_, bem::asColumn(balance(b)));
-  right.insert(right.end(), balances.column(0), balances.column(0) + held_.columns());
+  const Vector balances = transposedTimes(held_, balance(b));
+  right.insert(right.end(), balances.begin(), balances.end());
   const Matrix solution = factor_->solve(bem::asColumn(right));
   const double* sizes = solution.column(0) + problem_.size();
   Vector d(solution.column(0), sizes);
