@@ -177,7 +177,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           [=](double t, double opening) {
             return at(t).yield(pressure(t), opening, stiffness);
           },
-          [=](double t) { return at(t).shearYield(); }};
+          [=](double t) { return at(t).shearYield(); },
+          across};
 }
 
 namespace {
