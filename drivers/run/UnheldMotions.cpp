@@ -352,7 +352,7 @@ FreeBalance freeBalanceOf(const BodySpaces& spaces,
   }
   drives.setMotions(std::move(columns), numbers);
   drives.addForces(numbers);
-  const double size = contact::loadSize(numbers, given, contact::lengthsOf(multiplier),
+  const double size = contact::loadSize(numbers, given, multiplier.lengths(),
                                         moved, ofBodies, drives);
   numbers.stress = size > 0 ? size : 1;
   return balance;
