@@ -15,14 +15,6 @@ namespace {
 // this fraction of the largest: contact on a millionth of a side holds a rotation.
 constexpr double heldThreshold = 1e-9;
 
-/// Down to this fraction motions are left as they are; else they are combined to equal values.  Where many
-/// bodies move, a BodyFlexibility eliminates the motions of each with its contacts, and combinations of
-/// all would fill its front.
-double leastHeldOf(const Problem& problem) {
-  constexpr Index many = 48;
-  return !problem.flexibility.isFormed() && problem.rigidMotions() > many ? 1e-6 : 1e-3;
-}
-
 /// diag(factors) M
 Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   Matrix result = m.copy();
@@ -122,7 +114,7 @@ std::pair<Index, double> NewtonSystem::followed(Index i) const {
 void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
-  const double leastHeld = leastHeldOf(problem_);
+  const double leastHeld = problem_.flexibility.leastHeld();
   for (Index m = 0; m < k; ++m) {
     double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
