@@ -54,9 +54,10 @@ struct ContactCost::Kernel {
           number(Shear) + changeY * number(NormalX) - changeX * number(NormalY);
       Pack bound = number(Bound);
       if (!cost.laws_.empty())
-        for (int lane = 0; lane < bem::lanes; ++lane)
-          bound[lane] = cost.laws_[k * bem::lanes + static_cast<std::size_t>(lane)].bound(
-              pressure[lane]);
+        for (int lane = 0; lane < bem::lanes; ++lane) {
+          const auto& [law, open] = cost.laws_[k * bem::lanes + bem::at(lane)];
+          bound[lane] = pressure[lane] > 0 ? law.bound(pressure[lane]) : open;
+        }
       const Pack slip = number(Slip);
       const Pack length = slip < 0.0 ? -slip : slip;
       Pack along = slip < 0.0 ? -shear : shear;
@@ -113,7 +114,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
             positive(profiles.opening(t)), profiles.tangential(t),
             friction.bound(pressure)});
     if (friction.followsPressure())
-      laws_.push_back(friction);
+      laws_.push_back({friction, friction.bound(0)});
     steepest = std::max(steepest, friction.slope(pressure));
   }
   if (!laws_.empty())
