@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <optional>
 
 namespace epafi::drivers {
 
@@ -214,55 +214,71 @@ std::string unresisted(const BodySpaces& spaces,
 }
 
 /// What contact feels of free rigid motions and what loads do along them, the part of a contact
-/// system that needs no operators.
-struct FreeBalance {
-  contact::Problem numbers;  ///< without D and d0
-  FreeMotions free;
-};
-
-FreeBalance freeBalanceOf(const BodySpaces& spaces,
-                          const std::vector<contact::Conditions>& conditions, double t) {
-  const Scene& scene = spaces.scene();
-  const contact::Obstacle obstacle = contact::makeObstacle(
-      spaces.multiplier().under(conditions), spaces.opposite(), scene.units());
-  const contact::MultiplierSpace& multiplier = obstacle.multiplier;
-  const auto couplings =
-      contact::makeCouplings(spaces.all(), multiplier, *obstacle.opposite);
-  const contact::RigidDrives drives(scene.drivesAt(t), multiplier, *obstacle.opposite);
-  FreeBalance balance{{}, FreeMotions(spaces.size())};
-  contact::Problem& numbers = balance.numbers;
-  numbers.normals = multiplier.normals();
-  numbers.tangentials = obstacle.tangentials;
-  numbers.surface = obstacle.surface;
-  std::vector<Vector> columns;
-  Vector given = obstacle.given();
-  drives.addGiven(given);
-  double ofBodies = 0;
-  double moved = bem::largestEntry(given);
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const contact::Loads loads =
-        contact::makeLoads(spaces.space(b), conditions[b], scene.units());
-    const contact::Holding holding = contact::makeHolding(spaces.space(b), conditions[b]);
-    ofBodies += loads.size();
-    moved = std::max(moved, bem::largestEntry(loads.rigidPart));
-    for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k) {
-      balance.free[b].push_back(bem::columnOf(holding.allowed, k));
-      numbers.rigidLoad.push_back(bem::dot(balance.free[b].back(), loads.load));
+/// system that needs no operators.  Refers to the spaces.
+class FreeBalance {
+ public:
+  /// \param conditions  at any time, by body
+  FreeBalance(const BodySpaces& spaces,
+              const std::vector<contact::Conditions>& conditions, double t)
+      : spaces_(spaces),
+        couplings_(contact::makeCouplings(spaces.all(), spaces.multiplier(),
+                                          *spaces.opposite())),
+        drives_(spaces.scene().drivesAt(t), spaces.multiplier(), *spaces.opposite()),
+        free_(spaces.size()) {
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      const contact::Holding holding =
+          contact::makeHolding(spaces.space(b), conditions[b]);
+      for (bem::Index k = holding.fixed(); k < holding.allowed.columns(); ++k)
+        free_[b].push_back(bem::columnOf(holding.allowed, k));
+      // rigid motions have no tractions
+      for (Vector& column :
+           motionsOnContacts(holding, holding.fixed(), couplings_[b].trace))
+        columns_.push_back(std::move(column));
     }
-    // rigid motions have no tractions
-    const contact::TraceCoupling& trace = couplings[b].trace;
-    if (!loads.rigidPart.empty())
-      bem::axpy(1, trace.apply(loads.rigidPart), given);
-    for (Vector& column : motionsOnContacts(holding, holding.fixed(), trace))
-      columns.push_back(std::move(column));
   }
-  drives.setMotions(std::move(columns), numbers);
-  drives.addForces(numbers);
-  const double size = contact::loadSize(numbers, given, contact::lengthsOf(multiplier),
-                                        moved, ofBodies, drives);
-  numbers.stress = size > 0 ? size : 1;
-  return balance;
-}
+
+  const FreeMotions& free() const { return free_; }
+
+  /// Without D and d0.
+  contact::Problem at(const std::vector<contact::Conditions>& conditions,
+                      double t) const {
+    const Scene& scene = spaces_.scene();
+    const contact::Obstacle obstacle = contact::makeObstacle(
+        spaces_.multiplier().under(conditions), spaces_.opposite(), scene.units());
+    const contact::RigidDrives drives = drives_.under(scene.drivesAt(t));
+    contact::Problem numbers;
+    numbers.normals = obstacle.multiplier.normals();
+    numbers.tangentials = obstacle.tangentials;
+    numbers.surface = obstacle.surface;
+    Vector given = obstacle.given();
+    drives.addGiven(given);
+    double ofBodies = 0;
+    double moved = bem::largestEntry(given);
+    for (std::size_t b = 0; b < spaces_.size(); ++b) {
+      const contact::Loads loads =
+          contact::makeLoads(spaces_.space(b), conditions[b], scene.units());
+      ofBodies += loads.size();
+      moved = std::max(moved, bem::largestEntry(loads.rigidPart));
+      for (const Vector& motion : free_[b])
+        numbers.rigidLoad.push_back(bem::dot(motion, loads.load));
+      if (!loads.rigidPart.empty())
+        bem::axpy(1, couplings_[b].trace.apply(loads.rigidPart), given);
+    }
+    drives.setMotions(columns_, numbers);
+    drives.addForces(numbers);
+    const double size = contact::loadSize(numbers, given, obstacle.multiplier.lengths(),
+                                          moved, ofBodies, drives);
+    numbers.stress = size > 0 ? size : 1;
+    return numbers;
+  }
+
+ private:
+  const BodySpaces& spaces_;
+  std::vector<contact::Coupling> couplings_;
+  contact::RigidDrives drives_;
+  FreeMotions free_;
+  std::vector<Vector> columns_;  ///< of G, of elastic bodies
+};
 
 }  // namespace
 
@@ -279,27 +295,28 @@ std::string unresisted(const BodySpaces& spaces, const contact::ContactSystem& s
 
 std::vector<double> unbalanced(const BodySpaces& spaces,
                                const std::vector<double>& times) {
-  bool mayMove = true;  // free motions are the same at all times
-  const auto isBalanced = [&](double t) {
-    if (!mayMove)
-      return true;
-    const contact::Problem numbers =
-        freeBalanceOf(spaces, spaces.conditionsAt(t), t).numbers;
-    mayMove = numbers.rigidMotions() > 0;
-    return contact::unresistedMotion(numbers).amplitudes.empty();
-  };
+  std::optional<FreeBalance> balance;
   std::vector<double> result;
-  std::remove_copy_if(times.begin(), times.end(), std::back_inserter(result), isBalanced);
+  for (const double t : times) {
+    const std::vector<contact::Conditions> conditions = spaces.conditionsAt(t);
+    if (!balance)
+      balance.emplace(spaces, conditions, t);
+    const contact::Problem numbers = balance->at(conditions, t);
+    if (numbers.rigidMotions() == 0)  // nor at any other time
+      break;
+    if (!contact::unresistedMotion(numbers).amplitudes.empty())
+      result.push_back(t);
+  }
   return result;
 }
 
 void checkUnheld(const BodySpaces& spaces,
                  const std::vector<contact::Conditions>& conditions, double t) {
   const Scene& scene = spaces.scene();
-  const FreeBalance balance = freeBalanceOf(spaces, conditions, t);
-  requireResistance(spaces, balance.numbers.rigid, balance.free);
-  const std::string motion =
-      unresisted(spaces, conditions, balance.numbers, balance.free);
+  const FreeBalance balance(spaces, conditions, t);
+  const contact::Problem numbers = balance.at(conditions, t);
+  requireResistance(spaces, numbers.rigid, balance.free());
+  const std::string motion = unresisted(spaces, conditions, numbers, balance.free());
   if (!motion.empty())
     throw bem::InputError(scene.history ? bem::message("at t = ", t, " ") : "", motion);
 }

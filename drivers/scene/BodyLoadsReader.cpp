@@ -1,6 +1,8 @@
 #include "drivers/scene/BodyLoadsReader.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Box.hpp"
 #include "bem/base/Error.hpp"
@@ -73,11 +75,11 @@ contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
           std::pow(radial(points[k]) / size.x, i) *
           std::pow(points[k].imag() / size.y, j);
   }
-  const bem::LuFactor factor(bem::transposedTimes(rows, rows));
+  const bem::LuFactor factor(bem::transposedProduct(rows, rows));
   bem::Vector c(powers.size(), 0.0);
   bem::Vector left = values;
   for (int round = 0; round < 2; ++round) {  // one step of iterative refinement
-    bem::Vector more = columnOf(bem::transposedTimes(rows, bem::asColumn(left)), 0);
+    bem::Vector more = transposedTimes(rows, left);
     factor.solve(more);
     bem::axpy(1, more, c);
     left = values;

@@ -74,7 +74,7 @@ struct Body : test::BodyScene {
 double open(const contact::ContactSystem& system, const contact::Configuration& at) {
   const contact::Problem& problem = system.numbers();
   const Vector& r = at.penetration;
-  const Vector lengths = system.lengths();
+  const Vector lengths = system.multiplier().lengths();
   const auto states =
       contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
           .at(pack(problem, at.state))
@@ -206,7 +206,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, heldLoadsAreSolvedByTheStepBefore) {
     const auto states = contact::classify(now.numbers(), at.state, at.penetration);
     for (std::size_t i = 0; i < states.size(); ++i)
       if (states[i] == contact::ContactState::Closed)
-        at.penetration[i] += 1e-9 * now.lengths()[i];
+        at.penetration[i] += 1e-9 * now.multiplier().lengths()[i];
     memory.add(now, at);
     state = at.state;
   }

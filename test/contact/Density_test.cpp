@@ -150,7 +150,8 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
     Vector gaps = bem::multiplySymmetric(operators.singleLayer, density);
     const double energy = 0.5 * (bem::dot(forces, u) + bem::dot(gaps, density));
     TEST_FLOATING_EQUALITY(
-        body.strainEnergy(state, u, body.contactForce(state.multiplier)), energy, 1e-10);
+        body.results(state, u, body.contactForce(state.multiplier)).strainEnergy, energy,
+        1e-10);
     const Vector ku = bem::multiply(operators.doubleLayer, u);
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       gaps[i] = ku[i] - gaps[i];

@@ -57,19 +57,19 @@ for form in ("Projected", "Density"):
 PRESSED = condition("face", "Neumann", Traction_X="5e-4*x*(1-x^2)^2", Traction_Y="-1e-3*(1-x^2)^2")
 
 
-def layers(name, heights, weak=()):
+def layers(name, heights, weak=(), base=condition("base", "Dirichlet", Displacement_Y=0), size=0.2, degree=8):
     """Blocks of 2 on each other, tied; the lowest one rests on rollers, the highest is loaded."""
     bodies, ties = [], []
     for k, (low, high) in enumerate(zip(heights, heights[1:])):
         first, last = k == 0, k == len(heights) - 2
         bodies.append(body("b%d" % k, geometry(block(-1, low, 1, high), [
             "base" if first else "under", "side", "face" if last else "over", "side"]), 1.0,
-            (condition("base", "Dirichlet", Displacement_Y=0) if first else NONE) + (PRESSED if last else NONE),
+            (base if first else NONE) + (PRESSED if last else NONE),
             "X" if first else ""))
         if k > 0:
             pair = ("b%d:under" % k, "b%d:over" % (k - 1))
             ties.append(contact("tie%d" % k, *(pair[::-1] if k in weak else pair), TIED))
-    return written(name, bodies, keys(*ties), "Density", 0.2, 8)
+    return written(name, bodies, keys(*ties), "Density", size, degree)
 
 
 for height in (2e-3, 2e-4, 2e-5):
@@ -82,6 +82,15 @@ for height in (2e-3, 2e-4, 2e-5):
         error = differ(row["energy_strain"], whole)
         claim(error < 1e-8 and row["newton_iterations"] == 1,
               "%s, %g of the width thick, as one block: %.1e" % (name, height / 2, error))
+
+# compressed, with more coefficients than D is formed of for their sake: for that of the beddings it is
+SLIDING = condition("base", "Contact", friction("0.3"), Gap="0.001*x^2")
+pressed = layers("coated", (-1, 0, 2e-4, 4e-4), base=SLIDING, size=0.03, degree=2)
+dense, compressed = (run(pressed, method, ["Solver->Linear->Method=" + method])[0][0]
+                     for method in ("Dense", "Compressed"))
+claim(compressed["dof_multiplier"] > 1000 and differ(compressed["energy_strain"], dense["energy_strain"]) < 1e-7,
+      "two layers on a block with friction, compressed: %.1e" % differ(compressed["energy_strain"],
+                                                                      dense["energy_strain"]))
 
 # jumps: a uniform dislocation across a whole cut moves one part, a misfit is Lame's
 for form in ("None", "Projected", "Exact", "Density"):

@@ -54,9 +54,10 @@ struct ContactCost::Kernel {
           number(Shear) + changeY * number(NormalX) - changeX * number(NormalY);
       Pack bound = number(Bound);
       if (!cost.laws_.empty())
-        for (int lane = 0; lane < bem::lanes; ++lane)
-          bound[lane] = cost.laws_[k * bem::lanes + static_cast<std::size_t>(lane)].bound(
-              pressure[lane]);
+        for (int lane = 0; lane < bem::lanes; ++lane) {
+          const auto& [law, open] = cost.laws_[k * bem::lanes + bem::at(lane)];
+          bound[lane] = pressure[lane] > 0 ? law.bound(pressure[lane]) : open;
+        }
       const Pack slip = number(Slip);
       const Pack length = slip < 0.0 ? -slip : slip;
       Pack along = slip < 0.0 ? -shear : shear;
@@ -90,10 +91,6 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const int p = element.degree;
-  const auto directionAt = [&](double t) {
-    return solved.problem.opposite().at(element, t).direction.unit;
-  };
-  const Vec2 across = directionAt(0);
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
@@ -101,6 +98,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   other_ = bem::endValues(p, 1).start;
 
   const ContactProfiles profiles = contactProfiles(solved, element, {});
+  const Vec2 across = profiles.direction(0);
   const bem::Rule& rule = bem::gaussLegendre(p + 10);
   double steepest = 0;
   // the jump of bonded sides is not the multiplier's to change
@@ -109,14 +107,14 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     const double pressure = profiles.pressure(t);
     const contact::PointLaw friction = element.condition->friction.at(
         mesh.physicalPoint(element.element, t), solved.units.stress);
-    const Vec2 normal = directionAt(t);
+    const Vec2 normal = profiles.direction(t);
     const bem::EndValues e = bem::endValues(p, t);
     add(q, {normal.x, normal.y, rule.weights[q] * mesh.measure(element.element, t),
             e.start / geometry.half, e.end / geometry.half, pressure, profiles.shear(t),
             positive(profiles.opening(t)), profiles.tangential(t),
             friction.bound(pressure)});
     if (friction.followsPressure())
-      laws_.push_back(friction);
+      laws_.push_back({friction, friction.bound(0)});
     steepest = std::max(steepest, friction.slope(pressure));
   }
   if (!laws_.empty())

@@ -63,8 +63,12 @@ class ContactCost {
   AtEnds moments_;
   Contributions factors_;
   std::vector<Eight> points_;
-  std::vector<contact::PointLaw>
-      laws_;  ///< of the points, where they follow the pressure
+  /// Of a point whose bound follows the pressure.
+  struct Law {
+    contact::PointLaw law;
+    double open = 0;  ///< the bound without pressure
+  };
+  std::vector<Law> laws_;  ///< of the points, or none
   std::vector<bem::Vec2> directions_;
 };
 

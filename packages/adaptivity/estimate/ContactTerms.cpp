@@ -3,6 +3,7 @@
 #include "contact/results/ContactPlace.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,22 +18,42 @@ bem::Vec2 valueAt(const AtEnds& factors, const bem::Element& element, double t) 
 
 namespace {
 
-/// The profiles' values at a point.
+/// Values of the profiles.
+enum Number { Pressure, Opening, Shear, Bound, Slip, Fineness, Numbers };
+
+double valueAt(const ContactProfiles& c, Number number, double t) {
+  switch (number) {
+    case Pressure:
+      return c.pressure(t);
+    case Opening:
+      return c.opening(t);
+    case Shear:
+      return c.shear(t);
+    case Bound:
+      return c.bound(t);
+    case Slip:
+      return c.tangential(t);
+    default:
+      return c.fineness(t);
+  }
+}
+
+/// All of them at a point, and what sides yield there.
 struct Values {
-  double pressure;
-  double opening;
-  double shear;
-  double bound;
-  double slip;
-  double fineness;
-  double yield;
-  double shearYield;
+  std::array<double, Numbers> numbers{};
+  double yield = 0;
+  double shearYield = 0;
+
+  double operator()(Number number) const { return numbers[bem::at(number)]; }
 };
 
 Values valuesAt(const ContactProfiles& c, double t) {
-  const double opening = c.opening(t);
-  return {c.pressure(t),   opening,       c.shear(t),          c.bound(t),
-          c.tangential(t), c.fineness(t), c.yield(t, opening), c.shearYield(t)};
+  Values values;
+  for (const Number number : {Pressure, Opening, Shear, Bound, Slip, Fineness})
+    values.numbers[bem::at(number)] = valueAt(c, number, t);
+  values.yield = c.yield(t, values(Opening));
+  values.shearYield = c.shearYield(t);
+  return values;
 }
 
 /// A stiffness in series with surfaces that yield.
@@ -41,7 +62,7 @@ double softened(double stiffness, double yield) {
 }
 
 /// Where functions of the values change their signs; all look at the same samples, since a
-/// gap and a bound are the user's expressions.
+/// gap and a bound are the user's expressions, and between them at what they depend on.
 class Changes {
  public:
   explicit Changes(const ContactProfiles& profiles)
@@ -56,7 +77,10 @@ class Changes {
     for (const Values& sample : samples_)
       values.push_back(f(sample));
     const Vector changes = bem::signChanges(
-        [&](double t) { return f(valuesAt(profiles_, t)); }, places_, values);
+        [&](double t) {
+          return f([&](Number number) { return valueAt(profiles_, number, t); });
+        },
+        places_, values);
     breaks.insert(breaks.end(), changes.begin(), changes.end());
   }
 
@@ -69,11 +93,11 @@ class Changes {
 Vector breaks(const ContactProfiles& c, const Changes& changes) {
   Vector result = {-0.5, 0, 0.5};  // gap and bound are the user's and may bend anywhere
   result.insert(result.end(), c.nodes.begin(), c.nodes.end());
-  changes.add([](const Values& v) { return v.pressure; }, result);
-  changes.add([](const Values& v) { return v.opening; }, result);
-  changes.add([](const Values& v) { return v.shear; }, result);
-  changes.add([](const Values& v) { return v.slip; }, result);
-  changes.add([](const Values& v) { return std::abs(v.shear) - v.bound; }, result);
+  changes.add([](const auto& v) { return v(Pressure); }, result);
+  changes.add([](const auto& v) { return v(Opening); }, result);
+  changes.add([](const auto& v) { return v(Shear); }, result);
+  changes.add([](const auto& v) { return v(Slip); }, result);
+  changes.add([](const auto& v) { return std::abs(v(Shear)) - v(Bound); }, result);
   return result;
 }
 
@@ -88,17 +112,15 @@ Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
   // where lostWork bends: where it takes the whole force or the whole length
   const auto addBends = [&](const auto& force, const auto& length) {
     changes.add(
-        [&](const Values& v) {
-          return force(v) - 2 * stiffness * v.fineness * length(v);
-        },
+        [&](const auto& v) { return force(v) - 2 * stiffness * v(Fineness) * length(v); },
         result);
-    changes.add([&](const Values& v) { return 2 * force(v) - stiffness * length(v); },
+    changes.add([&](const auto& v) { return 2 * force(v) - stiffness * length(v); },
                 result);
   };
-  addBends([](const Values& v) { return v.pressure; },
-           [](const Values& v) { return v.opening; });
-  addBends([](const Values& v) { return unusedBound(v.bound, v.shear, v.slip); },
-           [](const Values& v) { return std::abs(v.slip); });
+  addBends([](const auto& v) { return v(Pressure); },
+           [](const auto& v) { return v(Opening); });
+  addBends([](const auto& v) { return unusedBound(v(Bound), v(Shear), v(Slip)); },
+           [](const auto& v) { return std::abs(v(Slip)); });
   return result;
 }
 
@@ -177,7 +199,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           [=](double t, double opening) {
             return at(t).yield(pressure(t), opening, stiffness);
           },
-          [=](double t) { return at(t).shearYield(); }};
+          [=](double t) { return at(t).shearYield(); },
+          across};
 }
 
 namespace {
@@ -195,12 +218,12 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks, double softn
     const double weight = c.measure(rule.points[q]) * rule.weights[q];
     if (weight == 0)  // on the axis
       continue;
-    const double tension = positive(-v.pressure);
-    const double penetration = positive(-v.opening);
-    const double excess = positive(std::abs(v.shear) - v.bound);
+    const double tension = positive(-v(Pressure));
+    const double penetration = positive(-v(Opening));
+    const double excess = positive(std::abs(v(Shear)) - v(Bound));
     of(squares, Source::Complementarity) += weight * complementarity(v);
     of(squares, Source::Penetration) +=
-        softened(weight * v.fineness / size, softness * v.yield / weight) * penetration *
+        softened(weight * v(Fineness) / size, softness * v.yield / weight) * penetration *
         penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
@@ -231,10 +254,10 @@ Contributions contactTerms(const ContactProfiles& profiles) {
     return jump(profiles);
   return terms(
       profiles, breaks(profiles, Changes(profiles)), 0,
-      [](const Values& v) { return positive(v.pressure) * positive(v.opening); },
+      [](const Values& v) { return positive(v(Pressure)) * positive(v(Opening)); },
       [](const Values& v) {
-        return positive(v.bound - std::abs(v.shear)) * std::abs(v.slip) +
-               2 * positive(-v.shear * v.slip);
+        return positive(v(Bound) - std::abs(v(Shear))) * std::abs(v(Slip)) +
+               2 * positive(-v(Shear) * v(Slip));
       });
 }
 
@@ -245,14 +268,14 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
   return terms(
       profiles, sharpBreaks(profiles, stiffness), shearModulus,
       [stiffness](const Values& v) {
-        return lostWork(positive(v.pressure), positive(v.opening),
+        return lostWork(positive(v(Pressure)), positive(v(Opening)),
                         softened(stiffness, v.yield),
-                        softened(v.fineness * stiffness, v.yield));
+                        softened(v(Fineness) * stiffness, v.yield));
       },
       [stiffness](const Values& v) {
-        return lostWork(unusedBound(v.bound, v.shear, v.slip), std::abs(v.slip),
+        return lostWork(unusedBound(v(Bound), v(Shear), v(Slip)), std::abs(v(Slip)),
                         softened(stiffness, v.shearYield),
-                        softened(v.fineness * stiffness, v.shearYield));
+                        softened(v(Fineness) * stiffness, v.shearYield));
       });
 }
 

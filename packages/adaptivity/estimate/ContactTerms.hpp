@@ -60,6 +60,7 @@ struct ContactProfiles {
     return 0.0;
   };
   bem::Profile shearYield = [](double) { return 0.0; };  ///< likewise of shear
+  std::function<bem::Vec2(double)> direction{};          ///< d of contact
 };
 
 /// Profiles for the multiplier λʰ + valueAt(correction) and the bound s of its pressure.

@@ -49,6 +49,9 @@ double heatSquares(const contact::Solved& solved, int e) {
          inside->conducted()->missed(e);
 }
 
+/// At the points of fields on an element.
+using Directions = std::vector<Vec2>;
+
 class Residuals {
  public:
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
@@ -94,14 +97,16 @@ class Residuals {
 
   /// λʰ + S u minus the tractions of fixed motions, at the points of a contact element.
   std::vector<Vec2> residual(const ContactElement& contact,
-                             const std::vector<bem::BoundaryValue>& values) const {
+                             const std::vector<bem::BoundaryValue>& values,
+                             const Directions& directions) const {
     const int e = contact.element;
     const contact::MultiplierSpace& multiplier = solved_.problem.multiplier();
     std::vector<Vec2> result;
-    for (const bem::BoundaryValue& value : values) {
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      const bem::BoundaryValue& value = values[q];
       const double t = value.place.t;
       const auto stress = multiplier.at(solved_.state.multiplier, contact, t);
-      const Vec2 across = solved_.problem.opposite().at(contact, t).direction.unit;
+      const Vec2 across = directions[q];
       result.push_back(stress.normal * across + stress.tangential * turnLeft(across) +
                        value.traction - fixedTraction(e, t));
       if (known_)
@@ -269,9 +274,21 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   return result;
 }
 
+/// Of contact on each of its elements, the same in all states.
+std::vector<Directions> directionsOf(const contact::Solved& any, const Fields& fields) {
+  std::vector<Directions> all;
+  for (const ContactElement& element : any.problem.elements()) {
+    Directions& own = all.emplace_back();
+    for (const bem::BoundaryValue& value : fields[bem::at(element.element)])
+      own.push_back(any.problem.opposite().at(element, value.place.t).direction.unit);
+  }
+  return all;
+}
+
 /// Not parallel: evaluates functions of the user, which may not be thread-safe.
 Indicators indicatorsOf(const Estimated& state, const Fields& fields,
-                        const bem::Lame& lame, const EstimatorOptions& options,
+                        const std::vector<Directions>& directions, const bem::Lame& lame,
+                        const EstimatorOptions& options,
                         const bem::Processes& processes) {
   const auto& [solved, density] = state;
   const Weights& weights = weightings().at(options.weights);
@@ -288,7 +305,8 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   for (const ContactElement& element : touching) {
     const auto& values = fieldsOf(element);
     isTouching[static_cast<std::size_t>(element.element)] = true;
-    contactResiduals.push_back(residuals.residual(element, values));
+    contactResiduals.push_back(
+        residuals.residual(element, values, directions[contactResiduals.size()]));
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
@@ -358,8 +376,11 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
         states.begin() +
             static_cast<std::ptrdiff_t>(std::min(first + atOnce, states.size())));
     const std::vector<Fields> fields = fieldsOf(some, lame, processes);
+    const std::vector<Directions> directions =
+        directionsOf(some.front().solved, fields.front());
     for (std::size_t k = 0; k < some.size(); ++k)
-      result.push_back(indicatorsOf(some[k], fields[k], lame, options, processes));
+      result.push_back(
+          indicatorsOf(some[k], fields[k], directions, lame, options, processes));
   }
   return result;
 }

@@ -159,6 +159,16 @@ Vector multiply(const Matrix& a, const Vector& x) {
   return y;
 }
 
+Vector transposedTimes(const Matrix& a, const Vector& x) {
+  Vector y(at(a.columns()));
+  const ThreadsForFlops threads(2 * size(a.rows()) * size(a.columns()));
+  if (!a.empty())
+    Blas().GEMM(TRANS, NO_TRANS, asInt(a.columns()), 1, asInt(a.rows()), 1, a.data(),
+                asInt(a.stride()), x.data(), asInt(a.rows()), 0, y.data(),
+                asInt(a.columns()));
+  return y;
+}
+
 Vector multiplySymmetric(const Matrix& lower, const Vector& x) {
   Vector y(x.size());
   const int n = asInt(lower.rows());

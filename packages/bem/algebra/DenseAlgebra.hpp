@@ -43,8 +43,9 @@ Matrix addOuter(Matrix lower, const Matrix& x, double scale);
 /// C + Xᵀ Y
 Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y);
 
-/// A x
+/// A x, and Aᵀ x
 Vector multiply(const Matrix& a, const Vector& x);
+Vector transposedTimes(const Matrix& a, const Vector& x);
 
 /// A x of a symmetric matrix.
 Vector multiplySymmetric(const Matrix& lower, const Vector& x);

@@ -4,7 +4,6 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
 
-#include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
@@ -44,22 +43,6 @@ Vector columnOf(const Matrix& a, Index j) {
   return {a.column(j), a.column(j) + a.rows()};
 }
 
-namespace {
-
-/// op(A) B
-Matrix product(Teuchos::ETransp op, Index rows, Index depth, const Matrix& a,
-               const Matrix& b) {
-  Matrix c(rows, b.columns());
-  const BlasThreads threads(blasThreadsFor(workOfProduct(rows, depth, b.columns())));
-  if (!c.empty() && depth > 0)
-    Teuchos::BLAS<int, double>().GEMM(
-        op, Teuchos::NO_TRANS, asInt(rows), asInt(b.columns()), asInt(depth), 1, a.data(),
-        asInt(a.stride()), b.data(), asInt(b.stride()), 0, c.data(), asInt(c.stride()));
-  return c;
-}
-
-}  // namespace
-
 Svd singularValues(Matrix a) {
   const int m = asInt(a.rows());
   const int n = asInt(a.columns());
@@ -89,14 +72,6 @@ Matrix asColumn(const Vector& v) {
   Matrix column(static_cast<Index>(v.size()), 1);
   std::copy(v.begin(), v.end(), column.data());
   return column;
-}
-
-Matrix multiply(const Matrix& a, const Matrix& b) {
-  return product(Teuchos::NO_TRANS, a.rows(), a.columns(), a, b);
-}
-
-Matrix transposedTimes(const Matrix& a, const Matrix& b) {
-  return product(Teuchos::TRANS, a.columns(), a.rows(), a, b);
 }
 
 std::vector<Index> pivotedTriangle(Matrix& a) {

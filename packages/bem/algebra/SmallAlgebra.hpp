@@ -20,11 +20,6 @@ Vector times(double s, Vector x);
 
 Vector columnOf(const Matrix& a, Index j);
 
-Matrix multiply(const Matrix& a, const Matrix& b);
-
-/// Aᵀ B
-Matrix transposedTimes(const Matrix& a, const Matrix& b);
-
 /// Replaces the lower triangle of a symmetric A by its Cholesky factor L.  Returns 0, or the order
 /// of the first leading minor that is not positive.
 [[nodiscard]] int cholesky(Matrix& a);

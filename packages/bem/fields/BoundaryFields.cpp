@@ -97,8 +97,10 @@ struct BoundaryFields::Far {
   std::vector<Stretch> stretches{};
   std::vector<const SourceGroups::Group*> groups{};
   PointSources points;  ///< places relative to the middle of the target
+  std::vector<PointSources::Range> carriers{};  ///< whose values they have
+  PointSources rare;                            ///< carriers of orders that are not kept
 
-  explicit Far(std::size_t states) : points(states) {}
+  explicit Far(std::size_t states) : points(states), rare(states) {}
 };
 
 struct BoundaryFields::Sources {
@@ -197,13 +199,14 @@ void BoundaryFields::carry(int f, int order, PointSources& points) const {
   }
 }
 
-void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points) const {
-  addPlaces(f, order, middle, points);
-  const std::size_t first = static_cast<std::size_t>(f) * order;
-  if (static_cast<std::size_t>(order) < everything_.size())
-    points.carry(everything_[order], first, first + order);
-  else
-    carry(f, order, points);
+void BoundaryFields::addFar(int f, int order, Vec2 middle, Far& far) const {
+  addPlaces(f, order, middle, far.points);
+  const bool isKept = bem::at(order) < everything_.size();
+  const PointSources& from = isKept ? everything_[bem::at(order)] : far.rare;
+  const std::size_t first = isKept ? bem::at(f) * bem::at(order) : far.rare.carried();
+  if (!isKept)
+    carry(f, order, far.rare);
+  far.carriers.push_back({&from, first, first + bem::at(order)});
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
@@ -230,7 +233,7 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
     }
     const Nearness& smooth = chosen.own[lane];
     addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
-           sources.far(2 * smooth.outer).points);
+           sources.far(2 * smooth.outer));
   }
 }
 
@@ -246,6 +249,8 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
             .groups.push_back(&group);
       },
       [&](int r) { splitRun(element, r, sources); });
+  for (auto& [order, far] : sources.all)
+    far.points.carry(far.carriers);
   return sources;
 }
 

@@ -96,11 +96,14 @@ void PointSources::carry(std::size_t state, Complex density, Complex slope) {
     arrays_[array++].push_back(number);
 }
 
-void PointSources::carry(const PointSources& others, std::size_t first,
-                         std::size_t last) {
+void PointSources::carry(const std::vector<Range>& points) {
   for (std::size_t array = 2; array < arrays_.size(); ++array) {
-    const double* from = others.arrays_[array].data();
-    arrays_[array].insert(arrays_[array].end(), from + first, from + last);
+    arrays_[array].resize(size());
+    double* to = arrays_[array].data();
+    for (const auto& [of, first, last] : points) {
+      const double* from = of->arrays_[array].data();
+      to = std::copy(from + first, from + last, to);
+    }
   }
 }
 

@@ -21,8 +21,16 @@ class PointSources {
   void add(Complex place);
   /// Sets the values of a state at the next point without values in that state.
   void carry(std::size_t state, Complex density, Complex slope);
-  /// Copies the values of the points first ... last - 1 of `others` to the next points.
-  void carry(const PointSources& others, std::size_t first, std::size_t last);
+  std::size_t carried() const { return arrays_.back().size(); }
+
+  /// Points first ... last - 1 of others.
+  struct Range {
+    const PointSources* of;
+    std::size_t first;
+    std::size_t last;
+  };
+  /// Copies the values of as many points as there are.
+  void carry(const std::vector<Range>& points);
 
   /// Partial sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and
   /// the real and imaginary cubic part; for g = density and g = slope.

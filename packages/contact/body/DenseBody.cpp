@@ -49,11 +49,6 @@ Matrix rowsAt(const std::vector<Index>& which, Matrix a) {
   return at(a.rows()) == which.size() ? std::move(a) : bem::rowsOf(a, which);
 }
 
-/// Aᵀ x
-Vector transposedTimes(const Matrix& a, const Vector& x) {
-  return columnOf(bem::transposedTimes(a, bem::asColumn(x)), 0);
-}
-
 /// Columns of X, S^ = X Xᵀ = R γ Rᵀ.
 Matrix halfBetween(const bem::TractionRows& tractions, const Vector& gamma, Index first,
                    Index last) {
@@ -165,7 +160,7 @@ Matrix DenseBody::makeSprings() const {
   for (Index k = 0; k < springs.columns(); ++k)
     for (Index i = 0; i < springs.rows(); ++i)
       springs(i, k) *= std::sqrt(bedding_.stiffness[at(k)]);
-  const Matrix moved = bem::transposedTimes(springs, holding_->allowed);
+  const Matrix moved = bem::transposedProduct(springs, holding_->allowed);
   std::vector<Vector> basis;
   for (Index k = 0; k < moved.columns(); ++k) {
     Vector q = columnOf(moved, k);

@@ -54,7 +54,7 @@ Matrix withoutClamped(Matrix columns, const std::vector<char>& clamped) {
 /// Keeps the first `fixed` functionals, which are dual to the first motions already, and
 /// changes the others so that all are dual to all.
 Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
-  const Matrix pairing = transposedTimes(functionals, motions);
+  const Matrix pairing = transposedProduct(functionals, motions);
   const Index free = motions.columns() - fixed;
   const Index n = functionals.rows();
   for (Index k = fixed; k < motions.columns(); ++k)
@@ -113,8 +113,8 @@ Matrix reduced(Matrix columns, Index first) {
 /// \throws bem::InputError if clamps hold one of them already.
 bem::Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
                    const std::vector<int>& fixedModes, const std::string& path) {
-  const Matrix pairs = transposedTimes(modes.functionals, modes.motions);
-  const Matrix onAllowed = multiply(pairs, allowedCombinations);
+  const Matrix pairs = transposedProduct(modes.functionals, modes.motions);
+  const Matrix onAllowed = product(pairs, allowedCombinations);
   const auto fixed = static_cast<Index>(fixedModes.size());
   Matrix named(fixed, onAllowed.columns());
   Matrix compared(fixed, onAllowed.columns());  // by what they do to their own motions
@@ -163,11 +163,11 @@ void setMotions(const Conditions::Fix& fix, Holding& holding) {
   const bem::Svd held =
       heldByFix(modes, allowedCombinations, holding.fixedModes, fix.path);
   const Matrix inModes = reduced(
-      multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
-  holding.allowed = withoutClamped(multiply(modes.motions, inModes), holding.clamped);
+      product(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
+  holding.allowed = withoutClamped(product(modes.motions, inModes), holding.clamped);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
-  Matrix functionals = multiply(modes.functionals, inModes);
+  Matrix functionals = product(modes.functionals, inModes);
   for (Index k = 0; k < fixed; ++k)
     std::copy_n(modes.functionals.column(holding.fixedModes[at(k)]), functionals.rows(),
                 functionals.column(k));

@@ -1,5 +1,5 @@
 // G and M of a body, and what a traction in λ's place does.
-#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "contact/body/Coupling.hpp"
@@ -134,7 +134,7 @@ class ElementCoupling {
         },
         [&](const SidePoint& point) { add(point); });
     if (!isWhole())
-      mass_ = bem::transposedTimes(parts_, parts_);
+      mass_ = bem::transposedProduct(parts_, parts_);
   }
 
   void add(const SidePoint& point) {

@@ -163,7 +163,7 @@ const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
     for (Index k = 0; k < left.columns(); ++k)
       for (Index i = 0; i < left.rows(); ++i)
         right(range_.densities + i, k) = -left(i, k);
-    Matrix factor = bem::transposedTimes(left, left);
+    Matrix factor = bem::transposedProduct(left, left);
     if (bem::cholesky(factor) != 0)
       left = Matrix();
     Matrix psi = left.columns() > 0 ? densityFactor().solve(right, 1) : Matrix();

@@ -336,7 +336,7 @@ void CompressedFlexibility::Reduced::makeCorrection(Matrix answers) {
 }
 
 void CompressedFlexibility::Reduced::makeBorder() {
-  Matrix border = transposedTimes(system_.motions, answers_);
+  Matrix border = transposedProduct(system_.motions, answers_);
   for (Index l = 0; l < system_.stiffness.columns(); ++l)
     for (Index k = 0; k < border.rows(); ++k)
       border(k, l) += system_.stiffness(k, l);

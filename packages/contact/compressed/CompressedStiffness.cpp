@@ -1,6 +1,6 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 
-#include "bem/compressed/Slices.hpp"
+#include "contact/body/Beddings.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/problem/BodyFlexibility.hpp"
 
@@ -111,27 +111,6 @@ bool areApart(const std::vector<Coupling>& couplings, Index size, Index formedUp
                                  BodyFlexibility::isSparse(size, columns)));
 }
 
-/// Bodies whose bonds may have to bed them, see Bedding, which dense S can do: slender ones that a bond
-/// acts on.
-std::vector<char> areThin(const std::vector<const bem::Space*>& spaces,
-                          const MultiplierSpace& multiplier,
-                          const std::vector<Coupling>& couplings) {
-  constexpr double slender = 400;  // a beam of 1 : 100
-  std::vector<char> isBonded(at(multiplier.size()));
-  multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
-    for (int i = 0; element.ties() && i < element.coefficients(); ++i)
-      isBonded[at(element.numberOf(i))] = 1;
-  });
-  std::vector<char> result;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const std::vector<Index> columns = couplings[b].columns();
-    result.push_back(bem::slenderness(spaces[b]->mesh()) > slender &&
-                     std::any_of(columns.begin(), columns.end(),
-                                 [&](Index i) { return isBonded[at(i)] != 0; }));
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string whyNotCompressed(const Stabilization& stabilization) {
@@ -154,15 +133,15 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     for (const Index i : multiplier.columns(b))
       bodies[at(i)] = static_cast<int>(b);
   std::vector<Coupling> couplings = makeCouplings(spaces, multiplier, opposite);
+  const Beddings beddings = makeBeddings(spaces, lames, multiplier, couplings);
   std::vector<int> elements = elementsOf(spaces, multiplier, couplings, bodies);
   for (std::size_t b = 0; b < spaces.size(); ++b)
     couplings[b] = stabilised(std::move(couplings[b]), *spaces[b], multiplier, b,
                               stabilization, lames[b], units);
   std::vector<bem::SteklovPoincare> result;
-  if (areApart(couplings, multiplier.size(), formedUpTo)) {
-    const std::vector<char> isThin = areThin(spaces, multiplier, couplings);
+  if (beddings.depth > 0 || areApart(couplings, multiplier.size(), formedUpTo)) {
     for (std::size_t b = 0; b < spaces.size(); ++b) {
-      if (isThin[b] != 0) {
+      if (!beddings.of[b].rows.empty()) {
         result.push_back(makeStiffness(*spaces[b], multiplier.conditions(b),
                                        stabilization, lames[b], units));
         continue;

@@ -18,9 +18,9 @@ namespace epafi::contact {
 ///   [ B₀    -Nᵀ     -M   ]
 ///
 /// W, K and V block diagonal by bodies, B₀ with the mortar coupling to opposite bodies;
-/// G, N and M of Form Density, zero under Form None.  One per body.  Where D is formed, the multiplier
-/// stays out of the tree, and each of several bodies has a tree of its own, or a dense S where it is
-/// thin and bonded.
+/// G, N and M of Form Density, zero under Form None.  One per body.  Where D is formed, as it is for the
+/// sake of beddings, too, the multiplier stays out of the tree, and each of several bodies has a tree of
+/// its own, or a dense S where it has a bedding.
 ///                                                       [doc/theory/compression.md]
 /// \param formedUpTo  see BodyInput
 /// \throws bem::InputError for another form

@@ -110,31 +110,27 @@ class Jumps {
     return space_.at(multiplier_, element(k), t).*component_.value;
   }
 
-  /// e(±1)/half.
-  bem::EndValues ends(std::size_t k) const {
-    const bem::EndValues e = bem::endValues(element(k).degree, 1);
-    return {e.start / half(k), e.end / half(k)};
-  }
-
   /// Solves for c, one equation per joint, by the Gauss-Seidel method: entries of
   /// neighbours are smaller than the diagonal by a factor p + 1.
   void close() {
     constexpr int sweeps = 60;
     Vector jumps(before_.size(), 0.0);
-    for (std::size_t k = 0; k < jumps.size(); ++k)
+    std::vector<bem::EndValues> ends;  // e(±1)/half
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+      const bem::EndValues e = bem::endValues(element(k).degree, 1);
+      ends.push_back({e.start / half(k), e.end / half(k)});
       if (behind_[k] != none)
         jumps[k] = valueAt(k, 1) - valueAt(behind_[k], -1);
+    }
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t k = 0; k < jumps.size(); ++k) {
         const std::size_t next = behind_[k];
         if (next == none)
           continue;
-        const bem::EndValues here = ends(k);
-        const bem::EndValues there = ends(next);
-        double jump = jumps[k] - factors_[next] * there.start;
+        double jump = jumps[k] - factors_[next] * ends[next].start;
         if (before_[k] != none)
-          jump -= factors_[before_[k]] * here.start;
-        factors_[k] = -jump / (here.end + there.end);
+          jump -= factors_[before_[k]] * ends[k].start;
+        factors_[k] = -jump / (ends[k].end + ends[next].end);
       }
   }
 

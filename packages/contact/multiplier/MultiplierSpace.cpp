@@ -122,6 +122,17 @@ void MultiplierSpace::number() {
   }
 }
 
+Vector MultiplierSpace::lengths() const {
+  Vector all(bem::at(size()));
+  forEachElement([&](const ContactElement& element) {
+    const double share =
+        2 * element.mesh->measure(element.element, 0) / (element.degree + 1);
+    for (int i = 0; i < element.coefficients(); ++i)
+      all[bem::at(element.numberOf(i))] += share;
+  });
+  return all;
+}
+
 double MultiplierSpace::throughPoints(const Vector& values, const ContactElement& element,
                                       double t) {
   const Vector chi = multiplierBasis("Gauss-Legendre-Lagrange").values(element.degree, t);

@@ -129,6 +129,8 @@ class MultiplierSpace {
   Index size() const { return size_; }
   /// Number of Gauss points of all elements, p + 1 on each.
   Index points() const { return points_; }
+  /// For each coefficient about the integral of its function.
+  Vector lengths() const;
 
   /// visit(element) of all bodies.
   template <class Visit>

@@ -1,5 +1,6 @@
 #include "contact/newton/NewtonSystem.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 
@@ -13,14 +14,6 @@ namespace {
 // A combination of rigid motions counts as held if its singular value in the inactive rows exceeds
 // this fraction of the largest: contact on a millionth of a side holds a rotation.
 constexpr double heldThreshold = 1e-9;
-
-/// Down to this fraction motions are left as they are; else they are combined to equal values.  Where many
-/// bodies move, a BodyFlexibility eliminates the motions of each with its contacts, and combinations of
-/// all would fill its front.
-double leastHeldOf(const Problem& problem) {
-  constexpr Index many = 48;
-  return !problem.flexibility.isFormed() && problem.rigidMotions() > many ? 1e-6 : 1e-3;
-}
 
 /// diag(factors) M
 Matrix withScaledRows(const Matrix& m, const Vector& factors) {
@@ -121,7 +114,7 @@ std::pair<Index, double> NewtonSystem::followed(Index i) const {
 void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
-  const double leastHeld = leastHeldOf(problem_);
+  const double leastHeld = problem_.flexibility.leastHeld();
   for (Index m = 0; m < k; ++m) {
     double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
@@ -159,7 +152,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
   const Matrix combinations = withScaledRows(held_, motionScale_);
   system.motions = combined(problem_.rigid, combinations);
   if (!problem_.rigidStiffness.empty())
-    system.stiffness = transposedTimes(
+    system.stiffness = transposedProduct(
         combinations, withScaledRows(combinations, problem_.rigidStiffness));
   return system;
 }
@@ -187,8 +180,8 @@ Vector NewtonSystem::byFactor(const Vector& b) const {
   Vector right = knownChanges(b);
   for (const Index i : inactive_)
     right[at(i)] = b[at(i)] / rows_.weights[at(i)];
-  const Matrix balances = transposedTimes(held_, bem::asColumn(balance(b)));
-  right.insert(right.end(), balances.column(0), balances.column(0) + held_.columns());
+  const Vector balances = transposedTimes(held_, balance(b));
+  right.insert(right.end(), balances.begin(), balances.end());
   const Matrix solution = factor_->solve(bem::asColumn(right));
   const double* sizes = solution.column(0) + problem_.size();
   Vector d(solution.column(0), sizes);

@@ -123,8 +123,9 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   const Sight& here = sight(element);
   constexpr int forDirections = 8;
   const bem::Curve& own = element.geometry().curve;
+  const Vec2 normal = own.normal(t);
   Point point;
-  point.direction.unit = own.normal(t);
+  point.direction.unit = normal;
   point.gap = givenGap(element, t);
   point.turning = own.pointsOfTurning();
   if (here.side == nullptr)
@@ -150,8 +151,8 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
         shapeAt(other, side.beyond.empty() ? bem::Continuations{} : side.beyond[k],
                 point.t));
     if (!isClosed(element, stretch))
-      point.gap += found->distance * dot(own.normal(t), point.direction.unit);
-    if (point.direction.unit != own.normal(t))
+      point.gap += found->distance * dot(normal, point.direction.unit);
+    if (point.direction.unit != normal)
       point.turning = std::max(point.turning, forDirections);
   }
   if (side.body >= 0) {

@@ -1,5 +1,6 @@
 #include "contact/problem/BodyFlexibility.hpp"
 
+#include "bem/algebra/FrontalFactor.hpp"
 #include "contact/problem/Surface.hpp"
 
 #include <algorithm>
@@ -24,13 +25,7 @@ class BodyFlexibility::Reduced final : public Factor {
       unknowns_[at(system_.rows[p])] = {static_cast<Index>(p), 1};
     for (const auto& [follower, leader, factor] : system_.followers)
       unknowns_[at(follower)] = {unknowns_[at(leader)].number, factor};
-    factor_ = std::make_unique<const FrontalFactor>(
-        count() + motions(), makeParts(),
-        system_.followers.empty()
-            ? "singular Newton matrix: nothing balances rigid motions, or two multiplier "
-              "coefficients act on the same displacement"
-            : "singular Newton matrix: nothing balances rigid motions, or at this "
-              "friction coefficient the solution may not be unique");
+    factorise();
   }
 
   Matrix solve(Matrix b) const override {
@@ -53,6 +48,18 @@ class BodyFlexibility::Reduced final : public Factor {
  private:
   Index count() const { return static_cast<Index>(system_.rows.size()); }
   Index motions() const { return system_.motions.columns(); }
+
+  void factorise() try {
+    factor_ =
+        std::make_unique<const bem::FrontalFactor>(count() + motions(), makeParts());
+  } catch (const bem::NumericalError& error) {
+    throw SingularJacobian(
+        bem::message("singular Newton matrix: nothing balances rigid motions, or ",
+                     system_.followers.empty()
+                         ? "two multiplier coefficients act on the same displacement"
+                         : "at this friction coefficient the solution may not be unique",
+                     " (", error.what(), ")"));
+  }
   bool isRow(Index i) const {
     return unknowns_[at(i)].number >= 0 && system_.rows[at(unknowns_[at(i)].number)] == i;
   }
@@ -77,7 +84,7 @@ class BodyFlexibility::Reduced final : public Factor {
       further.push_back({p, placeOf(column), value});
     }
     /// With the entries of D so far.
-    FrontalFactor::Part part() && {
+    bem::FrontalFactor::Part part() && {
       Matrix all(static_cast<Index>(unknowns.size()),
                  static_cast<Index>(unknowns.size()));
       for (Index j = 0; j < entries.columns(); ++j)
@@ -117,7 +124,7 @@ class BodyFlexibility::Reduced final : public Factor {
     return sum;
   }
 
-  std::vector<FrontalFactor::Part> makeParts() const {
+  std::vector<bem::FrontalFactor::Part> makeParts() const {
     std::vector<Sum> sums;
     for (const BodyFlexibility::Part& body : whole_.parts_)
       sums.push_back(ofBody(body));
@@ -142,7 +149,7 @@ class BodyFlexibility::Reduced final : public Factor {
       for (Index l = 0; l < system_.stiffness.columns(); ++l)
         if (system_.stiffness(k, l) != 0)
           springs.add(count() + k, count() + l, system_.stiffness(k, l));
-    std::vector<FrontalFactor::Part> parts;
+    std::vector<bem::FrontalFactor::Part> parts;
     for (Sum& sum : sums)
       parts.push_back(std::move(sum).part());
     parts.push_back(std::move(springs).part());
@@ -179,7 +186,7 @@ class BodyFlexibility::Reduced final : public Factor {
   System system_;
   std::vector<Unknown> unknowns_;  ///< by coefficient
   Vector scales_;
-  std::unique_ptr<const FrontalFactor> factor_;
+  std::unique_ptr<const bem::FrontalFactor> factor_;
 };
 
 BodyFlexibility::BodyFlexibility(Index size, std::vector<Part> parts)

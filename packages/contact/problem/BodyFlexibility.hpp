@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/problem/Flexibility.hpp"
-#include "contact/problem/FrontalFactor.hpp"
 
 namespace epafi::contact {
 
@@ -25,6 +24,8 @@ class BodyFlexibility final : public Flexibility::Operator {
   Vector times(const Vector& x) const override;
   Matrix formed() const override;
   std::unique_ptr<Factor> factor(System system) const override;
+  /// The motions of each body are eliminated with its contacts; combinations of all would fill the front.
+  double leastHeld() const override { return 1e-6; }
 
  private:
   class Reduced;

@@ -64,6 +64,9 @@ class Flexibility {
     };
     /// Refers to D.  \throws bem::NumericalError if the system is singular.
     virtual std::unique_ptr<Factor> factor(System system) const = 0;
+    /// Rigid motions are left as they are in systems if rows hold each combination of them at least to
+    /// this fraction of the best held one; else they are combined to equal values.
+    virtual double leastHeld() const { return 1e-3; }
     /// Frees data cached between systems.
     virtual void release() const {}
   };
@@ -87,6 +90,7 @@ class Flexibility {
   std::unique_ptr<Operator::Factor> factor(Operator::System system) const {
     return operator_->factor(std::move(system));
   }
+  double leastHeld() const { return operator_->leastHeld(); }
   void release() const { operator_->release(); }
   /// \pre isFormed()
   const Matrix& entries() const {

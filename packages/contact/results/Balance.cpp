@@ -38,7 +38,7 @@ double ofWork(double compressibility, bool isFormed) {
 
 /// A force that free motions may miss, dimensionless.
 double unsolvedForce(const ContactSystem& system, double tolerance) {
-  const Vector lengths = system.lengths();
+  const Vector lengths = system.multiplier().lengths();
   return 2 * tolerance * system.numbers().stress *
          std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }

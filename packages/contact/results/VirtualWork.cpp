@@ -22,9 +22,7 @@ void addBody(const ContactSystem& system, const Configuration& at, std::size_t b
   const Vector& force = at.contactForces[b];
   const ContactBody::Results& results = at.results[b];
   add(&VirtualWork::strain, 2 * results.strainEnergy, all);
-  add(&VirtualWork::stabilisation,
-      2 * (body.coupling().hasCompliance() ? body.stabilisationEnergy(state, u, force)
-                                           : results.storedEnergy - results.strainEnergy),
+  add(&VirtualWork::stabilisation, 2 * body.stabilisationEnergy(state, u, force, results),
       all);
   add(&VirtualWork::loads, dot(body.loads().load, u), all);
   if (bem::largestEntry(body.loads().prescribed) > 0)

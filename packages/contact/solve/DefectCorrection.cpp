@@ -42,7 +42,7 @@ Point pointOf(const ContactSystem& system, const Equation& equation,
               const bem::Processes& processes, State state) {
   Configuration at = system.placed(std::move(state));
   const Vector& r = at.penetration;
-  const Vector lengths = system.lengths();
+  const Vector lengths = system.multiplier().lengths();
   Evaluation e = equation.at(pack(system.numbers(), at.state), r);
   double displacement = 0;
   double deformation = 0;

@@ -96,20 +96,10 @@ class ContactBody {
   /// By one product with A, and one more where there are clamps.
   Results results(const State& state, const Vector& displacement,
                   const Vector& contactForce) const;
-  /// Those of results(), for who wants no more.
-  double strainEnergy(const State& state, const Vector& displacement,
-                      const Vector& contactForce) const {
-    return results(state, displacement, contactForce).strainEnergy;
-  }
-  double storedEnergy(const State& state, const Vector& displacement,
-                      const Vector& contactForce) const {
-    return results(state, displacement, contactForce).storedEnergy;
-  }
-
   /// storedEnergy - strainEnergy; with Form Density by itself, as an integral: without body loads
   /// ½ Σ ∫ γ |λ + ψ - Σ ρ r|².
   double stabilisationEnergy(const State& state, const Vector& displacement,
-                             const Vector& contactForce) const;
+                             const Vector& contactForce, const Results& results) const;
 
   /// What sides that face it press on a point with, by its own arc length.
   bem::Vec2 foreignTraction(const Vector& multiplier, int element, double t) const;

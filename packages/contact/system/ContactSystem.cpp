@@ -2,9 +2,9 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/body/Beddings.hpp"
 #include "contact/body/DenseBody.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
-#include "contact/system/Beddings.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -46,16 +46,18 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
 ContactSystem::MakeFlexibility ContactSystem::addBodies(
     const std::vector<BodyInput>& inputs) {
   std::vector<const bem::Space*> spaces;
+  std::vector<bem::Lame> lames;
   for (const BodyInput& input : inputs) {
     if (input.basis.sharesNodes && input.stabilization.isOn())
       throw bem::InputError("the multiplier '", input.basis.name,
                             "' needs the stabilisation's form None");
     spaces.push_back(&input.space);
+    lames.push_back(input.lame);
   }
   const std::vector<Coupling> plain =
       makeCouplings(spaces, multiplier(), *obstacle_->opposite);
   Index motions = 0;
-  const Beddings beddings = makeBeddings(inputs, multiplier(), plain);
+  const Beddings beddings = makeBeddings(spaces, lames, multiplier(), plain);
   order_ = beddings.order;
   depth_ = beddings.depth;
   const auto tree = inputs.front().stiffness.compressed();
@@ -223,11 +225,12 @@ double ContactSystem::loadSize() const {
     own += body(b).loads().size();
     moved = std::max(moved, bem::largestEntry(body(b).loads().rigidPart));
   }
-  return contact::loadSize(numbers_, givenToRigid(), lengths(), moved, own, rigid_);
+  return contact::loadSize(numbers_, givenToRigid(), multiplier().lengths(), moved, own,
+                           rigid_);
 }
 
 State ContactSystem::start() const {
-  return {{}, placement(numbers_, givenToRigid(), lengths())};
+  return {{}, placement(numbers_, givenToRigid(), multiplier().lengths())};
 }
 
 Vector ContactSystem::penetration(const Configuration& at,

@@ -66,8 +66,6 @@ class ContactSystem {
     return {*this, conditions, drives, memory};
   }
 
-  /// See lengthsOf.
-  Vector lengths() const { return lengthsOf(multiplier()); }
   /// Data for the next step: rₜ since the start of the path; and r from the displacements minus r
   /// from D, which is added to the offset, so that a step without change needs no iteration.
   Vector slipSoFar(const Configuration& at) const;

@@ -175,17 +175,6 @@ Bed::Point settled(const Bed& bed, std::size_t motions) {
 
 }  // namespace
 
-Vector lengthsOf(const MultiplierSpace& multiplier) {
-  Vector all(at(multiplier.size()));
-  multiplier.forEachElement([&](const MultiplierSpace::ContactElement& element) {
-    const double share =
-        2 * element.mesh->measure(element.element, 0) / (element.degree + 1);
-    for (int i = 0; i < element.coefficients(); ++i)
-      all[at(element.numberOf(i))] += share;
-  });
-  return all;
-}
-
 double loadSize(const Problem& problem, const Vector& given, const Vector& lengths,
                 double moved, double own, const RigidDrives& drives) {
   constexpr double rounding = 1e-13;

@@ -4,9 +4,6 @@
 
 namespace epafi::contact {
 
-/// For each coefficient about the integral of its function.
-Vector lengthsOf(const MultiplierSpace& multiplier);
-
 /// Size of tractions, deformations and penetrations, dimensionless: unit of the residual and of the
 /// states.  Rigid motions, common or apart, add nothing to it: penetrations are those that are
 /// left where the free motions α settle, as pressures of contact on springs of stiffness one in a row

@@ -15,13 +15,13 @@ using ContactElement = MultiplierSpace::ContactElement;
 // λ + ψ by the rule of forces, all else, h = -Σ ρ r, by that of what is given, as in the equations:
 //   γ |λ + ψ|²,   γ (h · (2 (λ + ψ) + h) + t · (λ + ψ + h))
 double ContactBody::stabilisationEnergy(const State& state, const Vector& displacement,
-                                        const Vector& contactForce) const {
+                                        const Vector& contactForce,
+                                        const Results& results) const {
   if (!coupling().hasCompliance())
-    return storedEnergy(state, displacement, contactForce) -
-           strainEnergy(state, displacement, contactForce);
+    return results.storedEnergy - results.strainEnergy;
   const bem::Mesh& mesh = space_->mesh();
   const BoundaryTraction known = knownTraction();
-  const Vector psi = density(state, displacement, contactForce);
+  const Vector& psi = results.density;
   const Vector rho = fixedReactions(contactForce);
   const auto stressAt = [&](const SidePoint& point) {
     const auto stress = multiplier().at(state.multiplier, point.contact, point.t);

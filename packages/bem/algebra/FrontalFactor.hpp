@@ -4,11 +4,7 @@
 
 #include <vector>
 
-namespace epafi::contact {
-
-using bem::Index;
-using bem::Matrix;
-using bem::Vector;
+namespace epafi::bem {
 
 /// LU factor of a sparse matrix that is a sum of dense parts, one after the other in a front:
 ///
@@ -23,8 +19,8 @@ class FrontalFactor {
     std::vector<Index> unknowns;  ///< distinct; rows and columns alike
     Matrix entries;
   };
-  /// \throws bem::NumericalError with `singular` and the pivot if there is none in the end
-  FrontalFactor(Index size, const std::vector<Part>& parts, const char* singular);
+  /// \throws NumericalError if some unknowns have no pivot in the end
+  FrontalFactor(Index size, const std::vector<Part>& parts);
 
   /// x := A⁻¹ x
   void solve(double* x) const;
@@ -43,4 +39,4 @@ class FrontalFactor {
   std::vector<Stage> stages_;
 };
 
-}  // namespace epafi::contact
+}  // namespace epafi::bem

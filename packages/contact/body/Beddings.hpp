@@ -17,9 +17,10 @@ struct Beddings {
 /// Springs are a thousandth as stiff as what they stand on in the end: a step of defect correction leaves
 /// a thousandth of what the feet would add, behind as many steps as beddings stand on each other.
 /// Compliances by moduli and slenderness: (1 + s³) / E, s = 1 for a square.
-/// \param plain  couplings without stabilisation
-Beddings makeBeddings(const std::vector<BodyInput>& inputs,
+/// \param couplings  without stabilisation
+Beddings makeBeddings(const std::vector<const bem::Space*>& spaces,
+                      const std::vector<bem::Lame>& lames,
                       const MultiplierSpace& multiplier,
-                      const std::vector<Coupling>& plain);
+                      const std::vector<Coupling>& couplings);
 
 }  // namespace epafi::contact

@@ -1,14 +1,14 @@
-#include "contact/problem/FrontalFactor.hpp"
+#include "bem/algebra/FrontalFactor.hpp"
 
 #include "bem/algebra/Products.hpp"
-#include "contact/problem/Flexibility.hpp"
+#include "bem/base/Error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace epafi::contact {
+namespace epafi::bem {
 
 namespace {
 
@@ -83,20 +83,19 @@ class FrontalFactor::Front {
     Index done = 0;
     while (done < complete_ && takePivot(done))
       ++done;
-    Stage stage{rows_, columns_, bem::columnsBetween(entries_, 0, done),
-                bem::rowsBetween(bem::columnsBetween(entries_, done, size()), 0, done)};
+    Stage stage{rows_, columns_, columnsBetween(entries_, 0, done),
+                rowsBetween(columnsBetween(entries_, done, size()), 0, done)};
     // the panel has been updated with each pivot, what follows it has not
     for (Index j = complete_ - done; j < stage.upper.columns(); ++j)
       for (Index k = 0; k < done; ++k)
         for (Index i = k + 1; i < done; ++i)
           stage.upper(i, j) -= stage.lower(i, k) * stage.upper(k, j);
-    Matrix rest =
-        bem::rowsBetween(bem::columnsBetween(entries_, complete_, size()), done, size());
-    bem::addProduct(
-        -1, bem::rowsBetween(stage.lower, done, size()),
-        bem::columnsBetween(stage.upper, complete_ - done, stage.upper.columns()), rest);
+    Matrix rest = rowsBetween(columnsBetween(entries_, complete_, size()), done, size());
+    addProduct(-1, rowsBetween(stage.lower, done, size()),
+               columnsBetween(stage.upper, complete_ - done, stage.upper.columns()),
+               rest);
     const Matrix waiting =
-        bem::rowsBetween(bem::columnsBetween(entries_, done, complete_), done, size());
+        rowsBetween(columnsBetween(entries_, done, complete_), done, size());
     Matrix smaller = Matrix::unset(size() - done, size() - done);
     for (Index j = 0; j < smaller.columns(); ++j)
       std::copy_n(
@@ -201,8 +200,7 @@ class FrontalFactor::Front {
   std::vector<Index> places_;
 };
 
-FrontalFactor::FrontalFactor(Index size, const std::vector<Part>& parts,
-                             const char* singular)
+FrontalFactor::FrontalFactor(Index size, const std::vector<Part>& parts)
     : largest_(size - 1) {
   Front front(size, parts);
   for (const std::size_t k : ordered(size, parts)) {
@@ -213,8 +211,7 @@ FrontalFactor::FrontalFactor(Index size, const std::vector<Part>& parts,
   for (const Stage& stage : stages_)
     left -= stage.lower.columns();
   if (left > 0)
-    throw SingularJacobian(
-        bem::message(singular, " (", left, " unknowns of ", size, " are left)"));
+    throw NumericalError(message(left, " unknowns of ", size, " are left"));
 }
 
 void FrontalFactor::solve(double* x) const {
@@ -256,4 +253,4 @@ void FrontalFactor::solve(double* x) const {
       x[stage.columns[at(k)]] = result[at(stage.columns[at(k)])];
 }
 
-}  // namespace epafi::contact
+}  // namespace epafi::bem
