@@ -61,7 +61,8 @@ class Sides {
     double t;
   };
   std::optional<Place> across(int e, double t) const {
-    const auto there = faced(side_[e].curve.moved(shift_), t, curves_, visibility_);
+    const auto there = faced(side_[e].curve.moved(shift_), t, curves_, visibility_,
+                             contact::sightOf(side_, e, conditions_));
     if (!there)
       return {};
     return Place{numbers_[there->curve], there->crossing.t};
