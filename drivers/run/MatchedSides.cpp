@@ -175,16 +175,11 @@ void match(const Sides& sides, int e, int end, adaptivity::Marks& ofSide,
     (p < q ? own : other) = Mark::RaiseDegree;
 }
 
-/// Is an element cut so that the piece with this place is hardly shorter?
-bool keepsLength(const Mark& mark, double place) {
-  constexpr double hardly = 0.9 + 1e-6;  // graded cuts leave 0.9
-  if (mark != Mark::Cut)
-    return false;
-  const std::vector<double>& cuts = mark.places();
-  const auto after = std::upper_bound(cuts.begin(), cuts.end(), place);
-  return (after == cuts.end() ? 1 : *after) -
-             (after == cuts.begin() ? -1 : *(after - 1)) >=
-         2 * hardly;
+/// Is an element cut at transitions, which leaves its degree, and not toward singular points?
+bool isCutAtTransitions(const Mark& mark, int degree) {
+  const std::vector<int>& degrees = mark.degrees();
+  return mark == Mark::Cut &&
+         std::all_of(degrees.begin(), degrees.end(), [&](int p) { return p == degree; });
 }
 
 /// The mark of an element that is cut, with the cuts of the one that it meets and what degrees that
@@ -304,7 +299,7 @@ void shareMarks(const Scene& scene, const Meshes& meshes,
       Mark& other = marks[b][at(f)];
       const double ratio = sides.other(f).half / sides.own(e).half;
       if (strength(own) >= strength(Mark::Bisect) && ratio > shortest &&
-          keepsLength(other, there.t))
+          isCutAtTransitions(other, sides.other(f).degree))
         other = followed(sides, e, f, own, other);
       if (strength(own) > 0 && strength(other) < strength(Mark::Bisect) &&
           ratio > longest)
