@@ -132,14 +132,16 @@ bool isClosed(const bem::Curve& own, const bem::Facing& stretch, const bem::Curv
   return std::max(-least, most) <= adjust && most - least <= 0.1 * adjust;
 }
 
-/// Does the curvature jump where a side stops seeing an edge and begins to see another one?  The slope
-/// of the pressure is unbounded there.
+/// Does the curvature jump, or press a corner, where a side stops seeing an edge and begins to see another
+/// one?  The slope of the pressure is unbounded there.
 bool isUneven(const bem::Outline& outline, int edge, int next) {
   const bem::Curve& arriving =
       outline.edge(next).curve;  // outlines run against each other
   const bem::Curve& leaving = outline.edge(edge).curve;
-  return outline.edge(next).next == edge && bem::joinSmoothly(arriving, leaving) &&
-         !bem::haveOneCurvature(arriving, leaving);
+  return outline.edge(next).next == edge &&
+         (bem::joinSmoothly(arriving, leaving)
+              ? !bem::haveOneCurvature(arriving, leaving)
+              : cross(arriving.tangent(1), leaving.tangent(-1)) > 0);
 }
 
 /// Along whose normals an edge of a side sees what is opposite: those of the other side where it begins or

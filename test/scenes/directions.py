@@ -146,6 +146,19 @@ for falling in (27, 45, 72):
     # either sees along the disc's normals; along those of the flanks it was 2 to 8 % more
     claim(near(*forces, 3e-4), "on an apex either side may come first: %s" % forces)
 
+# A wedge's tip on the middle of a flat side, which gets a node there: without it degrees rose for 40 levels.
+STEEP = math.sqrt(3)
+forces = []
+for between in (("tip:flank", "block:top"), ("block:top", "tip:flank")):
+    name = "tip on a block, %s first" % between[0]
+    forces.append(force(run(name, [
+        body("tip", geometry([(0, 0), (1, STEEP), (-1, STEEP)], "flank, top, flank"), E, held("top", 0, -0.004)),
+        body("block", BLOCK, E, BASE)], between, keys(Strategy="Graded hp", Tolerance=0.01), size=0.77)[0]))
+    levels = rows(name, "history.csv")
+    claim(levels[-1]["estimate_relative"] <= 0.01 and len(levels) < 25,
+          "%s: within 0.01 on %d levels" % (name, len(levels)))
+claim(near(abs(forces[0]), abs(forces[1]), 1e-3), "a tip on a block, either side first: %s" % forces)
+
 # The tip of a wedge in a hollow, where the direction turns fast: energies are by the same rule as forces.
 HOLLOW = geometry([(-2.5, -2.75), (2.5, -2.75), (2.5, 0.25), (-2.5, 0.25)], "base, side, way, side",
                   [0, 0, -0.1, 0])
