@@ -172,10 +172,9 @@ Cells cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a tabl
        "stress"},
       {"pressure_max_error", s.peak.error()},
       {"pressure_unbounded", s.peak.isUnbounded(),
-       "1 where an element at an end or corner of a side does not resolve its pressure "
-       "and "
-       "presses more in its mean than `pressure_max`: the exact pressure has no bound, "
-       "or "
+       "1 where an element at an end or corner of a side, or opposite to a corner, does "
+       "not resolve its pressure and presses more in its mean than `pressure_max`: the "
+       "exact pressure has no bound, or "
        "this mesh does not show it; else 0"},
   };
   for (const auto& [name, contact] : r.contacts)

@@ -38,14 +38,18 @@ using adaptivity::Singularity;
 /// What a contact's sides see of each other.
 struct Sides {
   Sides(const Scene& scene, const ContactPair& pair)
-      : visibility(scene.visibility(pair)), shift(scene.shift(pair)) {}
+      : conditions(scene.bodies[pair.side.body].conditions),
+        visibility(scene.visibility(pair)),
+        shift(scene.shift(pair)) {}
 
   /// What lies opposite to a place on an element of the side.
-  std::optional<bem::FacedPoint> opposite(const bem::Curve& side, double t,
+  std::optional<bem::FacedPoint> opposite(const bem::Mesh& mesh, int e, double t,
                                           const bem::CurveTree& curves) const {
-    return faced(side.moved(shift), t, curves, visibility);
+    return faced(mesh[e].curve.moved(shift), t, curves, visibility,
+                 contact::sightOf(mesh, e, conditions));
   }
 
+  const contact::Conditions& conditions;
   bem::Visibility visibility;
   bem::Vec2 shift;
 };
@@ -101,7 +105,7 @@ std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
       if (side.singular.at(mesh, e, end) == Singularity::Strong)
         places.push_back(end ? 1 : -1);
     for (const double t : places)
-      if (const auto there = sides.opposite(mesh[e].curve, t, opposite.curves))
+      if (const auto there = sides.opposite(mesh, e, t, opposite.curves))
         found.push_back({opposite.edges[there->curve],
                          curves[there->curve].half() * (1 + there->crossing.t)});
   }
@@ -121,7 +125,7 @@ std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPa
   std::vector<std::pair<int, int>> pairs;
   for (const int e : side.mesh.elementsOf(pair.side.boundary))
     for (const double t : besideSingular(side, e))
-      if (const auto there = sides.opposite(side.mesh[e].curve, t, curves))
+      if (const auto there = sides.opposite(side.mesh, e, t, curves))
         pairs.emplace_back(e, numbers[there->curve]);
   return pairs;
 }

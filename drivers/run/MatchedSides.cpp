@@ -61,33 +61,34 @@ class Sides {
     double t;
   };
   std::optional<Place> across(int e, double t) const {
-    const auto there = faced(side_[e].curve.moved(shift_), t, curves_, visibility_);
+    const auto there = faced(side_[e].curve.moved(shift_), t, curves_, visibility_,
+                             contact::sightOf(side_, e, conditions_));
     if (!there)
       return {};
     return Place{numbers_[there->curve], there->crossing.t};
   }
 
-  /// visit(element, the one opposite to its middle)
+  /// visit(element, the place opposite to its middle)
   template <class Visit>
   void forEachFaced(const Visit& visit) const {
     for (const int e : elements_)
       if (isIn(e))
         if (const auto there = across(e, 0))
-          visit(e, there->element);
+          visit(e, *there);
   }
 
   /// visit(element, opposite one) of those with the same ends.
   template <class Visit>
   void forEachMatch(const Visit& visit) const {
-    constexpr double inside = 1 - 1e-6;
     constexpr double same = 1e-4;
+    constexpr double inside = 1 - same;
     for (const int e : elements_) {
       if (!isIn(e))
         continue;
       const auto first = across(e, -inside);
       const auto last = across(e, inside);
       if (first && last && first->element == last->element &&
-          std::abs(first->t - 1) < same && std::abs(last->t + 1) < same)
+          std::abs(first->t - 1) < 2 * same && std::abs(last->t + 1) < 2 * same)
         visit(e, first->element);
     }
   }
@@ -152,7 +153,8 @@ void match(const Sides& sides, int e, int end, adaptivity::Marks& ofSide,
   Mark& other = ofOpposite[at(f)];
   const auto far = sides.across(e, -end * (1 - close));
   if (far && far->element == f && std::abs(far->t) < 1 - sliver) {
-    other = cutAt(far->t, sides.other(f).degree);
+    const double beyond = close / 2 * (far->t - there->t);
+    other = cutAt(far->t + beyond, sides.other(f).degree);
     return;
   }
   if (!far || far->element != f) {  // where the element opposite ends on this one
@@ -171,6 +173,52 @@ void match(const Sides& sides, int e, int end, adaptivity::Marks& ofSide,
   const int q = sides.other(f).degree;
   if (p != q)
     (p < q ? own : other) = Mark::RaiseDegree;
+}
+
+/// Is an element cut at transitions, which leaves its degree, and not toward singular points?
+bool isCutAtTransitions(const Mark& mark, int degree) {
+  const std::vector<int>& degrees = mark.degrees();
+  return mark == Mark::Cut &&
+         std::all_of(degrees.begin(), degrees.end(), [&](int p) { return p == degree; });
+}
+
+/// The mark of an element that is cut, with the cuts of the one that it meets and what degrees that
+/// gains: where a transition is cut on one side alone, the other one is a line under a curve.
+Mark followed(const Sides& sides, int e, int f, const Mark& own, const Mark& other) {
+  constexpr double sliver = 0.1;
+  const int degree = sides.own(e).degree;
+  std::vector<double> ends = own == Mark::Cut ? own.places() : std::vector<double>{0};
+  const std::vector<int> degrees =
+      own == Mark::Cut ? own.degrees() : std::vector<int>{degree, degree};
+  std::vector<double> places = other.places();
+  std::vector<int> gained = other.degrees();
+  const auto pieceAt = [&](double t) {
+    return std::upper_bound(places.begin(), places.end(), t) - places.begin();
+  };
+  for (const double end : ends) {
+    const auto there = sides.across(e, end);
+    if (!there || there->element != f)
+      continue;
+    const double t = there->t;
+    const auto k = pieceAt(t);
+    const double before = k == 0 ? -1 : places[at(k - 1)];
+    const double after = at(k) == places.size() ? 1 : places[at(k)];
+    if (t - before < sliver || after - t < sliver)
+      continue;
+    places.insert(places.begin() + k, t);
+    gained.insert(gained.begin() + k, gained[at(k)]);
+  }
+  ends.insert(ends.begin(), -1);
+  ends.push_back(1);
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    const auto there = sides.across(e, 0.5 * (ends[k] + ends[k + 1]));
+    if (there && there->element == f) {
+      int& piece = gained[at(pieceAt(there->t))];
+      piece = std::max(piece,
+                       std::min(sides.other(f).degree + degrees[k] - degree, degrees[k]));
+    }
+  }
+  return Mark::cut(std::move(places), std::move(gained));
 }
 
 adaptivity::Marks none(const bem::Mesh& mesh) {
@@ -243,11 +291,18 @@ void shareMarks(const Scene& scene, const Meshes& meshes,
   });
   // a long element yields as a soft layer to what short ones press on it with
   constexpr double longest = 4;
+  constexpr double shortest = 0.5 + 1e-6;
   forEachContact(scene, meshes, [&](const Sides& sides, std::size_t a, std::size_t b) {
-    sides.forEachFaced([&](int e, int f) {
+    sides.forEachFaced([&](int e, const Sides::Place& there) {
+      const int f = there.element;
+      Mark& own = marks[a][at(e)];
       Mark& other = marks[b][at(f)];
-      if (strength(marks[a][at(e)]) > 0 && strength(other) < strength(Mark::Bisect) &&
-          sides.other(f).half > longest * sides.own(e).half)
+      const double ratio = sides.other(f).half / sides.own(e).half;
+      if (strength(own) >= strength(Mark::Bisect) && ratio > shortest &&
+          isCutAtTransitions(other, sides.other(f).degree))
+        other = followed(sides, e, f, own, other);
+      if (strength(own) > 0 && strength(other) < strength(Mark::Bisect) &&
+          ratio > longest)
         other = Mark::Bisect;
     });
   });

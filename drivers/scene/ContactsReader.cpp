@@ -106,7 +106,7 @@ void addNode(const bem::Outline& outline, int edge, double place,
 void addPart(const contact::Conditions::Part& part,
              std::vector<contact::Conditions::Part>& parts) {
   if (!parts.empty() && parts.back().edge == part.edge && parts.back().to == part.from &&
-      parts.back().closed == part.closed)
+      parts.back().closed == part.closed && parts.back().along == part.along)
     parts.back().to = part.to;
   else
     parts.push_back(part);
@@ -132,14 +132,67 @@ bool isClosed(const bem::Curve& own, const bem::Facing& stretch, const bem::Curv
   return std::max(-least, most) <= adjust && most - least <= 0.1 * adjust;
 }
 
-/// Does the curvature jump where a side stops seeing an edge and begins to see another one?  The slope
-/// of the pressure is unbounded there.
+/// Does the curvature jump, or press a corner, where a side stops seeing an edge and begins to see another
+/// one?  The slope of the pressure is unbounded there.
 bool isUneven(const bem::Outline& outline, int edge, int next) {
   const bem::Curve& arriving =
       outline.edge(next).curve;  // outlines run against each other
   const bem::Curve& leaving = outline.edge(edge).curve;
-  return outline.edge(next).next == edge && bem::joinSmoothly(arriving, leaving) &&
-         !bem::haveOneCurvature(arriving, leaving);
+  return outline.edge(next).next == edge &&
+         (bem::joinSmoothly(arriving, leaving)
+              ? !bem::haveOneCurvature(arriving, leaving)
+              : cross(arriving.tangent(1), leaving.tangent(-1)) > 0);
+}
+
+/// Along whose normals an edge of a side sees what is opposite: those of the other side where it begins or
+/// ends at a corner that presses into that.  Its own would part there, and meet places twice as far away
+/// from the corner on flanks of 45 degrees.
+bem::Normals normalsFor(const bem::Outline& outline, int e,
+                        const bem::Visibility& visibility, const bem::CurveTree& opposite,
+                        bem::Vec2 shift) {
+  constexpr double steepest = 0.17;  // cosine of the angle to what is met, 80 degrees
+  constexpr double flattest = 1e-3;  // sine
+  const bem::Edge& edge = outline.edge(e);
+  for (const bool end : {false, true}) {
+    const int beside = end ? edge.next : edge.previous;
+    const bem::Curve& neighbour = outline.edge(beside).curve;
+    const bem::Vec2 own = edge.curve.normal(end ? 1 : -1);
+    const bem::Vec2 off = neighbour.normal(end ? -1 : 1);
+    const bem::Vec2 other =
+        outline.isMirror(beside) ? own - 2 * dot(own, off) * off : off;
+    const auto met = bem::faced(edge.curve.moved(shift), end ? 1 : -1, opposite,
+                                visibility, bem::Normals::Opposite);
+    if (!met)
+      continue;
+    const bem::Vec2 into =
+        -opposite.curves()[bem::at(met->curve)].normal(met->crossing.t);
+    const double turn = end ? 1 : -1;  // outlines run to the left
+    if (turn * cross(own, into) > flattest && turn * cross(into, other) > flattest &&
+        dot(own, into) > steepest)
+      return bem::Normals::Opposite;
+  }
+  return bem::Normals::Own;
+}
+
+/// The stretches of an edge of a side, and along whose normals it sees what they face.
+std::pair<std::vector<bem::Facing>, bem::Normals> facedBy(
+    const bem::Outline& outline, int e, const bem::Outline& other,
+    const Scene::OppositeEdges& opposite, const bem::Visibility& visibility,
+    bem::Vec2 shift) {
+  const bem::Curve side = outline.edge(e).curve.moved(shift);
+  const auto along = normalsFor(outline, e, visibility, opposite.curves, shift);
+  auto stretches = bem::facing(side, opposite.curves, visibility, along);
+  const auto curveOf = [&](const bem::Facing& stretch) {
+    return other.edge(opposite.edges[bem::at(stretch.curve)]).curve;
+  };
+  const auto jumps = [&](const bem::Facing& a, const bem::Facing& b) {
+    return a.end != b.begin || !bem::joinSmoothly(curveOf(b), curveOf(a));
+  };
+  // between normals of a corner there are none
+  if (along == bem::Normals::Opposite &&
+      std::adjacent_find(stretches.begin(), stretches.end(), jumps) != stretches.end())
+    return {bem::facing(side, opposite.curves, visibility), bem::Normals::Own};
+  return {std::move(stretches), along};
 }
 
 /// Is a slot of one body wide for its length?  Nothing but the term of one side in the stabilisation
@@ -165,8 +218,8 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
     if (edge.boundary != pair.side.boundary)
       continue;
     const double half = edge.curve.half();
-    const std::vector<bem::Facing> stretches =
-        bem::facing(edge.curve.moved(shift), opposite.curves, visibility);
+    const auto& [stretches, along] =
+        facedBy(own, static_cast<int>(e), other, opposite, visibility, shift);
     for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
       if (stretches[s].end == stretches[s + 1].begin &&
           isUneven(other, opposite.edges[stretches[s].curve],
@@ -176,7 +229,8 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
     for (const bem::Facing& stretch : stretches) {
       const bem::Curve& faced = opposite.curves.curves()[bem::at(stretch.curve)];
       addPart({static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
-               adjust > 0 && isClosed(edge.curve.moved(shift), stretch, faced, adjust)},
+               adjust > 0 && isClosed(edge.curve.moved(shift), stretch, faced, adjust),
+               along},
               parts);
       if (pair.opposite.rigid)
         continue;
@@ -189,8 +243,8 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
         // a normal that touches an arc meets it beside that place
         for (const double inwards : {0.0, 1e-7, 1.0}) {
           const double t = end + inwards * (middle - end);
-          const auto there =
-              bem::crossing(edge.curve.point(t) + shift, edge.curve.normal(t), faced);
+          const auto there = bem::across(edge.curve.point(t) + shift,
+                                         edge.curve.normal(t), faced, along);
           if (!there)
             continue;
           places.push_back(faced.half() * (1 + std::clamp(there->t, -1.0, 1.0)));

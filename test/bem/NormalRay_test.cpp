@@ -48,6 +48,29 @@ TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginnings) {
       }
 }
 
+/// Along the normals of what is opposite it is the way back from there, on flanks of a wedge, too.
+TEUCHOS_UNIT_TEST(NormalRay, normalsOppositeAreTheWayBack) {
+  const Curve sides[] = {Curve({-0.4, 0.4}, {0, 0}), Curve({0, 0}, {0.3, 0.6}, -0.1)};
+  const Curve met[] = {Curve({2, -0.05}, {-2, -0.05}), Curve({1, -0.8}, {-1, -0.8}, 0.4),
+                       Curve({2, 0.5}, {-2, 0.5}, -0.25)};
+  for (const Curve& side : sides)
+    for (const Curve& other : met) {
+      for (const double t : {-1.0, -0.35, 0.2, 1.0}) {
+        const auto found =
+            across(side.point(t), side.normal(t), other, bem::Normals::Opposite);
+        TEST_ASSERT(found && isOn(*found));
+        const auto back = crossing(other.point(found->t), other.normal(found->t), side);
+        TEST_ASSERT(back.has_value());
+        TEST_COMPARE(std::abs(back->t - t), <, 1e-13);
+        TEST_COMPARE(std::abs(back->distance - found->distance), <, 1e-14);
+      }
+      const auto stretches = facing(side, CurveTree({other}), {}, bem::Normals::Opposite);
+      TEST_EQUALITY(stretches.size(), 1u);
+      TEST_EQUALITY(stretches[0].begin, -1);
+      TEST_EQUALITY(stretches[0].end, 1);
+    }
+}
+
 /// Also beyond the centre of an arc whose normals lead there.
 TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginningsAcrossTheCentre) {
   const Curve side = arc(1, 2.2, 1.1);

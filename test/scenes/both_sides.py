@@ -62,6 +62,14 @@ for name, bound, ways in (("matched", 1e-5, {}), ("lower-first", 1e-5, {"first":
         levels[-1]["energy_friction"], WORK))
     claim(levels[-1]["dof"] < 1100, "with %d unknowns" % levels[-1]["dof"])
 
+# nodes of both sides become the same to rounding, and stay so: pairs that lose each other would gain
+# degrees one by one, and contact would open from 1e-3 of the tip on
+levels, points = crack("tight", elements=(3, 6, 3, 4, 5, 2), tolerance=2e-5)
+faces = [p for p in points if p["contact_name"] == "crack"]
+error = max(abs(p["lambda_n"] - Q) for p in faces if abs(p["x"]) < 1 - 1e-8)
+claim(error < 1e-3 and all(p["contact"] == 1 for p in faces),
+      "closed crack, other nodes, tight: the pressure is even within %.1e from 1e-8 of the tips on" % error)
+
 # what acts on the body that the side sees is in the residual: without it the strength of the
 # stabilisation would matter
 for name, held, inside in (

@@ -83,8 +83,15 @@ std::vector<Vec2> grazes(const Curve& side, const Curve& arc) {
   return touched;
 }
 
-/// Adds where normals of the side meet ends of a curve, or touch it.
-void addEnds(const Curve& side, const Curve& curve, Vector& ends) {
+/// Adds where normals of the side meet ends of a curve, or touch it; or where the curve's normals at its
+/// ends meet the side.
+void addEnds(const Curve& side, const Curve& curve, Normals along, Vector& ends) {
+  if (along == Normals::Opposite) {
+    for (const double t : {-1.0, 1.0})
+      if (const auto end = crossing(curve.point(t), curve.normal(t), side))
+        ends.push_back(end->t);
+    return;
+  }
   std::vector<Vec2> points = {curve.from(), curve.to()};
   if (!curve.isStraight())
     for (const Vec2 y : grazes(side, curve))
@@ -125,6 +132,19 @@ std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve) {
   return best;
 }
 
+std::optional<Crossing> across(Vec2 x, Vec2 n, const Curve& curve, Normals along) {
+  if (along == Normals::Own)
+    return crossing(x, n, curve);
+  std::optional<Crossing> best;
+  for (const double t : feetOn(curve, x)) {
+    const Vec2 normal = curve.normal(t);
+    const Crossing found{dot(x - curve.point(t), normal), t};
+    if (dot(n, normal) < 0 && (!best || isBetter(found, *best)))
+      best = found;
+  }
+  return best;
+}
+
 std::vector<double> feetOn(const Curve& side, Vec2 y) {
   const double foot = side.seen(y).z.real();
   if (side.isStraight())
@@ -157,8 +177,9 @@ bool Visibility::sees(Vec2 x, Vec2 n, double s) const {
 
 void Visibility::addChanges(const Curve& side, Vector& places) const {
   for (const CurveTree* body : {&own_, &opposite_})
-    body->search([&](const Disc& disc) { return mayFace(side, disc); },
-                 [&](std::size_t k) { addEnds(side, body->curves()[k], places); });
+    body->search(
+        [&](const Disc& disc) { return mayFace(side, disc); },
+        [&](std::size_t k) { addEnds(side, body->curves()[k], Normals::Own, places); });
   for (const Vec2 y : crossings_)
     if (mayFace(side, {y, 0}))
       for (const double t : feetOn(side, y))
@@ -166,30 +187,33 @@ void Visibility::addChanges(const Curve& side, Vector& places) const {
 }
 
 std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& opposite,
-                                const Visibility& visibility) {
+                                const Visibility& visibility, Normals along) {
   const Vec2 x = side.point(t);
   const Vec2 n = side.normal(t);
   std::optional<FacedPoint> best;
   opposite.search(
       [&](const Disc& disc) {
         constexpr double rounding = 1 + 1e-9;
-        return std::abs(cross(n, disc.middle - x)) <= rounding * disc.radius;
+        return along == Normals::Opposite ||
+               std::abs(cross(n, disc.middle - x)) <= rounding * disc.radius;
       },
       [&](std::size_t k) {
-        const auto here = crossing(x, n, opposite.curves()[k]);
+        const Curve& curve = opposite.curves()[k];
+        const auto here = across(x, n, curve, along);
         if (here && isOn(*here) && (!best || isBetter(*here, best->crossing)) &&
-            visibility.sees(x, n, here->distance))
+            visibility.sees(x, sightLine(n, curve, here->t, along), here->distance))
           best = FacedPoint{static_cast<int>(k), *here};
       });
   return best;
 }
 
 std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
-                           const Visibility& visibility) {
+                           const Visibility& visibility, Normals along) {
   constexpr double tiny = 1e-12;  // of an element: rounding of two ends that meet
   Vector ends = {-1, 1};
-  opposite.search([&](const Disc& disc) { return mayFace(side, disc); },
-                  [&](std::size_t k) { addEnds(side, opposite.curves()[k], ends); });
+  opposite.search(
+      [&](const Disc& disc) { return along == Normals::Opposite || mayFace(side, disc); },
+      [&](std::size_t k) { addEnds(side, opposite.curves()[k], along, ends); });
   visibility.addChanges(side, ends);
   std::sort(ends.begin(), ends.end());
   ends.erase(std::remove_if(ends.begin(), ends.end(),
@@ -200,7 +224,7 @@ std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
   for (const double end : ends) {
     if (end - begin < tiny || (end < 1 && 1 - end < tiny))
       continue;
-    const auto found = faced(side, 0.5 * (begin + end), opposite, visibility);
+    const auto found = faced(side, 0.5 * (begin + end), opposite, visibility, along);
     if (found && !stretches.empty() && stretches.back().end == begin &&
         stretches.back().curve == found->curve)
       stretches.back().end = end;

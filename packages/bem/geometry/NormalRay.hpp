@@ -8,8 +8,10 @@
 
 namespace epafi::bem {
 
-/// The way from a curve to what lies opposite: along its own outward normals.
+/// The way from a curve to what lies opposite: along its own outward normals, or, beside a corner that
+/// presses into the other side, along the normals of that one.
 ///                                                    [doc/theory/contact.md, Several bodies]
+enum class Normals { Own, Opposite };
 
 /// Where the line x + s n meets a curve: s, and the parameter there.
 struct Crossing {
@@ -24,6 +26,15 @@ std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve);
 
 /// Is a crossing on its curve, up to rounding?
 inline bool isOn(const Crossing& crossing) { return std::abs(crossing.t) <= 1 + 1e-11; }
+
+/// Likewise what lies opposite to a point x of a side, n its normal there, in the direction
+/// sightLine(n, curve, t).
+std::optional<Crossing> across(Vec2 x, Vec2 n, const Curve& curve, Normals along);
+
+/// In which direction a point sees the point t of the curve opposite.
+inline Vec2 sightLine(Vec2 n, const Curve& curve, double t, Normals along) {
+  return along == Normals::Own ? n : -curve.normal(t);
+}
 
 /// Parameters t, also outside [-1, 1], of the points of a side whose normal lines contain y: on an
 /// arc two, first the one on the same side of the centre as y.
@@ -64,7 +75,7 @@ struct Facing {
 /// curve that it sees; parts of the side that see none are omitted.  Stretches end opposite to ends of
 /// curves, at points where curves turn away and where something else comes between.
 std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
-                           const Visibility& visibility);
+                           const Visibility& visibility, Normals along = Normals::Own);
 
 /// What a point of a side faces, if anything.
 struct FacedPoint {
@@ -72,6 +83,7 @@ struct FacedPoint {
   Crossing crossing{};
 };
 std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& opposite,
-                                const Visibility& visibility);
+                                const Visibility& visibility,
+                                Normals along = Normals::Own);
 
 }  // namespace epafi::bem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Function.hpp"
+#include "bem/geometry/NormalRay.hpp"
 #include "contact/conditions/ParticularSolution.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/law/NormalLaw.hpp"
@@ -45,7 +46,8 @@ struct Conditions {
     int edge = 0;
     double from = 0;
     double to = 0;
-    bool closed = false;  ///< the gap as drawn counts as zero
+    bool closed = false;                     ///< the gap as drawn counts as zero
+    bem::Normals along = bem::Normals::Own;  ///< along which it sees what is opposite
 
     bool holds(int onEdge, double place) const {
       return edge == onEdge && from <= place && place <= to;
@@ -72,6 +74,14 @@ struct Conditions {
     /// Is the pressure of any sign, and the gap of the condition the normal displacement against what
     /// is opposite?
     bool ties() const { return isSupport || friction.ties(); }
+
+    /// Along whose normals a place sees what is opposite.
+    bem::Normals along(int edge, double place) const {
+      const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& each) {
+        return each.holds(edge, place);
+      });
+      return part == parts.end() ? bem::Normals::Own : part->along;
+    }
 
     bool holds(int edge, double place) const {
       return name.empty() ||

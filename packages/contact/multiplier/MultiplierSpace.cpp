@@ -30,6 +30,15 @@ const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                               0.5 * (piece.start.fromStart + piece.end.fromStart));
 }
 
+bem::Normals sightOf(const bem::Mesh& mesh, int e, const Conditions& conditions) {
+  const Conditions::Contact* contact = contactOn(mesh, e, conditions);
+  const bem::Piece& piece = mesh[e].piece;
+  return contact == nullptr
+             ? bem::Normals::Own
+             : contact->along(piece.edge,
+                              0.5 * (piece.start.fromStart + piece.end.fromStart));
+}
+
 MultiplierSpace::MultiplierSpace(const std::vector<Body>& bodies,
                                  const MultiplierBasis& basis)
     : basis_(&basis) {

@@ -20,6 +20,9 @@ using bem::Vector;
 const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                                      const Conditions& conditions);
 
+/// Along whose normals an element sees what is opposite.
+bem::Normals sightOf(const bem::Mesh& mesh, int e, const Conditions& conditions);
+
 /// The coefficients of an element in one direction, of its basis functions i = 0 ... degree.
 struct Coefficients {
   /// That of one end of the element.

@@ -24,21 +24,37 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
-/// Measure of a side over that of what it sees along its normal: the foot runs along the side with the
-/// part of the way that is along it, which an arc draws in or out by the distance from its centre.
-/// Zero where its normals meet: so far away nothing comes into contact.
+/// Measure of a side over that of what it sees along normals: the foot of a normal runs along its curve
+/// with the part of the way that is along it, which an arc draws in or out by the distance from its centre.
+/// Zero where normals meet: so far away nothing comes into contact.
 double stretching(const ContactElement& side, double t, const bem::Curve& other,
-                  double there, double distance) {
+                  double there, double distance, bem::Normals along) {
   constexpr double narrowest = 0.1;
   const bem::Curve& own = side.geometry().curve;
-  const double width = 1 + own.curvature() * distance;
+  const bool isOwn = along == bem::Normals::Own;
+  const double width = 1 + (isOwn ? own : other).curvature() * distance;
   if (width < narrowest)
     return 0;
-  const double ofLines = std::abs(dot(other.tangent(there), own.tangent(t))) / width;
+  const double ofFeet = std::abs(dot(other.tangent(there), own.tangent(t))) / width;
+  const double ofLines = isOwn ? ofFeet : 1 / ofFeet;
   if (!side.mesh->outline().isAxisymmetric())
     return ofLines;
   const double radius = other.point(there).x;
   return ofLines * (radius > 0 ? own.point(t).x / radius : ofLines);
+}
+
+/// Places of a side, also beyond it, that see the point t of a curve opposite, and the distances.
+std::vector<std::pair<double, double>> lookingAt(const bem::Curve& side, Vec2 shift,
+                                                 const bem::Curve& other, double t,
+                                                 bem::Normals along) {
+  std::vector<std::pair<double, double>> result;
+  const Vec2 y = other.point(t) - shift;
+  if (along == bem::Normals::Own)
+    for (const double foot : bem::feetOn(side, y))
+      result.emplace_back(foot, dot(y - side.point(foot), side.normal(foot)));
+  else if (const auto here = bem::crossing(y, other.normal(t), side))
+    result.emplace_back(here->t, here->distance);
+  return result;
 }
 
 /// Does the gap as drawn count as zero on a stretch of an element?
@@ -96,8 +112,10 @@ Opposite::Opposite(const MultiplierSpace& multiplier, double length,
       beyond = bem::continuations(element.mesh->outline());
     const bem::Piece& piece = element.geometry().piece;
     sight.beyond = beyond[bem::at(piece.edge)].ofPart(piece.start, piece.end);
-    sight.stretches =
-        facing(element.geometry().curve.moved(side.shift), side.curves, side.visibility);
+    sight.along = element.condition->along(
+        piece.edge, 0.5 * (piece.start.fromStart + piece.end.fromStart));
+    sight.stretches = facing(element.geometry().curve.moved(side.shift), side.curves,
+                             side.visibility, sight.along);
     checkCovered(element, sight.stretches);
     for (const bem::Facing& stretch : sight.stretches)
       if (side.body >= 0)
@@ -138,12 +156,14 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   // a normal that touches an arc meets it beside that place
   for (const double inwards : {0.0, 1e-7, 1.0}) {
     const double place = t + inwards * (0.5 * (stretch.begin + stretch.end) - t);
-    if (found = crossing(own.point(place) + side.shift, own.normal(place), other); found)
+    if (found =
+            across(own.point(place) + side.shift, own.normal(place), other, here.along);
+        found)
       break;
   }
   assert(found);
   point.t = std::clamp(found->t, -1.0, 1.0);
-  point.stretching = stretching(element, t, other, point.t, found->distance);
+  point.stretching = stretching(element, t, other, point.t, found->distance, here.along);
   point.turning = std::max(point.turning, other.pointsOfTurning());
   if (!element.ties()) {
     point.direction = directionBetween(
@@ -151,7 +171,8 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
         shapeAt(other, side.beyond.empty() ? bem::Continuations{} : side.beyond[k],
                 point.t));
     if (!isClosed(element, stretch))
-      point.gap += found->distance * dot(normal, point.direction.unit);
+      point.gap += found->distance * dot(sightLine(normal, other, point.t, here.along),
+                                         point.direction.unit);
     if (point.direction.unit != normal)
       point.turning = std::max(point.turning, forDirections);
   }
@@ -195,14 +216,12 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
     const bem::Curve& other = here.side->curves.curves()[stretch.curve];
     const bem::Curve& own = here.element->geometry().curve;
-    for (const double foot : feetOn(own, other.point(t) - here.side->shift)) {
-      if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
-        continue;
-      const double distance =
-          dot(other.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-      result.push_back({here.element, std::clamp(foot, -1.0, 1.0),
-                        stretching(*here.element, foot, other, t, distance)});
-    }
+    for (const auto& [foot, distance] :
+         lookingAt(own, here.side->shift, other, t, here.along))
+      if (foot >= stretch.begin - 1e-12 && foot <= stretch.end + 1e-12)
+        result.push_back(
+            {here.element, std::clamp(foot, -1.0, 1.0),
+             stretching(*here.element, foot, other, t, distance, here.along)});
   });
   return result;
 }
@@ -212,8 +231,8 @@ Vector Opposite::sourceBreaks(int body, int element) const {
   forEachFacing(body, element, [&](const Sight& here, const bem::Facing& stretch) {
     const bem::Curve& own = here.element->geometry().curve;
     for (const double t : {stretch.begin, stretch.end})
-      if (const auto hit = crossing(own.point(t) + here.side->shift, own.normal(t),
-                                    here.side->curves.curves()[stretch.curve]))
+      if (const auto hit = across(own.point(t) + here.side->shift, own.normal(t),
+                                  here.side->curves.curves()[stretch.curve], here.along))
         result.push_back(std::clamp(hit->t, -1.0, 1.0));
   });
   return result;

@@ -49,8 +49,8 @@ struct Stretch {
 };
 
 /// The opposite side as a function of points of the sides that carry the multiplier, of all bodies:
-/// outlines of other bodies for contacts with a name, found along the normals of the contact side;
-/// fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
+/// outlines of other bodies for contacts with a name, found along the normals of the contact side, beside
+/// its apexes along those opposite; fixed obstacles at the gap of the conditions, which may have kinks anywhere, for all others.
 ///
 /// The gap is the way to the opposite point along the direction of contact plus the gap of the
 /// condition; on bonded sides only the latter.  The direction is directionBetween the sides, on
@@ -121,6 +121,7 @@ class Opposite {
     bem::Continuations beyond{};  ///< the element
     std::vector<bem::Facing> stretches{};
     const MultiplierSpace::ContactElement* element = nullptr;
+    bem::Normals along = bem::Normals::Own;
   };
   const Sight& sight(const MultiplierSpace::ContactElement& element) const;
   /// The gap of the condition, dimensionless.

@@ -88,12 +88,33 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
         positivePart([&](double t) { return fields.slipping(element, t); }, p);
 }
 
+/// insideSides, but for elements that meet corners opposite: pressures may have no bound there, too.
+std::vector<char> awayFromCorners(const Solved& solved,
+                                  const std::vector<Element>& elements) {
+  std::vector<char> isInside =
+      insideSides(solved.problem.multiplier(), solved.problem.number());
+  const Opposite& opposite = solved.problem.opposite();
+  const auto turns = [&](const Element& a, double s, const Element& b, double t) {
+    return std::abs(opposite.at(a, s).direction.angle -
+                    opposite.at(b, t).direction.angle) > bem::smoothAngle;
+  };
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const Element& element = elements[k];
+    constexpr double beside = 1e-9;
+    for (const double t : opposite.breaks(element))
+      if (turns(element, t - beside, element, t + beside))
+        isInside[k] = 0;
+    if (element.follower && turns(element, 1, elements[*element.follower], -1))
+      isInside[k] = isInside[*element.follower] = 0;
+  }
+  return isInside;
+}
+
 /// of(element): the Summary that it is added to.
 template <class Of>
 void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
-  const std::vector<char> isInside =
-      insideSides(solved.problem.multiplier(), solved.problem.number());
+  const std::vector<char> isInside = awayFromCorners(solved, fields.elements());
   const Vector pressures = fields.continuous();
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
