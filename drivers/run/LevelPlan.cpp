@@ -175,8 +175,7 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
                           : allowedMemory(scene, ranks);
   const double gain = isThin || isGraded ? 0 : gainOf(sizes);
   const bool isAutomatic = wanted == Operators::Cheaper;
-  const bool isPossible =
-      !scene.isAxisymmetric && contact::whyNotCompressed(scene.stabilization).empty();
+  const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
   const bool denseFits = dense <= row.memoryAllowed;
   if (wanted == Operators::Compressed || (isAutomatic && isPossible && gain > 1)) {
     row.operators = "compressed";

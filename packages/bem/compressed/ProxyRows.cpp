@@ -20,13 +20,30 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   std::vector<AlignedLane> circle(2 * points_ / lanes);
+  double first = 0;
+  double step = 2 * pi / points_;
+  const Mesh& mesh = space_.mesh();
+  std::vector<double> scales(at(points_), 1);
+  if (mesh.outline().isAxisymmetric()) {
+    const int e = tree.element(tree[cluster].first);
+    const double middle =
+        mesh.scaledPoint(e, -1).x - tree.fromCentre(cluster, mesh.at(e, -1)).x;
+    if (middle < radius) {  // the arc from the axis to the axis
+      const double end = std::acos(-middle / radius);
+      step = 2 * end / points_;
+      first = 0.5 * step - end;
+    }
+    for (int p = 0; p < points_; ++p)  // entries have 2πr of x
+      scales[at(p)] =
+          1 / std::sqrt(2 * pi * (middle + radius * std::cos(first + step * p)));
+  }
   const int components = space_.components();
   Matrix out(components * points_, static_cast<Index>(columns.size()));
   for (const auto& [f, functions] : byElements(space_, unknowns_, columns)) {
     const Element& element = space_.mesh()[f];
     const Vec2 middle = tree.fromCentre(cluster, space_.mesh().at(f, 0));
     for (int p = 0; p < points_; ++p) {
-      const double angle = 2 * pi * p / points_;
+      const double angle = first + step * p;
       AlignedLane* to = circle.data() + 2 * (p / lanes);
       to[0].lane[p % lanes] = radius * std::cos(angle) - middle.x;
       to[1].lane[p % lanes] = radius * std::sin(angle) - middle.y;
@@ -40,7 +57,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
         for (int p = 0; p < points_; p += lanes) {
           const double* from = far_->field(at(p / lanes), function, c);
           for (int lane = 0; lane < lanes; ++lane)
-            to[p + lane] += from[lane];
+            to[p + lane] += scales[at(p + lane)] * from[lane];
         }
       }
   }
