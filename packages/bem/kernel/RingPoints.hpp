@@ -139,6 +139,9 @@ struct RingPoints {
   Pack k[4];
   Pack t[4];  ///< K'
   Pack w[4];
+  // of a jump of u where elements end: what K and W by parts have more
+  Pack jumpK[4];
+  Pack jumpW[4];
 
   template <Division How>
   EPAFI_INLINE void evaluate(const RingLame& lame, const Pack& dr, const Pack& dz,
@@ -164,6 +167,10 @@ struct RingPoints {
     const RingDual radial = lame.part * of.e1 + of.rr;
     const RingDual axial = lame.part * of.e0 + of.zz;
     const double doubled = turn * lame.doubled;
+    jumpK[0] = doubled * of.rz.value;
+    jumpK[1] = doubled * axial.value;
+    jumpK[2] = -doubled * radial.value;
+    jumpK[3] = -doubled * of.zr.value;
     k[0] = turn * value(K::ofY) - doubled * of.rz.y;
     k[1] = turn * value(K::ofY + 1) - doubled * axial.y;
     k[2] = doubled * radial.y;
@@ -174,23 +181,24 @@ struct RingPoints {
     t[3] = turn * value(K::ofX + 2) + doubled * of.rz.x;
     const double curl = turn * lame.curl;
     const double squared = turn * lame.squared;
-    const Pack& tyr = at.tangentY.re;
-    const Pack& tyz = at.tangentY.im;
+    const RingDual slopesR = curl * (of.e0 - of.es) - squared * axial;
+    const RingDual slopesZ = curl * of.e1 - squared * radial;
     Pack overX;
     reciprocal<How>(radius, overX);
     const double overY = 1 / source[4];
-    // derivatives of xSlope by y, of ySlope by x
-    const Pack ofX = overX * (squared * (tz * of.rz.y - tr * axial.y) +
-                              curl * tr * of.es.y);
-    const Pack ofXz = -squared * overX * (tz * radial.y - tr * of.zr.y);
-    const Pack ofY = overY * (squared * (tyz * of.zr.x - tyr * axial.x) +
-                              curl * tyr * of.es.x);
-    const Pack ofYz = -squared * overY * (tyz * radial.x - tyr * of.rz.x);
-    w[0] = curl * (of.e0.xy - of.es.xy) - squared * axial.xy - ofX - ofY +
-           turn * value(K::both);
-    w[1] = squared * of.rz.xy - ofYz;
-    w[2] = squared * of.zr.xy - ofXz;
-    w[3] = curl * of.e1.xy - squared * radial.xy;
+    const Pack& tyr = at.tangentY.re;
+    const Pack& tyz = at.tangentY.im;
+    jumpW[0] = turn * value(K::xSlope) - slopesR.x;
+    jumpW[1] = -squared * of.rz.x;
+    jumpW[2] = turn * value(K::xSlope + 1) - squared * of.zr.x;
+    jumpW[3] = -slopesZ.x;
+    // with derivatives of xSlope by y, of ySlope by x
+    w[0] = slopesR.xy + turn * value(K::both) -
+           overX * (squared * (tz * of.rz.y - tr * axial.y) + curl * tr * of.es.y) -
+           overY * (squared * (tyz * of.zr.x - tyr * axial.x) + curl * tyr * of.es.x);
+    w[1] = squared * (of.rz.xy + overY * (tyz * radial.x - tyr * of.rz.x));
+    w[2] = squared * (of.zr.xy + overX * (tz * radial.y - tr * of.zr.y));
+    w[3] = slopesZ.xy;
   }
 };
 

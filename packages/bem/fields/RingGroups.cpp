@@ -1,0 +1,201 @@
+#include "bem/fields/RingGroups.hpp"
+
+#include "bem/algebra/LeastSquares.hpp"
+#include "bem/base/Parallel.hpp"
+#include "bem/kernel/RingPoints.hpp"
+#include "bem/moments/RingCircle.hpp"
+#include "bem/simd/Dispatch.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+// In radii of a group: modes of its field that 64 points do not tell apart are 1e-13 of it there.
+constexpr double ofForces = 1.1;
+constexpr double ofPlaces = 2.4;
+constexpr int forcesAround = 64;
+constexpr int placesAround = 80;
+
+/// What sources do.
+enum class Does { Displace, DisplaceByBoth, DisplaceAndPull, Jump };
+
+/// Adds it, of each state.
+template <Does Wanted>
+struct Summation {
+  const RingLame& lame;
+  const RingSources& sources;
+  const RingTargets& targets;
+  std::size_t states;
+  AlignedLane* to;
+
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    const Pack& x = load(targets.x.lane);
+    const Pack& y = load(targets.y.lane);
+    const Pack& tx = load(targets.tangentX.lane);
+    const Pack& ty = load(targets.tangentY.lane);
+    for (std::size_t k = 0; k < sources.places.size(); ++k) {
+      const double* source = sources.places[k].data();
+      RingPoints g;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+      g.template evaluate<How>(lame, x - source[0], y - source[1], tx, ty, x, source);
+      for (std::size_t state = 0; state < states; ++state) {
+        AlignedLane* own = to + 4 * state;
+        if (Wanted != Does::Jump)
+          addProduct(-1, sources.forces[k * states + state], g.v, own);
+        if (Wanted == Does::DisplaceAndPull)
+          addProduct(1, sources.forces[k * states + state], g.t, own + 2);
+        if (Wanted == Does::DisplaceByBoth)
+          addProduct(-1, sources.displacements[k * states + state], g.k, own);
+        if (Wanted == Does::Jump) {
+          const Complex& jump = sources.displacements[k * states + state];
+          addProduct(-1, jump, g.jumpK, own);
+          addProduct(1, jump, g.jumpW, own + 2);
+        }
+      }
+    }
+  }
+
+ private:
+  EPAFI_INLINE static void addProduct(double sign, const Complex& f,
+                                      const Pack (&entries)[4], AlignedLane* to) {
+    const double r = sign * f.real();
+    const double z = sign * f.imag();
+    bem::add(to[0].lane, r * entries[0] + z * entries[2]);
+    bem::add(to[1].lane, r * entries[1] + z * entries[3]);
+  }
+};
+
+/// Of a whole circle's points those of an arc, packs of eight.
+int pointsOn(const RingCircle& circle, int ofCircle) {
+  constexpr double pi = 3.14159265358979323846;
+  return lanes * static_cast<int>(std::ceil(circle.end() / pi * ofCircle / lanes));
+}
+
+}  // namespace
+
+void RingGroups::add(const RingGroup& group, const RingTargets& targets,
+                     AlignedLane* to) const {
+  const InstructionSet set = largestInstructionSet();
+  dispatch(set, Summation<Does::DisplaceAndPull>{lame_, group.circle, targets, states_, to});
+  dispatch(set, Summation<Does::Jump>{lame_, group.ends, targets, states_, to});
+}
+
+RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame,
+                       const std::vector<LocalField>& fields, std::size_t states,
+                       int smallest)
+    : RunGroups(runs, smallest), lame_(lame), states_(states) {
+  constexpr double ofElement = 1e4;  // ns
+  const auto size = static_cast<Index>(groups_.size());
+  parallelFor({size, ofElement * runs.mesh().size()}, [&](Index g) {
+    if (g > 0)
+      sumElements(fields, groups_[bem::at(g)]);
+  });
+}
+
+void RingGroups::addEnds(const std::vector<LocalField>& fields, int e,
+                         RingGroup& group) const {
+  const Mesh& mesh = runs_.mesh();
+  const ElementRange all{runs_[group.first].first, runs_[group.last - 1].last};
+  for (const int end : {-1, 1}) {
+    const int beside = end < 0 ? mesh[e].previous : mesh[e].next;
+    if (all.contain(beside) || mesh.isAxis(beside))
+      continue;
+    const Vec2 place = mesh[e].curve.point(end);
+    group.ends.places.push_back({place.x, place.y, 0, 0, place.x});
+    for (std::size_t state = 0; state < states_; ++state)
+      group.ends.displacements.push_back(
+          static_cast<double>(end) *
+          evaluate(fields[at(e) * states_ + state].value, mesh[e].degree, end));
+  }
+}
+
+void RingGroups::sumElements(const std::vector<LocalField>& fields,
+                             RingGroup& group) const {
+  const Mesh& mesh = runs_.mesh();
+  const double distance = ofPlaces * group.radius;
+  RingSources all;
+  for (int e = runs_[group.first].first; e < runs_[group.last - 1].last; ++e) {
+    if (mesh.isAxis(e))
+      continue;
+    const Element& element = mesh[e];
+    const Rule& rule =
+        gaussLegendre(farOrder(element.curve.angle(),
+                               1 + (ofPlaces - 1) * group.radius / element.half) +
+                      degreeShare(std::max(element.degree, element.densities)));
+    addEnds(fields, e, group);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[at(q)];
+      const double weight = element.half * rule.weights[at(q)];
+      const Vec2 place = element.curve.point(t);
+      const Vec2 tangent = element.curve.tangent(t);
+      all.places.push_back({place.x, place.y, tangent.x, tangent.y, place.x});
+      for (std::size_t state = 0; state < states_; ++state) {
+        const LocalField& field = fields[at(e) * states_ + state];
+        all.forces.push_back(weight * evaluate(field.density, element.densities - 1, t));
+        all.displacements.push_back(weight * evaluate(field.value, element.degree, t));
+      }
+    }
+  }
+  const RingCircle outer{group.centre.real(), distance};
+  const RingCircle inner{group.centre.real(), ofForces * group.radius};
+  const int places = pointsOn(outer, placesAround);
+  const int forces = pointsOn(inner, forcesAround);
+  const auto placeOn = [&](const RingCircle& circle, int k, int count) {
+    return group.centre + std::polar(circle.radius, circle.angle(k, count));
+  };
+  for (int k = 0; k < forces; ++k) {
+    const Complex y = placeOn(inner, k, forces);
+    group.circle.places.push_back({y.real(), y.imag(), 0, 0, y.real()});
+  }
+  // both components of a place or a force; surfaces weighted by their radii
+  Matrix system(2 * places, 2 * forces);
+  Matrix right(2 * places, static_cast<Index>(states_));
+  RingSources one;
+  const InstructionSet set = largestInstructionSet();
+  std::vector<AlignedLane> sums;
+  for (int first = 0; first < places; first += lanes) {
+    RingTargets targets{};
+    Vector scales;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Complex x = placeOn(outer, first + lane, places);
+      targets.x.lane[lane] = x.real();
+      targets.y.lane[lane] = x.imag();
+      scales.push_back(1 / std::sqrt(x.real()));
+    }
+    const auto take = [&](Matrix& to, Index column, double scale, const AlignedLane* by) {
+      for (int lane = 0; lane < lanes; ++lane)
+        for (int c = 0; c < 2; ++c)
+          to(2 * (first + lane) + c, column) = scale * scales[at(lane)] * by[c].lane[lane];
+    };
+    for (int k = 0; k < forces; ++k) {
+      one.places = {group.circle.places[at(k)]};
+      const double scale = 1 / std::sqrt(one.places[0][0]);
+      for (int c = 0; c < 2; ++c) {
+        one.forces = {c == 0 ? Complex(1, 0) : Complex(0, 1)};
+        sums.assign(4, {});
+        dispatch(set, Summation<Does::Displace>{lame_, one, targets, 1, sums.data()});
+        take(system, 2 * k + c, scale, sums.data());
+      }
+    }
+    sums.assign(4 * states_, {});
+    dispatch(set,
+             Summation<Does::DisplaceByBoth>{lame_, all, targets, states_, sums.data()});
+    for (std::size_t state = 0; state < states_; ++state)
+      take(right, static_cast<Index>(state), 1, &sums[4 * state]);
+  }
+  // forces in the hole of a ring do nothing that others do not
+  constexpr double dependent = 1e-13;
+  right = leastSquares(std::move(system), std::move(right), dependent).x;
+  group.circle.forces.resize(at(forces) * states_);
+  for (int k = 0; k < forces; ++k) {
+    const double scale = 1 / std::sqrt(group.circle.places[at(k)][0]);
+    for (std::size_t state = 0; state < states_; ++state)
+      group.circle.forces[at(k) * states_ + state] =
+          scale * Complex(right(2 * k, static_cast<Index>(state)),
+                          right(2 * k + 1, static_cast<Index>(state)));
+  }
+}
+
+}  // namespace epafi::bem

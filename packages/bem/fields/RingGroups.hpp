@@ -1,0 +1,57 @@
+#pragma once
+
+#include "bem/fields/RunGroups.hpp"
+#include "bem/moments/RingKernels.hpp"
+#include "bem/space/LocalField.hpp"
+
+#include <array>
+#include <vector>
+
+namespace epafi::bem {
+
+/// Points of rings that act on others: in some states, those of a point contiguous.
+struct RingSources {
+  /// Place, tangent and radius: FarBlocks::inner_.
+  std::vector<std::array<double, 5>> places{};
+  std::vector<Complex> forces{};         ///< ψ ds
+  std::vector<Complex> displacements{};  ///< u ds, or jumps of u
+};
+
+/// Eight points of rings, their tangents, and what acts there, times 2πr.
+struct alignas(64) RingTargets {
+  AlignedLane x;
+  AlignedLane y;
+  AlignedLane tangentX;
+  AlignedLane tangentY;
+};
+
+/// Of RingGroups.
+struct RingGroup : RunGroup {
+  RingSources circle;  ///< forces
+  RingSources ends;    ///< displacements where its elements end
+};
+
+/// What groups of elements of a solid of revolution do to what is far: forces on a circle around them
+/// (from axis to axis where it meets that), which move the places of a wider circle as the elements do, by least
+/// squares.  K and W by parts, as of the elements that are near, are more by what jumps of u where a group
+/// ends do.                                              [doc/theory/axisymmetric.md, Groups]
+class RingGroups : public RunGroups<RingGroup> {
+ public:
+  /// Refers to the runs.
+  /// \param fields  elements x states, states contiguous
+  /// \param smallest  runs of a group
+  RingGroups(const ElementRuns& runs, const Lame& lame,
+             const std::vector<LocalField>& fields, std::size_t states, int smallest);
+
+  /// V ψ - K u and the traction W u + K' ψ of a group: of each state four packs, r and z of both.
+  void add(const RingGroup& group, const RingTargets& targets, AlignedLane* to) const;
+
+ private:
+  void addEnds(const std::vector<LocalField>& fields, int e, RingGroup& group) const;
+  void sumElements(const std::vector<LocalField>& fields, RingGroup& group) const;
+
+  RingLame lame_;
+  std::size_t states_;
+};
+
+}  // namespace epafi::bem
