@@ -221,7 +221,14 @@ RingFields::RingFields(const Mesh& mesh, const Lame& lame,
                        const std::vector<LocalField>& fields, std::size_t states)
     : mesh_(mesh), states_(states), series_(fields.size()) {
   const ElementRuns runs(mesh_);
-  const RingGroups groups(runs, lame, fields, states, smallestGroup);
+  const RingGroups groups(
+      runs, lame,
+      [&](int e, double t, std::size_t state) -> RingGroups::Value {
+        const LocalField& field = fields[at(e) * states + state];
+        return {evaluate(field.density, mesh_[e].densities - 1, t),
+                evaluate(field.value, mesh_[e].degree, t)};
+      },
+      states, smallestGroup);
   constexpr double ofPair = 2e3;  // ns
   const double work = ofPair * static_cast<double>(mesh_.size()) * mesh_.size();
   parallelFor(

@@ -25,7 +25,7 @@ enum class Does { Displace, DisplaceByBoth, DisplaceAndPull, Jump };
 template <Does Wanted>
 struct Summation {
   const RingLame& lame;
-  const RingSources& sources;
+  const RingPointSources& sources;
   const RingTargets& targets;
   std::size_t states;
   AlignedLane* to;
@@ -83,19 +83,17 @@ void RingGroups::add(const RingGroup& group, const RingTargets& targets,
 }
 
 RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame,
-                       const std::vector<LocalField>& fields, std::size_t states,
-                       int smallest)
+                       const Values& values, std::size_t states, int smallest)
     : RunGroups(runs, smallest), lame_(lame), states_(states) {
   constexpr double ofElement = 1e4;  // ns
   const auto size = static_cast<Index>(groups_.size());
   parallelFor({size, ofElement * runs.mesh().size()}, [&](Index g) {
     if (g > 0)
-      sumElements(fields, groups_[bem::at(g)]);
+      sumElements(values, groups_[bem::at(g)]);
   });
 }
 
-void RingGroups::addEnds(const std::vector<LocalField>& fields, int e,
-                         RingGroup& group) const {
+void RingGroups::addEnds(const Values& values, int e, RingGroup& group) const {
   const Mesh& mesh = runs_.mesh();
   const ElementRange all{runs_[group.first].first, runs_[group.last - 1].last};
   for (const int end : {-1, 1}) {
@@ -106,16 +104,14 @@ void RingGroups::addEnds(const std::vector<LocalField>& fields, int e,
     group.ends.places.push_back({place.x, place.y, 0, 0, place.x});
     for (std::size_t state = 0; state < states_; ++state)
       group.ends.displacements.push_back(
-          static_cast<double>(end) *
-          evaluate(fields[at(e) * states_ + state].value, mesh[e].degree, end));
+          static_cast<double>(end) * values(e, end, state).displacement);
   }
 }
 
-void RingGroups::sumElements(const std::vector<LocalField>& fields,
-                             RingGroup& group) const {
+void RingGroups::sumElements(const Values& values, RingGroup& group) const {
   const Mesh& mesh = runs_.mesh();
   const double distance = ofPlaces * group.radius;
-  RingSources all;
+  RingPointSources all;
   for (int e = runs_[group.first].first; e < runs_[group.last - 1].last; ++e) {
     if (mesh.isAxis(e))
       continue;
@@ -124,7 +120,7 @@ void RingGroups::sumElements(const std::vector<LocalField>& fields,
         gaussLegendre(farOrder(element.curve.angle(),
                                1 + (ofPlaces - 1) * group.radius / element.half) +
                       degreeShare(std::max(element.degree, element.densities)));
-    addEnds(fields, e, group);
+    addEnds(values, e, group);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
       const double weight = element.half * rule.weights[at(q)];
@@ -132,9 +128,9 @@ void RingGroups::sumElements(const std::vector<LocalField>& fields,
       const Vec2 tangent = element.curve.tangent(t);
       all.places.push_back({place.x, place.y, tangent.x, tangent.y, place.x});
       for (std::size_t state = 0; state < states_; ++state) {
-        const LocalField& field = fields[at(e) * states_ + state];
-        all.forces.push_back(weight * evaluate(field.density, element.densities - 1, t));
-        all.displacements.push_back(weight * evaluate(field.value, element.degree, t));
+        const Value value = values(e, t, state);
+        all.forces.push_back(weight * value.force);
+        all.displacements.push_back(weight * value.displacement);
       }
     }
   }
@@ -152,7 +148,7 @@ void RingGroups::sumElements(const std::vector<LocalField>& fields,
   // both components of a place or a force; surfaces weighted by their radii
   Matrix system(2 * places, 2 * forces);
   Matrix right(2 * places, static_cast<Index>(states_));
-  RingSources one;
+  RingPointSources one;
   const InstructionSet set = largestInstructionSet();
   std::vector<AlignedLane> sums;
   for (int first = 0; first < places; first += lanes) {

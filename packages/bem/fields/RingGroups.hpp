@@ -2,15 +2,15 @@
 
 #include "bem/fields/RunGroups.hpp"
 #include "bem/moments/RingKernels.hpp"
-#include "bem/space/LocalField.hpp"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace epafi::bem {
 
 /// Points of rings that act on others: in some states, those of a point contiguous.
-struct RingSources {
+struct RingPointSources {
   /// Place, tangent and radius: FarBlocks::inner_.
   std::vector<std::array<double, 5>> places{};
   std::vector<Complex> forces{};         ///< ψ ds
@@ -27,8 +27,8 @@ struct alignas(64) RingTargets {
 
 /// Of RingGroups.
 struct RingGroup : RunGroup {
-  RingSources circle;  ///< forces
-  RingSources ends;    ///< displacements where its elements end
+  RingPointSources circle;  ///< forces
+  RingPointSources ends;    ///< displacements where its elements end
 };
 
 /// What groups of elements of a solid of revolution do to what is far: forces on a circle around them
@@ -37,18 +37,23 @@ struct RingGroup : RunGroup {
 /// ends do.                                              [doc/theory/axisymmetric.md, Groups]
 class RingGroups : public RunGroups<RingGroup> {
  public:
-  /// Refers to the runs.
-  /// \param fields  elements x states, states contiguous
-  /// \param smallest  runs of a group
-  RingGroups(const ElementRuns& runs, const Lame& lame,
-             const std::vector<LocalField>& fields, std::size_t states, int smallest);
+  /// ψ and u of a state at a point of an element.
+  struct Value {
+    Complex force;
+    Complex displacement;
+  };
+  using Values = std::function<Value(int element, double t, std::size_t state)>;
+
+  /// Refers to the runs.  \param smallest  see RunGroups
+  RingGroups(const ElementRuns& runs, const Lame& lame, const Values& values,
+             std::size_t states, int smallest);
 
   /// V ψ - K u and the traction W u + K' ψ of a group: of each state four packs, r and z of both.
   void add(const RingGroup& group, const RingTargets& targets, AlignedLane* to) const;
 
  private:
-  void addEnds(const std::vector<LocalField>& fields, int e, RingGroup& group) const;
-  void sumElements(const std::vector<LocalField>& fields, RingGroup& group) const;
+  void addEnds(const Values& values, int e, RingGroup& group) const;
+  void sumElements(const Values& values, RingGroup& group) const;
 
   RingLame lame_;
   std::size_t states_;
