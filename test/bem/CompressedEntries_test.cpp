@@ -24,9 +24,7 @@ using test::largest;
 
 TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
   for (const CompressedSample& sample : compressedSamples())
-    for (const auto& kernel :
-         {bem::elasticKernel(sample.mesh.outline(), bem::Lame({1, sample.nu, false})),
-          bem::laplaceKernel()}) {
+    for (const auto& kernel : kernelsOf(sample)) {
       const bem::Space space(sample.mesh, kernel->components());
       const Matrix z = wholeSystem(space, *kernel);
       // V and W by their lower triangles
