@@ -13,16 +13,16 @@ namespace epafi::bem {
 namespace {
 
 // In radii of a group: modes of its field that 64 points do not tell apart are 1e-13 of it there.
-constexpr double ofForces = 1.1;
-constexpr double ofPlaces = 2.4;
+constexpr double toForces = 1.1;
+constexpr double toPlaces = 2.4;
 constexpr int forcesAround = 64;
 constexpr int placesAround = 80;
 
-/// What sources do.
-enum class Does { Displace, DisplaceByBoth, DisplaceAndPull, Jump };
+/// Of sources.
+enum Sums { ofForces = 1, ofDisplacements = 2, ofJumps = 4, withTractions = 8 };
 
-/// Adds it, of each state.
-template <Does Wanted>
+/// Adds what sources do, of each state.
+template <int Wanted>
 struct Summation {
   const RingLame& lame;
   const RingPointSources& sources;
@@ -42,30 +42,43 @@ struct Summation {
       g.template evaluate<How>(lame, x - source[0], y - source[1], tx, ty, x, source);
       for (std::size_t state = 0; state < states; ++state) {
         AlignedLane* own = to + 4 * state;
-        if (Wanted != Does::Jump)
-          addProduct(-1, sources.forces[k * states + state], g.v, own);
-        if (Wanted == Does::DisplaceAndPull)
-          addProduct(1, sources.forces[k * states + state], g.t, own + 2);
-        if (Wanted == Does::DisplaceByBoth)
-          addProduct(-1, sources.displacements[k * states + state], g.k, own);
-        if (Wanted == Does::Jump) {
-          const Complex& jump = sources.displacements[k * states + state];
-          addProduct(-1, jump, g.jumpK, own);
-          addProduct(1, jump, g.jumpW, own + 2);
-        }
+        if constexpr ((Wanted & ofForces) != 0)
+          addProducts(-1, sources.forces[k * states + state], g.v, g.t, own);
+        if constexpr ((Wanted & ofDisplacements) != 0)
+          addProducts(-1, sources.displacements[k * states + state], g.k, g.w, own);
+        if constexpr ((Wanted & ofJumps) != 0)
+          addProducts(-1, sources.displacements[k * states + state], g.jumpK, g.jumpW,
+                      own);
       }
     }
   }
 
  private:
-  EPAFI_INLINE static void addProduct(double sign, const Complex& f,
-                                      const Pack (&entries)[4], AlignedLane* to) {
-    const double r = sign * f.real();
-    const double z = sign * f.imag();
-    bem::add(to[0].lane, r * entries[0] + z * entries[2]);
-    bem::add(to[1].lane, r * entries[1] + z * entries[3]);
+  EPAFI_INLINE static void addProducts(double sign, const Complex& f,
+                                       const Pack (&moves)[4], const Pack (&pulls)[4],
+                                       AlignedLane* to) {
+    addProduct(sign * f, moves, to);
+    if constexpr ((Wanted & withTractions) != 0)
+      addProduct(f, pulls, to + 2);
+  }
+  EPAFI_INLINE static void addProduct(const Complex& f, const Pack (&entries)[4],
+                                      AlignedLane* to) {
+    bem::add(to[0].lane, f.real() * entries[0] + f.imag() * entries[2]);
+    bem::add(to[1].lane, f.real() * entries[1] + f.imag() * entries[3]);
   }
 };
+
+/// Displacements n (1 - t²) of a straight piece along the axis.
+RingPointSources swellingOf(Vec2 middle, double half) {
+  RingPointSources sources;
+  const Rule& rule = gaussLegendre(lanes);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double t = rule.points[q];
+    sources.places.push_back({middle.x, middle.y + half * t, 0, 1, middle.x});
+    sources.displacements.push_back(half * rule.weights[q] * (1 - t * t));
+  }
+  return sources;
+}
 
 /// Of a whole circle's points those of an arc, packs of eight.
 int pointsOn(const RingCircle& circle, int ofCircle) {
@@ -78,8 +91,12 @@ int pointsOn(const RingCircle& circle, int ofCircle) {
 void RingGroups::add(const RingGroup& group, const RingTargets& targets,
                      AlignedLane* to) const {
   const InstructionSet set = largestInstructionSet();
-  dispatch(set, Summation<Does::DisplaceAndPull>{lame_, group.circle, targets, states_, to});
-  dispatch(set, Summation<Does::Jump>{lame_, group.ends, targets, states_, to});
+  dispatch(set, Summation<ofForces | withTractions>{lame_, group.circle, targets, states_,
+                                                    to});
+  dispatch(set, Summation<ofDisplacements | withTractions>{lame_, group.swelling, targets,
+                                                           states_, to});
+  dispatch(set,
+           Summation<ofJumps | withTractions>{lame_, group.ends, targets, states_, to});
 }
 
 RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame,
@@ -110,7 +127,7 @@ void RingGroups::addEnds(const Values& values, int e, RingGroup& group) const {
 
 void RingGroups::sumElements(const Values& values, RingGroup& group) const {
   const Mesh& mesh = runs_.mesh();
-  const double distance = ofPlaces * group.radius;
+  const double distance = toPlaces * group.radius;
   RingPointSources all;
   for (int e = runs_[group.first].first; e < runs_[group.last - 1].last; ++e) {
     if (mesh.isAxis(e))
@@ -118,7 +135,7 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
     const Element& element = mesh[e];
     const Rule& rule =
         gaussLegendre(farOrder(element.curve.angle(),
-                               1 + (ofPlaces - 1) * group.radius / element.half) +
+                               1 + (toPlaces - 1) * group.radius / element.half) +
                       degreeShare(std::max(element.degree, element.densities)));
     addEnds(values, e, group);
     for (int q = 0; q < rule.size(); ++q) {
@@ -135,7 +152,7 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
     }
   }
   const RingCircle outer{group.centre.real(), distance};
-  const RingCircle inner{group.centre.real(), ofForces * group.radius};
+  const RingCircle inner{group.centre.real(), toForces * group.radius};
   const int places = pointsOn(outer, placesAround);
   const int forces = pointsOn(inner, forcesAround);
   const auto placeOn = [&](const RingCircle& circle, int k, int count) {
@@ -146,7 +163,9 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
     group.circle.places.push_back({y.real(), y.imag(), 0, 0, y.real()});
   }
   // both components of a place or a force; surfaces weighted by their radii
-  Matrix system(2 * places, 2 * forces);
+  group.swelling = swellingOf({outer.middle + inner.radius, group.centre.imag()},
+                              group.halfOfPiece());
+  Matrix system(2 * places, 2 * forces + 1);
   Matrix right(2 * places, static_cast<Index>(states_));
   RingPointSources one;
   const InstructionSet set = largestInstructionSet();
@@ -171,27 +190,37 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
       for (int c = 0; c < 2; ++c) {
         one.forces = {c == 0 ? Complex(1, 0) : Complex(0, 1)};
         sums.assign(4, {});
-        dispatch(set, Summation<Does::Displace>{lame_, one, targets, 1, sums.data()});
+        dispatch(set, Summation<ofForces>{lame_, one, targets, 1, sums.data()});
         take(system, 2 * k + c, scale, sums.data());
       }
     }
+    sums.assign(4, {});
+    dispatch(set,
+             Summation<ofDisplacements>{lame_, group.swelling, targets, 1, sums.data()});
+    take(system, 2 * forces, 1 / std::sqrt(group.radius), sums.data());
     sums.assign(4 * states_, {});
     dispatch(set,
-             Summation<Does::DisplaceByBoth>{lame_, all, targets, states_, sums.data()});
+             Summation<ofForces | ofDisplacements>{lame_, all, targets, states_, sums.data()});
     for (std::size_t state = 0; state < states_; ++state)
       take(right, static_cast<Index>(state), 1, &sums[4 * state]);
   }
   // forces in the hole of a ring do nothing that others do not
   constexpr double dependent = 1e-13;
   right = leastSquares(std::move(system), std::move(right), dependent).x;
-  group.circle.forces.resize(at(forces) * states_);
-  for (int k = 0; k < forces; ++k) {
-    const double scale = 1 / std::sqrt(group.circle.places[at(k)][0]);
+  for (int k = 0; k < forces; ++k)
     for (std::size_t state = 0; state < states_; ++state)
-      group.circle.forces[at(k) * states_ + state] =
-          scale * Complex(right(2 * k, static_cast<Index>(state)),
-                          right(2 * k + 1, static_cast<Index>(state)));
-  }
+      group.circle.forces.push_back(
+          1 / std::sqrt(group.circle.places[at(k)][0]) *
+          Complex(right(2 * k, static_cast<Index>(state)),
+                  right(2 * k + 1, static_cast<Index>(state))));
+  for (std::size_t state = 0; state < states_; ++state)
+    group.swelled.push_back(right(2 * forces, static_cast<Index>(state)) /
+                            std::sqrt(group.radius));
+  const std::vector<Complex> unit = std::move(group.swelling.displacements);
+  group.swelling.displacements.clear();
+  for (const Complex& u : unit)
+    for (const double size : group.swelled)
+      group.swelling.displacements.push_back(size * u);
 }
 
 }  // namespace epafi::bem

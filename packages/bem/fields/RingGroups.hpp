@@ -28,12 +28,17 @@ struct alignas(64) RingTargets {
 /// Of RingGroups.
 struct RingGroup : RunGroup {
   RingPointSources circle;  ///< forces
-  RingPointSources ends;    ///< displacements where its elements end
+  /// Displacements of eight Gauss points of a piece, n (1 - t²) times a number, for what forces cannot do
+  /// at ν = 1/2: change a volume.
+  RingPointSources swelling;
+  std::vector<double> swelled;  ///< the number, of each state
+  double halfOfPiece() const { return 0.25 * radius; }
+  RingPointSources ends;        ///< displacements where its elements end
 };
 
 /// What groups of elements of a solid of revolution do to what is far: forces on a circle around them
 /// (from axis to axis where it meets that), which move the places of a wider circle as the elements do, by least
-/// squares.  K and W by parts, as of the elements that are near, are more by what jumps of u where a group
+/// squares, beside them one that changes the volume inside.  K and W by parts, as of the elements that are near, are more by what jumps of u where a group
 /// ends do.                                              [doc/theory/axisymmetric.md, Groups]
 class RingGroups : public RunGroups<RingGroup> {
  public:

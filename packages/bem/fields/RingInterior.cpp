@@ -240,6 +240,11 @@ void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
   const double shares[] = {1, -uniform.radial, uniform.axial * uniform.height - uniform.start};
   const RingLame lame(lame_);
   const Uniform none;
+  const auto addPoints = [&](const Sources& eight) {
+    dispatch(largestInstructionSet(),
+             Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
+                                             4 * lame_.mu * lame_.nu, none, sum});
+  };
   const auto addAll = [&](const RingPointSources& from, const std::vector<Complex>& values,
                           ComplexLanes Sources::*what) {
     for (std::size_t first = 0; first < from.places.size(); first += lanes) {
@@ -254,12 +259,26 @@ void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
           value += shares[state] * values[k * std::size(shares) + state];
         (eight.*what).set(lane, value);
       }
-      dispatch(largestInstructionSet(),
-               Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
-                                               4 * lame_.mu * lame_.nu, none, sum});
+      addPoints(eight);
     }
   };
   addAll(group.circle, group.circle.forces, &Sources::density);
+  Sources piece;
+  const Rule& rule = gaussLegendre(lanes);
+  const double half = group.halfOfPiece();
+  double size = 0;
+  for (std::size_t state = 0; state < std::size(shares); ++state)
+    size += shares[state] * group.swelled[state];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const double t = rule.points[bem::at(lane)];
+    const auto& place = group.swelling.places[bem::at(lane)];
+    piece.weight.lane[lane] = half * rule.weights[bem::at(lane)];
+    piece.place.set(lane, {place[0], place[1]});
+    piece.tangent.set(lane, {0, 1});
+    piece.value.set(lane, size * (1 - t * t));
+    piece.slope.set(lane, -2 * t / half * size);
+  }
+  addPoints(piece);
   addAll(group.ends, group.ends.displacements, &Sources::slope);
 }
 
