@@ -470,13 +470,12 @@ TEUCHOS_UNIT_TEST(Rings, giveQuadraticDisplacementsInside) {
 }
 
 TEUCHOS_UNIT_TEST(Rings, giveQuadraticDisplacementsOfLargeMeshesByGroups) {
-  for (const Sample& sample : largeSamples())
-    for (const double nu : {0.3, 0.5}) {
-      const Quadratic exact(sample.mesh, nu);
-      out << sample.name << ", nu = " << nu << ": ";
-      TEST_COMPARE(exact.errorInside(0.1), <, 1e-11);
-      TEST_COMPARE(exact.errorOnSurface(), <, 1e-9);
-    }
+  for (const Sample& sample : largeSamples()) {
+    const Quadratic exact(sample.mesh, 0.5);
+    out << sample.name << ": ";
+    TEST_COMPARE(exact.errorInside(0.1), <, 1e-11);
+    TEST_COMPARE(exact.errorOnSurface(), <, 1e-9);
+  }
 }
 
 // Lame's solution: hoop stress, too

@@ -83,7 +83,7 @@ class Result:
 def makes_sense(level, scene):
     """Bonds may pull."""
     # pairs may not touch yet: their energy is rounding
-    least = -NOTHING * scene.energy if hasattr(scene, "wrong") else 0
+    least = -getattr(scene, "nothing", NOTHING) * scene.energy if hasattr(scene, "wrong") else 0
     return level["energy_strain"] >= least and level["energy_friction"] >= 0 and (
         "Tied" in scene.laws or level["force_normal"] >= 0)
 
