@@ -61,8 +61,7 @@ std::shared_ptr<const bem::Outline> solid(const bem::Loop& loop) {
 bem::Loop bowl() { return polygon({{0, 1.5}, {0, 0}, {1, 0.3}, {1.2, 1.2}}); }
 
 bem::Loop hollowBall() {
-  bem::Loop loop =
-      polygon({{0, 2}, {0, 1}, {1, 0}, {0, -1}, {0, -2}, {2, 0}});
+  bem::Loop loop = polygon({{0, 2}, {0, 1}, {1, 0}, {0, -1}, {0, -2}, {2, 0}});
   const double quarter = std::tan(std::acos(-1.0) / 8);
   loop.bulges = {0, -quarter, -quarter, 0, quarter, quarter};
   return loop;

@@ -344,8 +344,7 @@ class Builder {
     const Unknown& u = out_.unknowns[unknown];
     const int i = u.local - LocalFunctions(space_, u.element).displacements;
     const bool isConstant = i >= 0 && i < space_.components();
-    return {isConstant ? i : 0,
-            isConstant ? 2 * space_.mesh().measure(u.element, 0) : 0};
+    return {isConstant ? i : 0, isConstant ? 2 * space_.mesh().measure(u.element, 0) : 0};
   }
 
   /// Does an unknown's function reach into the circle of radius r around a cluster?

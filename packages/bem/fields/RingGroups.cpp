@@ -99,8 +99,8 @@ void RingGroups::add(const RingGroup& group, const RingTargets& targets,
            Summation<ofJumps | withTractions>{lame_, group.ends, targets, states_, to});
 }
 
-RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame,
-                       const Values& values, std::size_t states, int smallest)
+RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame, const Values& values,
+                       std::size_t states, int smallest)
     : RunGroups(runs, smallest), lame_(lame), states_(states) {
   constexpr double ofElement = 1e4;  // ns
   const auto size = static_cast<Index>(groups_.size());
@@ -120,8 +120,8 @@ void RingGroups::addEnds(const Values& values, int e, RingGroup& group) const {
     const Vec2 place = mesh[e].curve.point(end);
     group.ends.places.push_back({place.x, place.y, 0, 0, place.x});
     for (std::size_t state = 0; state < states_; ++state)
-      group.ends.displacements.push_back(
-          static_cast<double>(end) * values(e, end, state).displacement);
+      group.ends.displacements.push_back(static_cast<double>(end) *
+                                         values(e, end, state).displacement);
   }
 }
 
@@ -163,8 +163,8 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
     group.circle.places.push_back({y.real(), y.imag(), 0, 0, y.real()});
   }
   // both components of a place or a force; surfaces weighted by their radii
-  group.swelling = swellingOf({outer.middle + inner.radius, group.centre.imag()},
-                              group.halfOfPiece());
+  group.swelling =
+      swellingOf({outer.middle + inner.radius, group.centre.imag()}, group.halfOfPiece());
   Matrix system(2 * places, 2 * forces + 1);
   Matrix right(2 * places, static_cast<Index>(states_));
   RingPointSources one;
@@ -182,7 +182,8 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
     const auto take = [&](Matrix& to, Index column, double scale, const AlignedLane* by) {
       for (int lane = 0; lane < lanes; ++lane)
         for (int c = 0; c < 2; ++c)
-          to(2 * (first + lane) + c, column) = scale * scales[at(lane)] * by[c].lane[lane];
+          to(2 * (first + lane) + c, column) =
+              scale * scales[at(lane)] * by[c].lane[lane];
     };
     for (int k = 0; k < forces; ++k) {
       one.places = {group.circle.places[at(k)]};
@@ -199,8 +200,8 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
              Summation<ofDisplacements>{lame_, group.swelling, targets, 1, sums.data()});
     take(system, 2 * forces, 1 / std::sqrt(group.radius), sums.data());
     sums.assign(4 * states_, {});
-    dispatch(set,
-             Summation<ofForces | ofDisplacements>{lame_, all, targets, states_, sums.data()});
+    dispatch(set, Summation<ofForces | ofDisplacements>{lame_, all, targets, states_,
+                                                        sums.data()});
     for (std::size_t state = 0; state < states_; ++state)
       take(right, static_cast<Index>(state), 1, &sums[4 * state]);
   }
@@ -209,10 +210,9 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
   right = leastSquares(std::move(system), std::move(right), dependent).x;
   for (int k = 0; k < forces; ++k)
     for (std::size_t state = 0; state < states_; ++state)
-      group.circle.forces.push_back(
-          1 / std::sqrt(group.circle.places[at(k)][0]) *
-          Complex(right(2 * k, static_cast<Index>(state)),
-                  right(2 * k + 1, static_cast<Index>(state))));
+      group.circle.forces.push_back(1 / std::sqrt(group.circle.places[at(k)][0]) *
+                                    Complex(right(2 * k, static_cast<Index>(state)),
+                                            right(2 * k + 1, static_cast<Index>(state))));
   for (std::size_t state = 0; state < states_; ++state)
     group.swelled.push_back(right(2 * forces, static_cast<Index>(state)) /
                             std::sqrt(group.radius));

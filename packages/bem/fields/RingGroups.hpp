@@ -33,7 +33,7 @@ struct RingGroup : RunGroup {
   RingPointSources swelling;
   std::vector<double> swelled;  ///< the number, of each state
   double halfOfPiece() const { return 0.25 * radius; }
-  RingPointSources ends;        ///< displacements where its elements end
+  RingPointSources ends;  ///< displacements where its elements end
 };
 
 /// What groups of elements of a solid of revolution do to what is far: forces on a circle around them

@@ -237,7 +237,8 @@ void RingInterior::add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const {
 
 void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
                        Sum& sum) const {
-  const double shares[] = {1, -uniform.radial, uniform.axial * uniform.height - uniform.start};
+  const double shares[] = {1, -uniform.radial,
+                           uniform.axial * uniform.height - uniform.start};
   const RingLame lame(lame_);
   const Uniform none;
   const auto addPoints = [&](const Sources& eight) {
@@ -245,7 +246,8 @@ void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
              Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
                                              4 * lame_.mu * lame_.nu, none, sum});
   };
-  const auto addAll = [&](const RingPointSources& from, const std::vector<Complex>& values,
+  const auto addAll = [&](const RingPointSources& from,
+                          const std::vector<Complex>& values,
                           ComplexLanes Sources::*what) {
     for (std::size_t first = 0; first < from.places.size(); first += lanes) {
       Sources eight;
@@ -303,18 +305,18 @@ std::vector<InteriorValue> RingInterior::at(const std::vector<Vec2>& points) con
   constexpr std::size_t few = 64;  // groups cost what these do in all elements one by one
   constexpr int smallest = 8;
   const ElementRuns runs(mesh_);
-  const RingGroups groups =
-      groupsOf(runs, points.size() > few ? smallest : mesh_.size());
+  const RingGroups groups = groupsOf(runs, points.size() > few ? smallest : mesh_.size());
   std::vector<InteriorValue> values(points.size());
   constexpr double ofElement = 200;  // ns
-  parallelFor({static_cast<Index>(points.size()),
-               ofElement * static_cast<double>(points.size()) * mesh_.size()},
-              [&](Index k) { values[bem::at(k)] = at(points[bem::at(k)], runs, groups); });
+  parallelFor(
+      {static_cast<Index>(points.size()),
+       ofElement * static_cast<double>(points.size()) * mesh_.size()},
+      [&](Index k) { values[bem::at(k)] = at(points[bem::at(k)], runs, groups); });
   return values;
 }
 
 InteriorValue RingInterior::at(Vec2 x, const ElementRuns& runs,
-                                const RingGroups& groups) const {
+                               const RingGroups& groups) const {
   constexpr double close = 1e-5;  // to the axis, where u_r/ρ is du_r/dρ
   const Uniform uniform = uniformNear(x);
   Sum sum;

@@ -45,7 +45,8 @@ class RunGroups {
   }
 
   const ElementRuns& runs_;
-  std::vector<Group> groups_;  ///< the first one is the whole mesh, which nothing is far from
+  std::vector<Group>
+      groups_;  ///< the first one is the whole mesh, which nothing is far from
 
  private:
   template <class Far, class Near>

@@ -19,8 +19,7 @@ EPAFI_INLINE RingDual operator-(const RingDual& a, const RingDual& b) {
   return {a.value - b.value, a.x - b.x, a.y - b.y, a.xy - b.xy};
 }
 EPAFI_INLINE RingDual operator*(const RingDual& a, const RingDual& b) {
-  return {a.value * b.value, a.value * b.x + a.x * b.value,
-          a.value * b.y + a.y * b.value,
+  return {a.value * b.value, a.value * b.x + a.x * b.value, a.value * b.y + a.y * b.value,
           a.value * b.xy + a.x * b.y + (a.y * b.x + a.xy * b.value)};
 }
 EPAFI_INLINE RingDual operator*(double s, const RingDual& a) {
@@ -70,8 +69,8 @@ EPAFI_INLINE void ringSlopes(const RingPair& at, RingSlopes& to) {
   // of m₁ = a/(a + b), without a difference where one of them is small
   const Pack m1x = u * (m * a.x - m1 * b.x);
   const Pack m1y = u * (m * a.y - m1 * b.y);
-  const Pack m1xy = u * (m * a.xy - m1 * b.xy + u * (b.y * a.x - a.y * b.x) -
-                         2.0 * m1x * square.y);
+  const Pack m1xy =
+      u * (m * a.xy - m1 * b.xy + u * (b.y * a.x - a.y * b.x) - 2.0 * m1x * square.y);
   const Pack mxy2 = m1x * m1y;
   Pack log;
   logarithm(m1, log);
@@ -116,8 +115,8 @@ EPAFI_INLINE void ringSlopes(const RingPair& at, RingSlopes& to) {
   const Pack oo = o * o;
   const RingDual g1 = inverse * of(m * o * cosine, oo * cosine + 0.5 * m * o * s,
                                    oo * (2.0 * o * cosine + s) + 0.5 * m * o * s1);
-  const RingDual g2 = inverse * of(m * sine, sine + m * sineSlope,
-                                   2.0 * sineSlope + m * sineBend);
+  const RingDual g2 =
+      inverse * of(m * sine, sine + m * sineSlope, 2.0 * sineSlope + m * sineBend);
   const RingDual sums = g1 + g2;
   const RingDual wr{dr, txr, -tyr, zero};
   const RingDual wz{dz, txz, -tyz, zero};

@@ -118,8 +118,8 @@ class FarBlocks {
   Entries entries_;
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
-  int columns_ = 0;                      ///< functions on the trial element, or sums
-  ElementLanes tests_{};                 ///< wx, wy: Test::offset
+  int columns_ = 0;                 ///< functions on the trial element, or sums
+  ElementLanes tests_{};            ///< wx, wy: Test::offset
   std::vector<AlignedLane> outer_;  ///< at each point: position, tangent, a ring's radius
   static constexpr int outerSize = 5;
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
