@@ -17,7 +17,7 @@ struct RingPointSources {
   std::vector<Complex> displacements{};  ///< u ds, or jumps of u
 };
 
-/// Eight points of rings, their tangents, and what acts there, times 2πr.
+/// Eight points of rings and their tangents; what acts there is times 2πr.
 struct alignas(64) RingTargets {
   AlignedLane x;
   AlignedLane y;
@@ -32,14 +32,15 @@ struct RingGroup : RunGroup {
   /// at ν = 1/2: change a volume.
   RingPointSources swelling;
   std::vector<double> swelled;  ///< the number, of each state
+  RingPointSources ends;        ///< displacements where its elements end
+
   double halfOfPiece() const { return 0.25 * radius; }
-  RingPointSources ends;  ///< displacements where its elements end
 };
 
-/// What groups of elements of a solid of revolution do to what is far: forces on a circle around them
-/// (from axis to axis where it meets that), which move the places of a wider circle as the elements do, by least
-/// squares, beside them one that changes the volume inside.  K and W by parts, as of the elements that are near, are more by what jumps of u where a group
-/// ends do.                                              [doc/theory/axisymmetric.md, Groups]
+/// What groups of elements of a solid of revolution do to what is far: forces on a circle around them (from
+/// axis to axis where it meets that), and a piece that changes the volume inside, which move the places of a
+/// wider circle as the elements do, by least squares.  K and W by parts, as of elements that are near, are
+/// more by what jumps of u where a group ends do.        [doc/theory/axisymmetric.md, Groups]
 class RingGroups : public RunGroups<RingGroup> {
  public:
   /// ψ and u of a state at a point of an element.
