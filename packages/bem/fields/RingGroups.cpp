@@ -19,7 +19,7 @@ constexpr int forcesAround = 64;
 constexpr int placesAround = 80;
 
 /// Of sources.
-enum Sums { ofForces = 1, ofDisplacements = 2, ofJumps = 4, withTractions = 8 };
+enum Sums { OfForces = 1, OfDisplacements = 2, OfJumps = 4, WithTractions = 8 };
 
 /// Adds what sources do, of each state.
 template <int Wanted>
@@ -42,11 +42,11 @@ struct Summation {
       g.template evaluate<How>(lame, x - source[0], y - source[1], tx, ty, x, source);
       for (std::size_t state = 0; state < states; ++state) {
         AlignedLane* own = to + 4 * state;
-        if constexpr ((Wanted & ofForces) != 0)
+        if constexpr ((Wanted & OfForces) != 0)
           addProducts(-1, sources.forces[k * states + state], g.v, g.t, own);
-        if constexpr ((Wanted & ofDisplacements) != 0)
+        if constexpr ((Wanted & OfDisplacements) != 0)
           addProducts(-1, sources.displacements[k * states + state], g.k, g.w, own);
-        if constexpr ((Wanted & ofJumps) != 0)
+        if constexpr ((Wanted & OfJumps) != 0)
           addProducts(-1, sources.displacements[k * states + state], g.jumpK, g.jumpW,
                       own);
       }
@@ -58,7 +58,7 @@ struct Summation {
                                        const Pack (&moves)[4], const Pack (&pulls)[4],
                                        AlignedLane* to) {
     addProduct(sign * f, moves, to);
-    if constexpr ((Wanted & withTractions) != 0)
+    if constexpr ((Wanted & WithTractions) != 0)
       addProduct(f, pulls, to + 2);
   }
   EPAFI_INLINE static void addProduct(const Complex& f, const Pack (&entries)[4],
@@ -75,7 +75,7 @@ RingPointSources swellingOf(Vec2 middle, double half) {
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
     sources.places.push_back({middle.x, middle.y + half * t, 0, 1, middle.x});
-    sources.displacements.push_back(half * rule.weights[q] * (1 - t * t));
+    sources.displacements.emplace_back(half * rule.weights[q] * (1 - t * t));
   }
   return sources;
 }
@@ -86,17 +86,59 @@ int pointsOn(const RingCircle& circle, int ofCircle) {
   return lanes * static_cast<int>(std::ceil(circle.end() / pi * ofCircle / lanes));
 }
 
+Complex placeOn(const RingCircle& circle, double height, int k, int count) {
+  return Complex(circle.middle, height) +
+         std::polar(circle.radius, circle.angle(k, count));
+}
+
+/// What sources do at places of a circle, both components of each, weighted on its surface.
+class Places {
+ public:
+  Places(const RingLame& lame, const RingCircle& circle, double height, int count)
+      : lame_(lame), count_(count), packs_(at(count / lanes)) {
+    for (int k = 0; k < count; ++k) {
+      const Complex x = placeOn(circle, height, k, count);
+      packs_[at(k / lanes)].x.lane[k % lanes] = x.real();
+      packs_[at(k / lanes)].y.lane[k % lanes] = x.imag();
+    }
+  }
+
+  Index rows() const { return 2 * count_; }
+  /// Sets a column for each state, times a number.
+  template <int Wanted>
+  void put(const RingPointSources& from, std::size_t states, double scale, Matrix& to,
+           Index column) const {
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+      std::vector<AlignedLane> sums(4 * states);
+      dispatch(largestInstructionSet(),
+               Summation<Wanted>{lame_, from, packs_[p], states, sums.data()});
+      for (std::size_t state = 0; state < states; ++state)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+          for (std::size_t c = 0; c < 2; ++c)
+            to(static_cast<Index>(2 * (lanes * p + lane) + c),
+               column + static_cast<Index>(state)) = scale /
+                                                     std::sqrt(packs_[p].x.lane[lane]) *
+                                                     sums[4 * state + c].lane[lane];
+    }
+  }
+
+ private:
+  const RingLame& lame_;
+  Index count_;
+  std::vector<RingTargets> packs_;
+};
+
 }  // namespace
 
 void RingGroups::add(const RingGroup& group, const RingTargets& targets,
                      AlignedLane* to) const {
   const InstructionSet set = largestInstructionSet();
-  dispatch(set, Summation<ofForces | withTractions>{lame_, group.circle, targets, states_,
+  dispatch(set, Summation<OfForces | WithTractions>{lame_, group.circle, targets, states_,
                                                     to});
-  dispatch(set, Summation<ofDisplacements | withTractions>{lame_, group.swelling, targets,
+  dispatch(set, Summation<OfDisplacements | WithTractions>{lame_, group.swelling, targets,
                                                            states_, to});
   dispatch(set,
-           Summation<ofJumps | withTractions>{lame_, group.ends, targets, states_, to});
+           Summation<OfJumps | WithTractions>{lame_, group.ends, targets, states_, to});
 }
 
 RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame, const Values& values,
@@ -125,9 +167,9 @@ void RingGroups::addEnds(const Values& values, int e, RingGroup& group) const {
   }
 }
 
-void RingGroups::sumElements(const Values& values, RingGroup& group) const {
+RingPointSources RingGroups::pointsOf(const Values& values,
+                                      const RingGroup& group) const {
   const Mesh& mesh = runs_.mesh();
-  const double distance = toPlaces * group.radius;
   RingPointSources all;
   for (int e = runs_[group.first].first; e < runs_[group.last - 1].last; ++e) {
     if (mesh.isAxis(e))
@@ -137,7 +179,6 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
         gaussLegendre(farOrder(element.curve.angle(),
                                1 + (toPlaces - 1) * group.radius / element.half) +
                       degreeShare(std::max(element.degree, element.densities)));
-    addEnds(values, e, group);
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[at(q)];
       const double weight = element.half * rule.weights[at(q)];
@@ -151,71 +192,48 @@ void RingGroups::sumElements(const Values& values, RingGroup& group) const {
       }
     }
   }
-  const RingCircle outer{group.centre.real(), distance};
+  return all;
+}
+
+void RingGroups::sumElements(const Values& values, RingGroup& group) const {
+  for (int e = runs_[group.first].first; e < runs_[group.last - 1].last; ++e)
+    if (!runs_.mesh().isAxis(e))
+      addEnds(values, e, group);
+  const double height = group.centre.imag();
+  const RingCircle outer{group.centre.real(), toPlaces * group.radius};
   const RingCircle inner{group.centre.real(), toForces * group.radius};
-  const int places = pointsOn(outer, placesAround);
   const int forces = pointsOn(inner, forcesAround);
-  const auto placeOn = [&](const RingCircle& circle, int k, int count) {
-    return group.centre + std::polar(circle.radius, circle.angle(k, count));
-  };
   for (int k = 0; k < forces; ++k) {
-    const Complex y = placeOn(inner, k, forces);
+    const Complex y = placeOn(inner, height, k, forces);
     group.circle.places.push_back({y.real(), y.imag(), 0, 0, y.real()});
   }
-  // both components of a place or a force; surfaces weighted by their radii
-  group.swelling =
-      swellingOf({outer.middle + inner.radius, group.centre.imag()}, group.halfOfPiece());
-  Matrix system(2 * places, 2 * forces + 1);
-  Matrix right(2 * places, static_cast<Index>(states_));
-  RingPointSources one;
-  const InstructionSet set = largestInstructionSet();
-  std::vector<AlignedLane> sums;
-  for (int first = 0; first < places; first += lanes) {
-    RingTargets targets{};
-    Vector scales;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const Complex x = placeOn(outer, first + lane, places);
-      targets.x.lane[lane] = x.real();
-      targets.y.lane[lane] = x.imag();
-      scales.push_back(1 / std::sqrt(x.real()));
+  group.swelling = swellingOf({inner.middle + inner.radius, height}, group.halfOfPiece());
+
+  const Places places(lame_, outer, height, pointsOn(outer, placesAround));
+  Matrix system(places.rows(), 2 * forces + 1);
+  Matrix right(places.rows(), static_cast<Index>(states_));
+  const auto scaleOf = [&](int k) {
+    return 1 / std::sqrt(group.circle.places[at(k)][0]);
+  };
+  for (int k = 0; k < forces; ++k)
+    for (int c = 0; c < 2; ++c) {
+      const RingPointSources one{{group.circle.places[at(k)]},
+                                 {c == 0 ? Complex(1, 0) : Complex(0, 1)}};
+      places.put<OfForces>(one, 1, scaleOf(k), system, 2 * k + c);
     }
-    const auto take = [&](Matrix& to, Index column, double scale, const AlignedLane* by) {
-      for (int lane = 0; lane < lanes; ++lane)
-        for (int c = 0; c < 2; ++c)
-          to(2 * (first + lane) + c, column) =
-              scale * scales[at(lane)] * by[c].lane[lane];
-    };
-    for (int k = 0; k < forces; ++k) {
-      one.places = {group.circle.places[at(k)]};
-      const double scale = 1 / std::sqrt(one.places[0][0]);
-      for (int c = 0; c < 2; ++c) {
-        one.forces = {c == 0 ? Complex(1, 0) : Complex(0, 1)};
-        sums.assign(4, {});
-        dispatch(set, Summation<ofForces>{lame_, one, targets, 1, sums.data()});
-        take(system, 2 * k + c, scale, sums.data());
-      }
-    }
-    sums.assign(4, {});
-    dispatch(set,
-             Summation<ofDisplacements>{lame_, group.swelling, targets, 1, sums.data()});
-    take(system, 2 * forces, 1 / std::sqrt(group.radius), sums.data());
-    sums.assign(4 * states_, {});
-    dispatch(set, Summation<ofForces | ofDisplacements>{lame_, all, targets, states_,
-                                                        sums.data()});
-    for (std::size_t state = 0; state < states_; ++state)
-      take(right, static_cast<Index>(state), 1, &sums[4 * state]);
-  }
+  const double ofPiece = 1 / std::sqrt(group.radius);
+  places.put<OfDisplacements>(group.swelling, 1, ofPiece, system, 2 * forces);
+  places.put<OfForces | OfDisplacements>(pointsOf(values, group), states_, 1, right, 0);
   // forces in the hole of a ring do nothing that others do not
   constexpr double dependent = 1e-13;
-  right = leastSquares(std::move(system), std::move(right), dependent).x;
+  const Matrix x = leastSquares(std::move(system), std::move(right), dependent).x;
+
   for (int k = 0; k < forces; ++k)
-    for (std::size_t state = 0; state < states_; ++state)
-      group.circle.forces.push_back(1 / std::sqrt(group.circle.places[at(k)][0]) *
-                                    Complex(right(2 * k, static_cast<Index>(state)),
-                                            right(2 * k + 1, static_cast<Index>(state))));
-  for (std::size_t state = 0; state < states_; ++state)
-    group.swelled.push_back(right(2 * forces, static_cast<Index>(state)) /
-                            std::sqrt(group.radius));
+    for (Index state = 0; state < x.columns(); ++state)
+      group.circle.forces.push_back(scaleOf(k) *
+                                    Complex(x(2 * k, state), x(2 * k + 1, state)));
+  for (Index state = 0; state < x.columns(); ++state)
+    group.swelled.push_back(ofPiece * x(2 * forces, state));
   const std::vector<Complex> unit = std::move(group.swelling.displacements);
   group.swelling.displacements.clear();
   for (const Complex& u : unit)

@@ -59,6 +59,7 @@ class RingGroups : public RunGroups<RingGroup> {
 
  private:
   void addEnds(const Values& values, int e, RingGroup& group) const;
+  RingPointSources pointsOf(const Values& values, const RingGroup& group) const;
   void sumElements(const Values& values, RingGroup& group) const;
 
   RingLame lame_;

@@ -10,8 +10,8 @@ namespace epafi::bem {
 
 /// Consecutive runs and a circle around them.
 struct RunGroup {
-  int first;  ///< runs first ... last - 1
-  int last;
+  int first = 0;  ///< runs first ... last - 1
+  int last = 0;
   int children[2] = {-1, -1};
   Complex centre;
   double radius = 0;

@@ -143,6 +143,7 @@ struct RingPoints {
   Pack jumpW[4];
 
   template <Division How>
+  // NOLINTNEXTLINE(readability-function-*): of one formula
   EPAFI_INLINE void evaluate(const RingLame& lame, const Pack& dr, const Pack& dz,
                              const Pack& tr, const Pack& tz, const Pack& radius,
                              const double* source) {
@@ -152,9 +153,9 @@ struct RingPoints {
                       {dr, dz},
                       {tr, tz},
                       {zero + source[2], zero + source[3]}};
-    RingKernels plain;
+    RingKernels plain;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     ringKernels<How>(lame, at, plain);
-    RingSlopes of;
+    RingSlopes of;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     ringSlopes<How>(at, of);
     const auto value = [&](int kernel) -> const Pack& { return plain.of[kernel]; };
     using K = RingKernels;
