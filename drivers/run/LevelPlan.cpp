@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::drivers {
 
@@ -110,9 +111,13 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
     const bem::Space& space = spaces.space(b);
     const std::vector<bem::Index>& columns = spaces.multiplier().columns(b);
     const auto& elements = space.mesh().elements();
-    const auto [smallest, largest] = std::minmax_element(
-        elements.begin(), elements.end(),
-        [](const bem::Element& e, const bem::Element& f) { return e.half < f.half; });
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const bem::Element& element : elements)
+      if (element.densities > 0) {  // none on an axis of revolution
+        smallest = std::min(smallest, element.half);
+        largest = std::max(largest, element.half);
+      }
     BodySize& size = sizes.emplace_back();
     size.displacements = static_cast<double>(space.displacements());
     size.densities = static_cast<double>(space.densities());
@@ -120,7 +125,7 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
     size.elements = static_cast<double>(elements.size());
     if (spaces.scene().bodies[b].conditions.heat)
       size.heat = 0.5 * size.unknowns();
-    size.grading = largest->half / smallest->half;
+    size.grading = largest / smallest;
     if (spaces.opposite()->meetsDeformable(b))
       size.opposite =
           static_cast<double>(std::lower_bound(columns.begin(), columns.end(),
@@ -176,8 +181,7 @@ LevelRow planOf(const BodySpaces& spaces, const Ranks& ranks, double allowedBefo
                           : allowedMemory(scene, ranks);
   const double gain = isThin || isGraded ? 0 : gainOf(sizes);
   const bool isAutomatic = wanted == Operators::Cheaper;
-  const bool isPossible =
-      !scene.isAxisymmetric && contact::whyNotCompressed(scene.stabilization).empty();
+  const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
   const bool denseFits = dense <= row.memoryAllowed;
   if (wanted == Operators::Compressed || (isAutomatic && isPossible && gain > 1)) {
     row.operators = "compressed";

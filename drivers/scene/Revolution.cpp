@@ -173,12 +173,6 @@ void checkRevolution(const Scene& scene) {
     throw InputError(
         "Discretization->Multiplier: ", type, ": ", scene.multiplier,
         " knows no weights by the radius; Gauss-Legendre-Lagrange is possible");
-  if (linearMethods().at(scene.solver.linear.method).operators ==
-      LinearMethod::Operators::Compressed)
-    throw InputError(
-        "Solver->Linear->Method: ", type,
-        ": operators of solids of revolution cannot be compressed yet; Dense, "
-        "Belos and Automatic are possible");
 }
 
 }  // namespace epafi::drivers

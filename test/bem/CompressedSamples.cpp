@@ -52,6 +52,32 @@ bem::Loop roughSquare(int teeth) {
   return polygon(vertices);
 }
 
+std::shared_ptr<const bem::Outline> solid(const bem::Loop& loop) {
+  return std::make_shared<const bem::Outline>(loop, std::vector<bem::Loop>{},
+                                              bem::scalingOf(loop, true));
+}
+
+/// Of revolution, the first edge on the axis: a cylinder that widens upwards.
+bem::Loop bowl() { return polygon({{0, 1.5}, {0, 0}, {1, 0.3}, {1.2, 1.2}}); }
+
+bem::Loop hollowBall() {
+  bem::Loop loop = polygon({{0, 2}, {0, 1}, {1, 0}, {0, -1}, {0, -2}, {2, 0}});
+  const double quarter = std::tan(std::acos(-1.0) / 8);
+  loop.bulges = {0, -quarter, -quarter, 0, quarter, quarter};
+  return loop;
+}
+
+bem::Loop ring() { return polygon({{0.3, 0}, {0.6, 0}, {0.6, 0.2}, {0.3, 0.2}}); }
+
+/// So many elements on all edges but those on the axis.
+bem::Mesh cutOffAxis(const bem::Loop& loop, int elements, int degree) {
+  const auto outline = solid(loop);
+  std::vector<int> counts;
+  for (int k = 0; k < static_cast<int>(loop.vertices.size()); ++k)
+    counts.push_back(outline->isAxis(k) ? 1 : elements);
+  return bem::makeMesh(outline, counts, degree);
+}
+
 /// Holes in rows, of two arcs each.
 std::shared_ptr<const bem::Outline> roundHoles(int rows) {
   std::vector<bem::Loop> holes;
@@ -77,7 +103,23 @@ std::vector<CompressedSample> compressedSamples() {
       {"arcs", bem::makeMesh(outlineOf(disc(4, 1)), {20, 20, 20, 20}, 2)},
       {"half circles", cutAlike(roundHoles(5), even(1), {1})},
       {"curved", cutAlike(outlineOf(curvedSample()), even(5), {1, 3})},
+      {"bowl", cutOffAxis(bowl(), 48, 1)},
+      {"hollow ball", cutOffAxis(hollowBall(), 24, 2), 0.4999},
+      {"graded ring", cutAlike(solid(ring()), graded(16, 1e-8), {1})},
+      {"graded bowl",
+       cutMesh(solid(bowl()),
+               {{1, graded(8, 1e-6)}, {2, graded(8, 1e-4)}, {3, graded(8, 1e-6)}},
+               {1, 7, 2, 3})},
   };
+}
+
+std::vector<std::shared_ptr<const bem::Kernel>> kernelsOf(
+    const CompressedSample& sample) {
+  const bem::Outline& outline = sample.mesh.outline();
+  const auto elastic = bem::elasticKernel(outline, bem::Lame({1, sample.nu, false}));
+  if (outline.isAxisymmetric())
+    return {elastic};
+  return {elastic, bem::laplaceKernel()};
 }
 
 Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame) {
@@ -194,6 +236,9 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
 bem::Restriction clamped(const bem::Space& space, int first, int last) {
   bem::Restriction restriction;
   restriction.held.resize(space.displacements() + space.densities());
+  for (int e = 0; e < space.mesh().size(); ++e)
+    for (int k = 0; k < 2 && space.mesh().isAxis(e); ++k)
+      restriction.held[space.displacement(e, k, 0)] = 1;
   for (int e = first; e < last; ++e)
     for (int k = 0; k <= space.mesh()[e].degree; ++k)
       for (int c = 0; c < 2; ++c)

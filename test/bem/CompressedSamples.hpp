@@ -14,8 +14,11 @@ struct CompressedSample {
   double nu = 0.3;
 };
 
-/// Uniform, graded to 1e-8, rough, of high degrees, with holes and arcs.
+/// Uniform, graded to 1e-8, rough, of high degrees, with holes and arcs; of revolution.
 std::vector<CompressedSample> compressedSamples();
+
+/// Of elasticity and of Laplace's equation.
+std::vector<std::shared_ptr<const bem::Kernel>> kernelsOf(const CompressedSample& sample);
 
 /// Leaves of 60 unknowns, so that small meshes have a tree.
 bem::Compression smallLeaves();
@@ -33,7 +36,7 @@ bem::Matrix nestedWeights(const bem::CompressedOperators& z, int c,
 
 bem::Matrix oscillating(bem::Index rows, bem::Index columns);
 
-/// Displacements of some elements are held: a clamp.
+/// Displacements of some elements are held: a clamp.  On an axis those across it always are.
 bem::Restriction clamped(const bem::Space& space, int first, int last);
 
 /// Of the kept equations, by pivoted elimination, unknowns and equations scaled by their

@@ -14,7 +14,7 @@ class Revolutions(TwoBodies):
     """A ball, a cone, a flat punch or an O-ring pressed onto a block or a ring, with or without an
     axis, elastic or rigid; the block alone under an obstacle; sleeves shrunk on a shaft; hollow balls
     in one another.  Every law and Tied, strategy and normal law; overlaps and play; paths, wear,
-    sliding along the meridian; nu up to 1/2; in every second scene bodies weigh, spin, are pulled outwards
+    sliding along the meridian; nu up to 1/2; some compressed; in every second scene bodies weigh, spin, are pulled outwards
     or hot.  Claimed besides is that forces along the axis balance."""
 
     KINDS = ("pressed", "alone", "sleeve", "shells")
@@ -33,6 +33,9 @@ class Revolutions(TwoBodies):
         self.law = draw.choice(list(self.LAWS))
         self.laws = [self.law]
         self.path = draw.random() < 0.3
+        self.compressed = random.Random("%d compressed" % seed).random() < 0.3
+        if self.compressed:
+            self.nothing = 1e-18  # forces of a motion are rounding, not exactly none
 
     def material(self, softer=1):
         draw = self.draw
@@ -128,6 +131,8 @@ class Revolutions(TwoBodies):
             for body in parts["Bodies"].values():
                 if "Rigid" not in body["Material"] and draw.random() < 0.4:
                     self.conduct(body)
+        if self.compressed:
+            parts["Solver"] = {"Linear": {"Method": "Compressed"}}
         return {"Geometry": {"Type": "Axisymmetric"}, **parts,
                 **({"History": {"Times": [1, 1.5], "Steps": [2, 2]}} if self.path else {})}
 

@@ -83,7 +83,8 @@ class Result:
 def makes_sense(level, scene):
     """Bonds may pull."""
     # pairs may not touch yet, loads may be zero: all is rounding
-    if abs(level["energy_strain"]) <= NOTHING * getattr(scene, "energy", 0):
+    nothing = getattr(scene, "nothing", NOTHING) * getattr(scene, "energy", 0)
+    if abs(level["energy_strain"]) <= nothing:
         return True
     return level["energy_strain"] >= 0 and level["energy_friction"] >= 0 and (
         "Tied" in scene.laws or level["force_normal"] >= 0)

@@ -7,6 +7,8 @@ from runs import (ENERGIES, claim, differ, epafi, finish, fresh, keys_of, refuse
 from written import block, body, condition, geometry, listed, round_hole, with_moduli, written
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
+UNIFORM = ["Adaptivity->Strategy=Uniform h", "Adaptivity->Tolerance=1e-9",
+           "Adaptivity->Maximum Degrees of Freedom=3000"]
 SCENES = {
     "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 9, 20, 9, 1, 3, 2, 2, 2, 3, 3, 3}",
                  "History->Times={1, 2, 3}", "History->Steps={1, 3, 3}"],
@@ -17,6 +19,12 @@ SCENES = {
     "two-cylinders": LEVELS,
     "press-fit": LEVELS,
     "disc": LEVELS,
+    # of revolution: bodies that meet, with friction, bolt load, heat, hollow ones that move freely
+    "flange": UNIFORM,
+    "hub-on-shaft": UNIFORM,
+    "o-ring": UNIFORM,
+    "spheres": UNIFORM,
+    "hot-hub": LEVELS,
 }
 
 
@@ -76,6 +84,9 @@ def chosen(name, file, elements, settings):
 claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
 claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed",
       "large ones are compressed")
+claim(chosen("around", "spinning-disc.xml", [270, 270, 270, 1], [
+    "Discretization->Degree=1", "Discretization->Mesh Size="])[0] == "compressed",
+      "as of solids of revolution")
 THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.48, -0.5,-0.48}"
 claim(chosen("slender", "coulomb.xml", [460, 52, 460, 52], [*DENSITY, THIN])[0] == "dense",
       "but dense where the body is slender, whose displacements would lose digits")

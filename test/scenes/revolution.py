@@ -278,7 +278,5 @@ for key, value in (("Stabilization", {"Form": "Exact"}), ("Multiplier", "Biortho
     other = scene({"b": column(CYLINDER, BLOCK)})
     other["Discretization"][key] = value
     refused(key, ["Discretization->" + key], other)
-refused("compressed", ["Solver->Linear->Method"], scene(
-    {"b": column(CYLINDER, BLOCK)}, Solver={"Linear": {"Method": "Compressed"}}))
 
 finish()

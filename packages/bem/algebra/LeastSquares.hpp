@@ -16,4 +16,12 @@ struct LeastSquares {
 /// \param dependent  columns whose rest is at most this, over the largest one, depend on others
 LeastSquares leastSquares(const std::vector<Vector>& columns, Vector b, double dependent);
 
+/// The same for the columns of B: X, and what each leaves.
+struct SeveralLeastSquares {
+  Matrix x;
+  Index rank = 0;
+  Vector rests;
+};
+SeveralLeastSquares leastSquares(Matrix a, Matrix b, double dependent);
+
 }  // namespace epafi::bem

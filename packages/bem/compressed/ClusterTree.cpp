@@ -110,6 +110,8 @@ void ClusterTree::encircle(Cluster& cluster) const {
   cluster.anchor = mesh_->at(element((cluster.first + cluster.last) / 2), -1);
   std::vector<Vec2> points;
   const auto addPoints = [&](int e) {
+    if (mesh_->isAxis(e))
+      return;
     for (const double t : {-1.0, 0.0, 1.0})
       points.push_back(mesh_->difference(mesh_->at(e, t), cluster.anchor));
   };

@@ -5,6 +5,7 @@
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/ClusterOrder.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
+#include "bem/mesh/Surfaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                        first + space.displacements() + space.densities(),
                        bodies[b].kernel->stiffness()});
     spaces.push_back(&space);
-    if (space.mesh().outline().loops() > 1)
+    if (surfacesOf(space.mesh()).size() > 1)
       for (const Index i : bodies[b].kernel->resting(space))
         springUnknowns_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
@@ -137,9 +138,12 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
 // What interpolation misses of a translation is of one sign along a whole body: 1e-12 of W's entries
 // add up to forces of 1e-9 of the largest at 1e5 elements.  A node's own block takes it in its leaf, and
 // those of an element's other functions with its first node.  Between the components one half is taken: the
-// rest is antisymmetric, and its sum over the nodes vanishes with Z's symmetry.
+// rest is antisymmetric, and its sum over the nodes vanishes with Z's symmetry.  Around an axis, with the one
+// translation along it, all is taken.
 void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
   const int components = bodies.front().kernel->components();
+  const bool isAround =
+      components == 2 && bodies.front().space.mesh().outline().isAxisymmetric();
   Matrix translations(size(), components);
   std::vector<Index> nodes(at(size()),
                            -1);  // by displacement: of its element and component
@@ -149,9 +153,7 @@ void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
       for (int c = 0; c < components; ++c) {
         const Space& space = bodies[b].space;
         const Index node = ranges_[b].first + space.displacement(e, 0, c);
-        const bool isRadial =
-            components == 2 && c == 0 && space.mesh().outline().isAxisymmetric();
-        translations(node, c) = isRadial ? 0 : 1;
+        translations(node, c) = isAround && c == 0 ? 0 : 1;
         for (int k = 0; k <= space.mesh()[e].degree; ++k)
           if (k != 1) {
             const Index own = ranges_[b].first + space.displacement(e, k, c);
@@ -159,7 +161,10 @@ void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
             component[at(own)] = c;
           }
       }
-  const Matrix left = times(translations);
+  Matrix left = times(translations);
+  for (Index i = 0; i < size() && isAround; ++i)
+    if (nodes[at(i)] == i && component[at(i)] == 0)
+      left(i + 1, 0) = left(i, 1);
   std::vector<Index> places(at(size()));
   for (int c = 0; c < tree().size(); ++c) {
     ClusterPart& leaf = parts_[at(c)];

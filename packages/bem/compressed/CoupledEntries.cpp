@@ -9,7 +9,8 @@ std::vector<ElementFunctions> byElements(const Space& space,
                                          const std::vector<Index>& which) {
   std::map<int, ElementFunctions> found;
   const auto add = [&](int element, int local, std::size_t place) {
-    found[element].functions.emplace_back(local, static_cast<Index>(place));
+    if (!space.mesh().isAxis(element))
+      found[element].functions.emplace_back(local, static_cast<Index>(place));
   };
   for (std::size_t i = 0; i < which.size(); ++i) {
     const Unknown& unknown = unknowns[which[i]];

@@ -16,7 +16,8 @@ struct ElementFunctions {
   std::vector<std::pair<int, Index>> functions;
 };
 
-/// ElementFunctions of the unknowns `which`, in ascending order of the elements.
+/// ElementFunctions of the unknowns `which`, in ascending order of the elements, but of none on an axis
+/// of revolution.
 std::vector<ElementFunctions> byElements(const Space& space,
                                          const std::vector<Unknown>& unknowns,
                                          const std::vector<Index>& which);

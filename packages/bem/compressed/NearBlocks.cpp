@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
+#include "bem/mesh/Surfaces.hpp"
 #include "bem/operators/FarBlocks.hpp"
 #include "bem/operators/PairColumns.hpp"
 
@@ -82,7 +83,8 @@ class Distances {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const Vec2 w = mesh.offset(tests[i], trials[j]);
-        far_[i][j] = nearness(mesh, tests[i], trials[j], w).isFar();
+        far_[i][j] = mesh.isAxis(tests[i]) || mesh.isAxis(trials[j]) ||
+                     nearness(mesh, tests[i], trials[j], w).isFar();
       }
   }
   /// Of the elements themselves.
@@ -144,8 +146,8 @@ NearBlocks::NearBlocks(const Space& space, const Kernel& kernel, const ClusterTr
 void NearBlocks::measure() {
   for (int e = 0; e < mesh_.size(); ++e) {
     const Element& element = mesh_[e];
-    const double before = mesh_[element.previous].half;
-    const double behind = mesh_[element.next].half;
+    const double before = integratedHalf(mesh_, element.previous);
+    const double behind = integratedHalf(mesh_, element.next);
     hoods_.push_back({mesh_.scaledPoint(e, 0),
                       element.half + 2 * std::max(before, behind),
                       std::max({element.half, before, behind})});
@@ -173,7 +175,7 @@ void NearBlocks::findPairs(const ClusterTree& tree, const std::vector<char>& fir
   std::size_t next = 0;
   const auto addPair = [&](int e, int f) {
     const bool isAsked = (first[e] & second[f]) != 0 || (first[f] & second[e]) != 0;
-    if (!isAsked || isFullyFar(e, f))
+    if (!isAsked || isFullyFar(e, f) || mesh_.isAxis(e) || mesh_.isAxis(f))
       return;
     pairs_[e].push_back({f, next});
     next += static_cast<std::size_t>(sizes_[e] * sizes_[f]);

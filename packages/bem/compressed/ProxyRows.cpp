@@ -2,6 +2,7 @@
 
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/moments/Nearness.hpp"
+#include "bem/moments/RingCircle.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -20,16 +21,30 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   std::vector<AlignedLane> circle(2 * points_ / lanes);
+  const Mesh& mesh = space_.mesh();
+  std::vector<double> angles(at(points_));
+  std::vector<double> scales(at(points_), 1);
+  for (int p = 0; p < points_; ++p)
+    angles[at(p)] = 2 * pi * p / points_;
+  if (mesh.outline().isAxisymmetric()) {
+    const int e = tree.element(tree[cluster].first);
+    const RingCircle around{
+        mesh.scaledPoint(e, -1).x - tree.fromCentre(cluster, mesh.at(e, -1)).x, radius};
+    for (int p = 0; p < points_; ++p) {
+      angles[at(p)] = around.angle(p, points_);
+      const double distance = around.middle + radius * std::cos(angles[at(p)]);
+      scales[at(p)] = 1 / std::sqrt(2 * pi * distance);  // entries have 2πr of x
+    }
+  }
   const int components = space_.components();
   Matrix out(components * points_, static_cast<Index>(columns.size()));
   for (const auto& [f, functions] : byElements(space_, unknowns_, columns)) {
     const Element& element = space_.mesh()[f];
     const Vec2 middle = tree.fromCentre(cluster, space_.mesh().at(f, 0));
     for (int p = 0; p < points_; ++p) {
-      const double angle = 2 * pi * p / points_;
       AlignedLane* to = circle.data() + 2 * (p / lanes);
-      to[0].lane[p % lanes] = radius * std::cos(angle) - middle.x;
-      to[1].lane[p % lanes] = radius * std::sin(angle) - middle.y;
+      to[0].lane[p % lanes] = radius * std::cos(angles[at(p)]) - middle.x;
+      to[1].lane[p % lanes] = radius * std::sin(angles[at(p)]) - middle.y;
     }
     const double distance = radius - length(middle);
     far_->evaluateFields(circle, f,
@@ -40,7 +55,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
         for (int p = 0; p < points_; p += lanes) {
           const double* from = far_->field(at(p / lanes), function, c);
           for (int lane = 0; lane < lanes; ++lane)
-            to[p + lane] += from[lane];
+            to[p + lane] += scales[at(p + lane)] * from[lane];
         }
       }
   }

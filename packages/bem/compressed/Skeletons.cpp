@@ -4,6 +4,7 @@
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/compressed/NearBlocks.hpp"
 #include "bem/compressed/ProxyRows.hpp"
+#include "bem/mesh/Surfaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -207,7 +208,7 @@ class Builder {
     std::vector<Index> places_;
   };
 
-  /// What makes unknowns of a cluster comparable: functions of size one in L², densities in
+  /// What makes unknowns of a cluster comparable: functions of size one in L² of the surface, densities in
   /// stresses of Young's modulus, displacements over the cluster's radius.  Elements much shorter
   /// than the cluster's unknowns are apart count as longer; with their own sizes graded meshes
   /// would have larger ranks.
@@ -218,21 +219,31 @@ class Builder {
     const Mesh& mesh = space_.mesh();
     const Unknown& u = out_.unknowns[unknown];
     const Element& element = mesh[u.element];
-    const double own = 2 * element.half;
+    const double around = std::sqrt(aroundOf(u));
+    const double own = 2 * integratedHalf(mesh, u.element);
     if (u.local < 0) {
       const double added = largestAdded_[unknown];
-      return stiffness * std::sqrt(std::max(own, shortest)) / (added > 0 ? added : 1);
+      return stiffness * std::sqrt(std::max(own, shortest)) / (added > 0 ? added : 1) *
+             around;
     }
     const LocalFunctions local(space_, u.element);
     if (u.local >= local.displacements) {
       const int i = (u.local - local.displacements) / local.components;
-      return stiffness * std::sqrt(std::max(own, shortest) * (2 * i + 1)) / own;
+      return stiffness * std::sqrt(std::max(own, shortest) * (2 * i + 1)) / own / around;
     }
-    const double size = u.isNode ? element.half + mesh[element.previous].half : own;
+    const double size =
+        u.isNode ? 0.5 * own + integratedHalf(mesh, element.previous) : own;
     // ∫ φ_k² dt on [-1, 1] over that of a hat
     const int k = u.local / local.components;
     const double square = k < 2 ? 1 : 3.0 / ((2 * k + 1) * (2 * k - 3));
-    return radius / stiffness / std::sqrt(std::max(size, shortest) * square);
+    return radius / stiffness / std::sqrt(std::max(size, shortest) * square) / around;
+  }
+
+  /// What surfaces have more than lines: 2πr around an axis.
+  double aroundOf(const Unknown& u) const {
+    const Mesh& mesh = space_.mesh();
+    const int e = mesh.isAxis(u.element) ? mesh[u.element].previous : u.element;
+    return mesh.measure(e, 0) / mesh[e].half;
   }
 
   ClusterPart& part(int c) const { return out_.parts[c]; }
@@ -331,10 +342,9 @@ class Builder {
   /// The force that a unit of an unknown puts on the body, and its component.
   std::pair<Index, double> netForce(Index unknown) const {
     const Unknown& u = out_.unknowns[unknown];
-    const Element& element = space_.mesh()[u.element];
     const int i = u.local - LocalFunctions(space_, u.element).displacements;
     const bool isConstant = i >= 0 && i < space_.components();
-    return {isConstant ? i : 0, isConstant ? 2 * element.half : 0};
+    return {isConstant ? i : 0, isConstant ? 2 * space_.mesh().measure(u.element, 0) : 0};
   }
 
   /// Does an unknown's function reach into the circle of radius r around a cluster?
@@ -342,7 +352,8 @@ class Builder {
     const Mesh& mesh = space_.mesh();
     const Unknown& u = out_.unknowns[unknown];
     const auto touches = [&](int e) {
-      return length(tree_.fromCentre(c, mesh.at(e, 0))) - mesh[e].half < r;
+      return !mesh.isAxis(e) &&
+             length(tree_.fromCentre(c, mesh.at(e, 0))) - mesh[e].half < r;
     };
     return touches(u.element) || (u.isNode && touches(mesh[u.element].previous));
   }

@@ -183,14 +183,9 @@ void Interior::setDensities(int e, const Rule& rule, std::vector<Complex>& g) co
 
 std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
   const Mesh& mesh = space_.mesh();
+  if (rings_ != nullptr)
+    return rings_->at(points);
   std::vector<InteriorValue> values(points.size());
-  if (rings_ != nullptr) {
-    constexpr double ofRing = 200;  // ns
-    parallelFor({static_cast<Index>(points.size()),
-                 ofRing * static_cast<double>(points.size()) * mesh.size()},
-                [&](Index k) { values[bem::at(k)] = rings_->at(points[bem::at(k)]); });
-    return values;
-  }
   constexpr std::size_t atOnce = 8 * lanes;
   const PointHeaps heaps(points, atOnce);
   // groups cost what a heap of points does in all elements one by one

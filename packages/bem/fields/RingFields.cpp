@@ -2,6 +2,7 @@
 
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/base/Parallel.hpp"
+#include "bem/fields/RingGroups.hpp"
 #include "bem/moments/RingTile.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -22,6 +23,27 @@ constexpr int more = 4;
 /// What is tested by P_j on an element: the components of V ψ - K u, of W u + K' ψ what multiplies
 /// v_r', v_z', v_r and v_z.
 enum Part { mismatchR, mismatchZ, slopeR, slopeZ, valueR, valueZ, parts };
+
+/// So many runs of elements cost what the forces of a group do.
+constexpr int smallestGroup = 8;
+/// From elements to what stands for a group, besides its own distance [half their length].
+constexpr double distanceOfGroups = zOfCircles;
+
+/// A point of each element of a run.
+struct Places {
+  const ElementLanes& elements;
+  double t;
+  RingTargets& to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const ElementLanes::Points x = elements.at(Pack{} + t);
+    store(to.x.lane, load(elements.wx) + x.place.re);
+    store(to.y.lane, load(elements.wy) + x.place.im);
+    store(to.tangentX.lane, x.tangent.re);
+    store(to.tangentY.lane, x.tangent.im);
+  }
+};
 
 /// Adds what an element does to the eight of a run; sums: of each state parts x columns.
 struct Addition {
@@ -88,6 +110,30 @@ struct Addition {
     addTo(valueZ, first, j, b * of(K::ofY + 2, i, j));
   }
 };
+
+/// Adds what groups do to the eight of a run.
+void addGroups(const RingGroups& all, const std::vector<const RingGroup*>& groups,
+               const ElementLanes& run, std::size_t states, int columns,
+               std::vector<AlignedLane>& sums) {
+  const int order = smoothOrderOfCircles + (columns + 1) / 2 +
+                    static_cast<int>(std::ceil(2 * run.largestAngle));
+  const WeightedLegendre& table = weightedLegendre(order);
+  for (int q = 0; q < order; ++q) {
+    RingTargets targets;
+    dispatch(largestInstructionSet(),
+             Places{run, gaussLegendre(order).points[at(q)], targets});
+    std::vector<AlignedLane> fields(4 * states);
+    for (const RingGroup* group : groups)
+      all.add(*group, targets, fields.data());
+    constexpr Part to[4] = {mismatchR, mismatchZ, valueR, valueZ};
+    for (std::size_t state = 0; state < states; ++state)
+      for (int part = 0; part < 4; ++part)
+        for (int j = 0; j < columns; ++j)
+          for (int lane = 0; lane < lanes; ++lane)
+            sums[(state * parts + at(to[part])) * at(columns) + at(j)].lane[lane] +=
+                table[q][at(j)] * fields[4 * state + at(part)].lane[lane];
+  }
+}
 
 /// Of one state: a lane of the sums.
 struct Tested {
@@ -175,6 +221,14 @@ RingFields::RingFields(const Mesh& mesh, const Lame& lame,
                        const std::vector<LocalField>& fields, std::size_t states)
     : mesh_(mesh), states_(states), series_(fields.size()) {
   const ElementRuns runs(mesh_);
+  const RingGroups groups(
+      runs, lame,
+      [&](int e, double t, std::size_t state) -> RingGroups::Value {
+        const LocalField& field = fields[at(e) * states + state];
+        return {evaluate(field.density, mesh_[e].densities - 1, t),
+                evaluate(field.value, mesh_[e].degree, t)};
+      },
+      states, smallestGroup);
   constexpr double ofPair = 2e3;  // ns
   const double work = ofPair * static_cast<double>(mesh_.size()) * mesh_.size();
   parallelFor(
@@ -182,23 +236,32 @@ RingFields::RingFields(const Mesh& mesh, const Lame& lame,
       [&](RingTile& tile, Index index) {
         const int r = asInt(index);
         const ElementLanes& run = runs[r];
-        std::vector<AlignedLane> sums;
-        std::size_t size = 0;
-        for (int e = 0; e < mesh_.size(); ++e) {
+        const int columns = tile.columnsOf(run);
+        const auto size = static_cast<std::size_t>(parts * columns);
+        std::vector<AlignedLane> sums(states_ * size);
+        const auto addElement = [&](int e) {
           if (mesh_.isAxis(e))
-            continue;
+            return;
           tile.evaluate(runs, e, r, {run.first, run.last});
-          size = static_cast<std::size_t>(parts * tile.columns());
-          sums.resize(states_ * size);
           dispatch(largestInstructionSet(),
                    Addition{tile, &fields[at(e) * states_], states_,
-                            mesh_[e].densities + 1, tile.columns(), mesh_[e].half, sums});
-        }
+                            mesh_[e].densities + 1, columns, mesh_[e].half, sums});
+        };
+        std::vector<const RingGroup*> far;
+        groups.visit(
+            asComplex(run.centre), run.radius + distanceOfGroups * run.largestHalf,
+            [&](const RingGroup& group) { far.push_back(&group); },
+            [&](int near) {
+              for (int e = runs[near].first; e < runs[near].last; ++e)
+                addElement(e);
+            });
+        if (!far.empty())
+          addGroups(groups, far, run, states_, columns, sums);
         for (int f = run.first; f < run.last; ++f)
           for (std::size_t k = 0; k < states_ && !mesh_.isAxis(f); ++k)
             series_[at(f) * states_ + k] =
                 seriesOf(mesh_, f, fields[at(f) * states_ + k], terms(f),
-                         {&sums[k * size], tile.columns(), f - run.first});
+                         {&sums[k * size], columns, f - run.first});
       });
 }
 

@@ -1,5 +1,6 @@
 #include "bem/fields/RingInterior.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/moments/RingKernels.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -163,20 +164,20 @@ RingInterior::Sources RingInterior::sources(int e, const double* places,
   return to;
 }
 
+RingInterior::Uniform RingInterior::uniformOf(double radial, double start,
+                                              double height) const {
+  const double nu = lame_.nu;
+  return {radial, -2 * nu / (1 - nu) * radial, start, height,
+          2 * lame_.mu * (1 + nu) / (1 - nu) * radial};
+}
+
 RingInterior::Uniform RingInterior::uniformNear(Vec2 x) const {
   const auto [curve, t, distance] = surface_.nearest(x);
   const int closest = elements_[curve];
   const Element& element = mesh_[closest];
   const Vec2 place = element.curve.point(t);
   const Complex u = evaluate(fields_[bem::at(closest)].value, element.degree, t);
-  Uniform uniform;
-  const double nu = lame_.nu;
-  uniform.radial = place.x > 0 ? u.real() / place.x : 0;
-  uniform.axial = -2 * nu / (1 - nu) * uniform.radial;
-  uniform.start = u.imag();
-  uniform.height = place.y;
-  uniform.stress = 2 * lame_.mu * (1 + nu) / (1 - nu) * uniform.radial;
-  return uniform;
+  return uniformOf(place.x > 0 ? u.real() / place.x : 0, u.imag(), place.y);
 }
 
 void RingInterior::add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const {
@@ -234,12 +235,98 @@ void RingInterior::add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const {
   addBetween(-1, 1, 0, addBetween);
 }
 
-InteriorValue RingInterior::at(Vec2 x) const {
+void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
+                       Sum& sum) const {
+  const double shares[] = {1, -uniform.radial,
+                           uniform.axial * uniform.height - uniform.start};
+  const RingLame lame(lame_);
+  const Uniform none;
+  const auto addPoints = [&](const Sources& eight) {
+    dispatch(largestInstructionSet(),
+             Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
+                                             4 * lame_.mu * lame_.nu, none, sum});
+  };
+  const auto addAll = [&](const RingPointSources& from,
+                          const std::vector<Complex>& values,
+                          ComplexLanes Sources::*what) {
+    for (std::size_t first = 0; first < from.places.size(); first += lanes) {
+      Sources eight;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::size_t k = std::min(first + bem::at(lane), from.places.size() - 1);
+        const auto& place = from.places[k];
+        eight.place.set(lane, {place[0], place[1]});
+        eight.weight.lane[lane] = first + bem::at(lane) == k ? 1 : 0;
+        Complex value = 0;
+        for (std::size_t state = 0; state < std::size(shares); ++state)
+          value += shares[state] * values[k * std::size(shares) + state];
+        (eight.*what).set(lane, value);
+      }
+      addPoints(eight);
+    }
+  };
+  addAll(group.circle, group.circle.forces, &Sources::density);
+  Sources piece;
+  const Rule& rule = gaussLegendre(lanes);
+  const double half = group.halfOfPiece();
+  double size = 0;
+  for (std::size_t state = 0; state < std::size(shares); ++state)
+    size += shares[state] * group.swelled[state];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const double t = rule.points[bem::at(lane)];
+    const auto& place = group.swelling.places[bem::at(lane)];
+    piece.weight.lane[lane] = half * rule.weights[bem::at(lane)];
+    piece.place.set(lane, {place[0], place[1]});
+    piece.tangent.set(lane, {0, 1});
+    piece.value.set(lane, size * (1 - t * t));
+    piece.slope.set(lane, -2 * t / half * size);
+  }
+  addPoints(piece);
+  addAll(group.ends, group.ends.displacements, &Sources::slope);
+}
+
+RingGroups RingInterior::groupsOf(const ElementRuns& runs, int smallest) const {
+  const Uniform stretch = uniformOf(1, 0, 0);
+  const auto values = [&](int e, double t, std::size_t state) -> RingGroups::Value {
+    const Element& element = mesh_[e];
+    const LocalField& field = fields_[bem::at(e)];
+    if (state == 0)
+      return {evaluate(field.density, element.densities - 1, t),
+              evaluate(field.value, element.degree, t)};
+    if (state == 2)
+      return {0, {0, 1}};
+    const Vec2 place = element.curve.point(t);
+    return {stretch.stress * element.curve.normal(t).x,
+            {place.x, stretch.axial * place.y}};
+  };
+  return RingGroups(runs, lame_, values, 3, smallest);
+}
+
+std::vector<InteriorValue> RingInterior::at(const std::vector<Vec2>& points) const {
+  constexpr std::size_t few = 64;  // groups cost what these do in all elements one by one
+  constexpr int smallest = 8;
+  const ElementRuns runs(mesh_);
+  const RingGroups groups = groupsOf(runs, points.size() > few ? smallest : mesh_.size());
+  std::vector<InteriorValue> values(points.size());
+  constexpr double ofElement = 200;  // ns
+  parallelFor(
+      {static_cast<Index>(points.size()),
+       ofElement * static_cast<double>(points.size()) * mesh_.size()},
+      [&](Index k) { values[bem::at(k)] = at(points[bem::at(k)], runs, groups); });
+  return values;
+}
+
+InteriorValue RingInterior::at(Vec2 x, const ElementRuns& runs,
+                               const RingGroups& groups) const {
   constexpr double close = 1e-5;  // to the axis, where u_r/ρ is du_r/dρ
   const Uniform uniform = uniformNear(x);
   Sum sum;
-  for (const int e : elements_)
-    add(e, x, uniform, sum);
+  groups.visit(
+      asComplex(x), 0, [&](const RingGroup& group) { add(group, x, uniform, sum); },
+      [&](int r) {
+        for (int e = runs[r].first; e < runs[r].last; ++e)
+          if (!mesh_.isAxis(e))
+            add(e, x, uniform, sum);
+      });
   const double stiffness = 2 * lame_.mu;
   InteriorValue value;
   value.displacement = {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/fields/Interior.hpp"
+#include "bem/fields/RingGroups.hpp"
 #include "bem/simd/ComplexPack.hpp"
 
 #include <vector>
@@ -17,8 +18,8 @@ class RingInterior {
   /// \param fields  of each element
   RingInterior(const Mesh& mesh, const Lame& lame, std::vector<LocalField> fields);
 
-  /// \pre x is inside the body or on its axis, off its surface
-  InteriorValue at(Vec2 x) const;
+  /// \pre the points are inside the body or on its axis, off its surface
+  std::vector<InteriorValue> at(const std::vector<Vec2>& points) const;
 
  private:
   /// Eight points of an element, what is there.
@@ -36,8 +37,13 @@ class RingInterior {
   static constexpr int packs = 4;  ///< rules have 8, 16, 24 or 32 points
 
   Sources sources(int e, const double* places, const double* weights) const;
+  Uniform uniformOf(double radial, double start, double height) const;
   Uniform uniformNear(Vec2 x) const;
+  /// Of the fields and of the two states that Uniform is made of.
+  RingGroups groupsOf(const ElementRuns& runs, int smallest) const;
+  InteriorValue at(Vec2 x, const ElementRuns& runs, const RingGroups& groups) const;
   void add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const;
+  void add(const RingGroup& group, Vec2 x, const Uniform& uniform, Sum& sum) const;
 
   Mesh mesh_;
   std::vector<int> elements_;  ///< off the axis

@@ -1,6 +1,5 @@
 #include "bem/fields/SourceGroups.hpp"
 
-#include "bem/base/Box.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/moments/Nearness.hpp"
 #include "bem/quadrature/Gauss.hpp"
@@ -117,10 +116,11 @@ struct MovedMoments {
 SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
                            const Densities& densities, int smallest,
                            const std::vector<int>& terms)
-    : runs_(runs), count_(count) {
-  if (runs.size() < 4 * smallest)
-    return;
-  divide(0, runs.size(), smallest);
+    : RunGroups(runs, smallest), count_(count) {
+  for (std::size_t g = 1; g < groups_.size(); ++g) {
+    groups_[g].terms = std::min(bem::at(termsFor(1 / separation)), mostTerms);
+    groups_[g].moments.resize(groups_[g].terms * ((count_ + lanes - 1) / lanes));
+  }
   constexpr double ofElement = 2000;  // ns
   const auto size = static_cast<Index>(groups_.size());
   parallelFor({size, ofElement * runs.mesh().size()}, [&](Index g) {
@@ -140,31 +140,6 @@ SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
                            group.radius, group.terms, &group.moments[k]});
       }
   }
-}
-
-int SourceGroups::divide(int first, int last, int smallest) {
-  const auto number = static_cast<int>(groups_.size());
-  Group group{first, last, {-1, -1}, {}, 0, {}, 0};
-  Box box;
-  for (int r = first; r < last; ++r)
-    box.add(runs_[r].centre);
-  group.centre = asComplex(box.middle());
-  for (int r = first; r < last; ++r)
-    group.radius =
-        std::max(group.radius,
-                 std::abs(asComplex(runs_[r].centre) - group.centre) + runs_[r].radius);
-  if (number > 0) {
-    group.terms = std::min(bem::at(termsFor(1 / separation)), mostTerms);
-    group.moments.resize(group.terms * ((count_ + lanes - 1) / lanes));
-  }
-  groups_.push_back(std::move(group));
-  if (last - first < 2 * smallest)
-    return number;
-  const int left = divide(first, (first + last) / 2, smallest);
-  const int right = divide((first + last) / 2, last, smallest);
-  groups_[number].children[0] = left;
-  groups_[number].children[1] = right;
-  return number;
 }
 
 void SourceGroups::sumElements(const Densities& densities, const std::vector<int>& terms,

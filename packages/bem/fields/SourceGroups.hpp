@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bem/fields/RunGroups.hpp"
 #include "bem/kernel/Elasticity.hpp"
-#include "bem/moments/ElementRuns.hpp"
 #include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
@@ -10,6 +10,19 @@
 
 namespace epafi::bem {
 
+/// Of SourceGroups.
+struct MomentGroup : RunGroup {
+  /// M, N and P of eight densities.
+  struct Moments {
+    ComplexLanes plain{};
+    ComplexLanes conjugate{};
+    ComplexLanes shifted{};
+  };
+  /// All k of the first eight densities, then of the next; empty for the whole mesh.
+  std::vector<Moments> moments;
+  std::size_t terms = 0;  ///< 0 <= k < terms
+};
+
 /// Multipole expansions of the far field of many consecutive elements.  With a_k the powers of
 /// (y - c)/R for a circle of radius R about c, q = R/(x - c), of a density g
 ///
@@ -17,11 +30,11 @@ namespace epafi::bem {
 ///   ∫ g/conj(w) = conj Σ q^(k+1) N_k / R,   N_k = ∫ conj(g) a_k,
 ///   ∫ conj(g) w/conj(w)² = conj (conj(x-c) Σ (k+1) q^(k+2) M_k - Σ (k+1) q^(k+2) P_k) / R²,
 ///
-/// P_k = ∫ g conj(y-c) a_k.  Groups of consecutive runs are halved until summation over their
-/// elements is cheaper than an expansion; the moments of both halves, moved to the common circle,
-/// are those of the whole.
-class SourceGroups {
+/// P_k = ∫ g conj(y-c) a_k.  The moments of both halves of a group, moved to the common circle, are
+/// those of the whole.
+class SourceGroups : public RunGroups<MomentGroup> {
  public:
+  using Group = MomentGroup;
   /// Sets the densities at the points of a rule on an element, one point after the other.
   using Densities =
       std::function<void(int element, const Rule& rule, std::vector<Complex>& g)>;
@@ -35,32 +48,6 @@ class SourceGroups {
   SourceGroups(const ElementRuns& runs, std::size_t count, const Densities& densities,
                int smallest, const std::vector<int>& terms = {});
 
-  struct Group {
-    int first;  ///< runs first ... last - 1
-    int last;
-    int children[2] = {-1, -1};
-    Complex centre;
-    double radius = 0;
-    /// M, N and P of eight densities.
-    struct Moments {
-      ComplexLanes plain{};
-      ComplexLanes conjugate{};
-      ComplexLanes shifted{};
-    };
-    /// All k of the first eight densities, then of the next; empty for the whole mesh.
-    std::vector<Moments> moments;
-    std::size_t terms = 0;  ///< 0 <= k < terms
-  };
-  /// What stands for the whole mesh at points of a circle: far(group) for groups whose expansion
-  /// is valid there, near(r) for the runs of the others.
-  template <class Far, class Near>
-  void visit(Complex centre, double radius, const Far& far, const Near& near) const {
-    if (groups_.empty())
-      for (int r = 0; r < runs_.size(); ++r)
-        near(r);
-    else
-      visit(groups_.front(), centre, radius, far, near);
-  }
   /// Terms for an error of 1e-13 of the largest sum at a distance |x - c|.
   static std::size_t termsAt(const Group& group, double distance);
   /// Adds the expansions of the densities ψ, u' of each state at a point far away.
@@ -68,28 +55,10 @@ class SourceGroups {
                     InstructionSet set = largestInstructionSet());
 
  private:
-  static constexpr double separation = 2.5;
-
-  template <class Far, class Near>
-  void visit(const Group& group, Complex centre, double radius, const Far& far,
-             const Near& near) const {
-    if (!group.moments.empty() &&
-        std::abs(centre - group.centre) - radius >= separation * group.radius)
-      far(group);
-    else if (group.children[0] >= 0)
-      for (const int child : group.children)
-        visit(groups_[bem::at(child)], centre, radius, far, near);
-    else
-      for (int r = group.first; r < group.last; ++r)
-        near(r);
-  }
-  int divide(int first, int last, int smallest);
   void sumElements(const Densities& densities, const std::vector<int>& terms,
                    Group& group) const;
 
-  const ElementRuns& runs_;
   std::size_t count_;
-  std::vector<Group> groups_;
 };
 
 }  // namespace epafi::bem

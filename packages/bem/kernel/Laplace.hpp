@@ -58,7 +58,7 @@ struct LaplacePoints {
   template <Division How>
   EPAFI_INLINE void evaluate(const Constants& /*constants*/, const Pack& dx,
                              const Pack& dy, const Pack& tx, const Pack& ty,
-                             const double* source) {
+                             const Pack& /*radius*/, const double* source) {
     const double sx = source[2];
     const double sy = source[3];
     const Pack square = dx * dx + dy * dy;

@@ -38,7 +38,8 @@ struct KelvinPoints {
   template <Division How>
   // NOLINTNEXTLINE(readability-function-*): of one formula
   EPAFI_INLINE void evaluate(const KernelConstants& c, const Pack& dx, const Pack& dy,
-                             const Pack& tx, const Pack& ty, const double* source) {
+                             const Pack& tx, const Pack& ty, const Pack& /*radius*/,
+                             const double* source) {
     const double sx = source[2];
     const double sy = source[3];
     const Pack square = dx * dx + dy * dy;

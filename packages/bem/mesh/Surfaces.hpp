@@ -14,6 +14,11 @@ struct Surface {
   double size = 0;       ///< length, or area of the whole revolution
 };
 
+/// Half the length of what is integrated over: nothing on an axis of revolution.
+inline double integratedHalf(const Mesh& mesh, int e) {
+  return mesh.isAxis(e) ? 0 : mesh[e].half;
+}
+
 /// All of them, the outer one first.  A loop of the outline is one; those of a solid of revolution end
 /// at the axis, a hollow sphere has two.
 std::vector<Surface> surfacesOf(const Mesh& mesh);

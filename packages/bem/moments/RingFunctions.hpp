@@ -118,6 +118,19 @@ EPAFI_INLINE void ringIntegrals(const Pack& m1, const Pack& log, Pack& b, Pack& 
   s -= sLog * log;
 }
 
+/// T
+EPAFI_INLINE void ringIntegral(const Pack& m1, const Pack& log, Pack& t) {
+  using P = RingPolynomials;
+  t = Pack{} + P::t[P::degreeOfT];
+  Pack tLog = Pack{} + P::tLog[P::degreeOfT];
+#pragma GCC unroll 12
+  for (int k = P::degreeOfT - 1; k >= 0; --k) {
+    t = t * m1 + P::t[k];
+    tLog = tLog * m1 + P::tLog[k];
+  }
+  t -= tLog * log;
+}
+
 template <Division>
 EPAFI_INLINE void ringIntegrals(const Pack& m1, Pack& b, Pack& d, Pack& s) {
   Pack log;
@@ -128,18 +141,11 @@ EPAFI_INLINE void ringIntegrals(const Pack& m1, Pack& b, Pack& d, Pack& s) {
 /// dB/dm₁ = -S/2, dD/dm₁ = -(D - S)/2m₁, dS/dm₁ = -(T + 3S)/2m₁
 template <Division How>
 EPAFI_INLINE void ringIntegrals(const RingJet& m1, RingJet& b, RingJet& d, RingJet& s) {
-  using P = RingPolynomials;
   Pack log;
   logarithm(m1.value, log);
   ringIntegrals(m1.value, log, b.value, d.value, s.value);
-  Pack t = Pack{} + P::t[P::degreeOfT];
-  Pack tLog = Pack{} + P::tLog[P::degreeOfT];
-#pragma GCC unroll 12
-  for (int k = P::degreeOfT - 1; k >= 0; --k) {
-    t = t * m1.value + P::t[k];
-    tLog = tLog * m1.value + P::tLog[k];
-  }
-  t -= tLog * log;
+  Pack t;
+  ringIntegral(m1.value, log, t);
   Pack inverse;
   reciprocal<How>(m1.value, inverse);
   const Pack half = -0.5 * inverse;

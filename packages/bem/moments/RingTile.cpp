@@ -167,8 +167,7 @@ void RingTile::evaluate(const ElementRuns& runs, int trial, int r,
     onAxis_[lane] = f < run_->last && mesh.isAxis(f);
   }
   rows_ = mesh[trial].densities + 1;
-  columns_ =
-      std::min(std::max(run_->densities, run_->degree) + 1 + more_, largestMoment + 1);
+  columns_ = columnsOf(*run_);
   moments_.assign(static_cast<std::size_t>(count * rows_ * columns_), {});
   const ElementLanes chosen = runs.choose(trial, r, wanted_);
   if (chosen.smooth.isFar())

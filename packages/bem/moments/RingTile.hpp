@@ -27,6 +27,9 @@ class RingTile {
 
   /// Number of polynomials on test elements.
   int columns() const { return columns_; }
+  int columnsOf(const ElementLanes& run) const {
+    return std::min(std::max(run.densities, run.degree) + 1 + more_, largestMoment + 1);
+  }
   const RingLame& lame() const { return lame_; }
   int trial() const { return trial_; }
   const ElementLanes& run() const { return *run_; }

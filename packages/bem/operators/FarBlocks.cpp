@@ -149,15 +149,17 @@ struct FarQuadrature<Points>::Integrate {
     for (int i = 0; i < size; ++i)
       to[i] = Pack{};
     const Inner<Pack, Size> in(to, nodes, densities);
-    const Pack x = load(outer[4 * p].lane);
-    const Pack y = load(outer[4 * p + 1].lane);
-    const Pack tx = load(outer[4 * p + 2].lane);
-    const Pack ty = load(outer[4 * p + 3].lane);
+    const AlignedLane* const target = outer + outerSize * p;
+    const Pack x = load(target[0].lane);
+    const Pack y = load(target[1].lane);
+    const Pack tx = load(target[2].lane);
+    const Pack ty = load(target[3].lane);
+    const Pack radius = load(target[4].lane);
     for (int q = 0; q < work.inner; ++q) {
       const double* s = inner + innerSize * q;
       const double* values = innerValues + (nodes + densities) * q;
       Points g;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-      g.template evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s);
+      g.template evaluate<How>(constants, x - s[0], y - s[1], tx, ty, radius, s);
       for (int j = 0; j < nodes; ++j) {
         for (int i = 0; i < Size::w && Wanted != Rows::Fields; ++i)
           in.w[Size::w * j + i] += values[j] * g.w[i];
@@ -181,17 +183,21 @@ namespace {
 /// Gauss points of the test elements, and tangents.
 struct Sampling {
   const ElementLanes& tests;
+  const AlignedLane& radii;  ///< of their middles
   const Rule& rule;
   AlignedLane* to;
+  int size;  ///< of a point
 
   template <Division>
   EPAFI_INLINE void run() const {
-    for (int p = 0; p < rule.size(); ++p) {
+    AlignedLane* point = to;
+    for (int p = 0; p < rule.size(); ++p, point += size) {
       const ElementLanes::Points x = tests.at(Pack{} + rule.points[at(p)]);
-      store(to[4 * p].lane, load(tests.wx) + x.place.re);
-      store(to[4 * p + 1].lane, load(tests.wy) + x.place.im);
-      store(to[4 * p + 2].lane, x.tangent.re);
-      store(to[4 * p + 3].lane, x.tangent.im);
+      store(point[0].lane, load(tests.wx) + x.place.re);
+      store(point[1].lane, load(tests.wy) + x.place.im);
+      store(point[2].lane, x.tangent.re);
+      store(point[3].lane, x.tangent.im);
+      store(point[4].lane, load(radii.lane) + x.place.re);
     }
   }
 };
@@ -214,12 +220,15 @@ const std::vector<double>& FarBlocks::functions(int points, int degree, int dens
 
 void FarBlocks::sampleTests(const std::vector<Test>& tests, InstructionSet set) {
   const Rule& rule = gaussLegendre(work_.outer);
-  outer_.resize(4 * work_.outer);
+  outer_.resize(outerSize * work_.outer);
+  AlignedLane radii;
   for (int lane = 0; lane < lanes; ++lane) {
     const Test& test = tests[std::min(at(lane), tests.size() - 1)];
-    tests_.set(lane, test.offset, space_.mesh()[test.element]);
+    const Element& element = space_.mesh()[test.element];
+    tests_.set(lane, test.offset, element);
+    radii.lane[lane] = element.curve.frame().middle.x;
   }
-  dispatch(set, Sampling{tests_, rule, outer_.data()});
+  dispatch(set, Sampling{tests_, radii, rule, outer_.data(), outerSize});
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
@@ -266,10 +275,14 @@ void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial
                                int order, InstructionSet set) {
   work_.rowNodes = work_.rowDensities = 0;
   work_.outer = static_cast<int>(points.size()) / 2;
-  outer_.assign(2 * points.size(), {});
-  for (std::size_t p = 0; p < points.size(); p += 2)
-    std::copy_n(points.data() + p, 2, outer_.data() + 2 * p);
+  outer_.assign(outerSize * work_.outer, {});
   const Element& element = space_.mesh()[trial];
+  for (int p = 0; p < work_.outer; ++p) {
+    AlignedLane* to = outer_.data() + outerSize * p;
+    std::copy_n(points.data() + 2 * p, 2, to);
+    for (int lane = 0; lane < lanes; ++lane)
+      to[4].lane[lane] = element.curve.frame().middle.x + to[0].lane[lane];
+  }
   columns_ = entries_.v * element.densities + entries_.k * (element.degree + 1);
   block_.resize(work_.outer * columns_);
   run(element, order, set);
@@ -317,5 +330,6 @@ void FarQuadrature<Points>::compute(InstructionSet set) {
 
 template class FarQuadrature<KelvinPoints>;
 template class FarQuadrature<LaplacePoints>;
+template class FarQuadrature<RingPoints>;
 
 }  // namespace epafi::bem

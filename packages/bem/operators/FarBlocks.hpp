@@ -2,6 +2,7 @@
 
 #include "bem/kernel/Laplace.hpp"
 #include "bem/kernel/PointKernels.hpp"
+#include "bem/kernel/RingPoints.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/Tile.hpp"
 #include "bem/simd/InstructionSet.hpp"
@@ -117,9 +118,10 @@ class FarBlocks {
   Entries entries_;
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
-  int columns_ = 0;                      ///< functions on the trial element, or sums
-  ElementLanes tests_{};                 ///< wx, wy: Test::offset
-  std::vector<AlignedLane> outer_;       ///< at each point: position, tangent
+  int columns_ = 0;                 ///< functions on the trial element, or sums
+  ElementLanes tests_{};            ///< wx, wy: Test::offset
+  std::vector<AlignedLane> outer_;  ///< at each point: position, tangent, a ring's radius
+  static constexpr int outerSize = 5;
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   const Element* sampled_ = nullptr;     ///< the trial element of inner_
   /// At each point: y from the middle, tangent, and the scaled place's x, a ring's radius.
@@ -134,10 +136,10 @@ class FarBlocks {
 ///
 ///   Points::components, Points::Constants
 ///   v, k, t, w                       packs of the distinct entries of -V, K, K' and W, column by column
-///   evaluate<Division>(constants, dx, dy, tx, ty, source)
-///                                    w = x - y, tangent in x; FarBlocks::inner_ of y
+///   evaluate<Division>(constants, dx, dy, tx, ty, radius, source)
+///                                    w = x - y, tangent and radius in x; FarBlocks::inner_ of y
 ///
-/// KelvinPoints, LaplacePoints.
+/// KelvinPoints, LaplacePoints, RingPoints.
 template <class Points>
 class FarQuadrature final : public FarBlocks {
  public:
@@ -152,5 +154,6 @@ class FarQuadrature final : public FarBlocks {
 
 extern template class FarQuadrature<KelvinPoints>;
 extern template class FarQuadrature<LaplacePoints>;
+extern template class FarQuadrature<RingPoints>;
 
 }  // namespace epafi::bem

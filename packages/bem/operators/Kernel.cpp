@@ -1,11 +1,11 @@
 #include "bem/operators/Kernel.hpp"
 
+#include "bem/mesh/Surfaces.hpp"
 #include "bem/operators/FarBlocks.hpp"
 #include "bem/operators/RingBlocks.hpp"
 #include "bem/operators/TileBlocks.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace epafi::bem {
 
@@ -54,11 +54,11 @@ class RingElasticity final : public Kernel {
   std::unique_ptr<PairColumns> pairs(const Space& space) const override {
     return std::make_unique<RingBlocks>(space, lame_);
   }
-  std::unique_ptr<FarBlocks> far(const Space& /*space*/) const override {
-    throw std::logic_error("solids of revolution have no point kernels");
+  std::unique_ptr<FarBlocks> far(const Space& space) const override {
+    return std::make_unique<FarQuadrature<RingPoints>>(space, RingLame(lame_));
   }
   std::vector<Index> resting(const Space& space) const override {
-    return {space.displacement(0, 0, 1)};
+    return {space.displacement(surfacesOf(space.mesh()).front().elements.front(), 0, 1)};
   }
 
  private:

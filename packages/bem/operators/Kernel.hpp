@@ -36,10 +36,9 @@ class Kernel {
 
   /// Refer to the space; one object per thread.
   virtual std::unique_ptr<PairColumns> pairs(const Space& space) const = 0;
-  /// \throws std::logic_error of a family without
   virtual std::unique_ptr<FarBlocks> far(const Space& space) const = 0;
 
-  /// As many displacements of the first loop as there are rigid motions (of a scalar field: the
+  /// As many displacements of the outer surface as there are rigid motions (of a scalar field: the
   /// constant), which hold these.
   virtual std::vector<Index> resting(const Space& space) const = 0;
 };

@@ -12,8 +12,8 @@ namespace epafi::bem {
 /// μ = 1/2, A = 1/4π, B = 0.
 Lame lameOfRingLaplace();
 
-/// MixedLaplace around an axis of revolution, with the kernel 1/(4π|w|) of points.  Dense: rings have no
-/// point kernels that blocks far away could be made of.  On a surface beyond the first where only q is given
+/// MixedLaplace around an axis of revolution, with the kernel 1/(4π|w|) of points.  Dense, as are the potentials
+/// of RingPotential that its data go to.  On a surface beyond the first where only q is given
 /// the constant of T follows from the mean of the first equation.
 class RingLaplace {
  public:

@@ -208,15 +208,17 @@ Vec2 RingHeat::freeAt(Vec2 y) const {
 // Φ = z Ψ/2; Laplace's equation gives ∂²Ψ/∂r².
 std::vector<RingHeat::Value> RingHeat::at(const std::vector<Vec2>& points) const {
   std::vector<Value> values(points.size());
-  constexpr double ofRing = 400;  // ns
+  const std::vector<bem::InteriorValue> rests = inside_[0].at(points);
+  const std::vector<bem::InteriorValue> potentials = inside_[1].at(points);
+  constexpr double ofPoint = 1000;  // ns
   bem::parallelFor(
       {static_cast<bem::Index>(points.size()),
-       ofRing * static_cast<double>(points.size()) * mesh().size()},
+       ofPoint * static_cast<double>(points.size())},
       [&](bem::Index k) {
         constexpr double close = 1e-5;  // to the axis
         const Vec2 x = points[bem::at(k)];
-        const bem::InteriorValue rest = inside_[0].at(x);
-        const bem::InteriorValue potential = inside_[1].at(x);
+        const bem::InteriorValue& rest = rests[bem::at(k)];
+        const bem::InteriorValue& potential = potentials[bem::at(k)];
         const double psi = potential.displacement.y;
         const Vec2 slope{2 * potential.xy, potential.yy};
         const Vec2 second{2 * rest.xy, rest.yy};  // ∂²Ψ/∂r∂z, ∂²Ψ/∂z²
