@@ -51,7 +51,8 @@ TEUCHOS_UNIT_TEST(LeastSquares, takeIndependentColumnsAlone) {
   TEST_COMPARE(wide.rest, <, 1e-15);
   TEST_FLOATING_EQUALITY(wide.x[0] + wide.x[1], 3.0, 1e-14);
   TEST_FLOATING_EQUALITY(2 * wide.x[1] + wide.x[2], 4.0, 1e-14);
-  TEST_FLOATING_EQUALITY(bem::leastSquares({}, {3, 4}, 1e-10).rest, 5.0, 1e-15);
+  TEST_FLOATING_EQUALITY(
+      bem::leastSquares(std::vector<bem::Vector>(), {3, 4}, 1e-10).rest, 5.0, 1e-15);
 }
 
 }  // namespace
