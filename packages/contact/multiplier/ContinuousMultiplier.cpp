@@ -88,8 +88,7 @@ class Jumps {
   }
 
   bool isJoint(const Element& a, const Element& b) const {
-    if (a.geometry().piece.edge != b.geometry().piece.edge ||
-        a.condition != b.condition || !isStressed(a) || !isStressed(b))
+    if (a.condition != b.condition || !isStressed(a) || !isStressed(b))
       return false;
     const bool turns = coefficient(a, a.degree) * coefficient(b, 0) < 0;
     return isNormal() || !turns || !slips(a, a.degree) || !slips(b, 0);
