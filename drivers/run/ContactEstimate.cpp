@@ -11,7 +11,7 @@ namespace {
 
 using Element = contact::MultiplierSpace::ContactElement;
 
-/// Of the largest pressure, its error.
+/// Of the largest pressure, its error; told in NextLevel.
 constexpr double mostDoubt = 0.05;
 
 bool isClose(const ContactEstimate& contact, double tolerance) {

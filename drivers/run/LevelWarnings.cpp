@@ -177,14 +177,28 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
     for (const auto& [name, summary] : step->row.contacts)
       contact = std::max(contact, summary.contactLength);
   }
+  constexpr const char* neverCloses =
+      "contact never closes: nothing presses a body onto what it could meet; look at the "
+      "signs of loads (tractions pull along x and y) and motions, at the gap, and at a "
+      "finer first mesh";
   if (energy == 0) {
-    const std::vector<bem::Vector>& displacements = level.last().at.displacements;
-    warn(std::any_of(displacements.begin(), displacements.end(),
-                     [](const bem::Vector& u) { return bem::largestEntry(u) > 0; })
-             ? "the strain energy is too small for a number: loads are next to nothing "
-               "beside Young's modulus; look at the units of both"
-             : "nothing loads the scene: no traction, force, prescribed displacement or "
-               "overlap; all of it stays as it is");
+    const contact::Configuration& at = level.last().at;
+    const auto isIn = [](const auto& all, const auto& moves) {
+      return std::any_of(all.begin(), all.end(), moves);
+    };
+    if (isIn(at.displacements,
+             [](const bem::Vector& u) { return bem::largestEntry(u) > 0; }))
+      warn(
+          "the strain energy is too small for a number: loads are next to nothing beside "
+          "Young's modulus; look at the units of both");
+    else if (isIn(at.rigid, [](const contact::RigidMotion& m) {
+               return norm(m.slide) > 0 || m.turn != 0;
+             }))
+      warn(neverCloses);
+    else
+      warn(
+          "nothing loads the scene: no traction, force, prescribed displacement or "
+          "overlap; all of it stays as it is");
     return warn.all();
   }
   if (level.row.report.converged()) {
@@ -192,9 +206,7 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
       warn(isMissed(scene, level.level)
                ? "contact closes between the points of the mesh alone (eta_penetration), "
                  "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
-               : "contact never closes: nothing presses a body onto what it could meet; "
-                 "look at the signs of loads (tractions pull along x and y), at the gap, "
-                 "and at a finer first mesh");
+               : neverCloses);
     findLostDigits(level, warn);
     findErrorInTime(level, warn);
     if (const std::string missing = missingTo(scene, level.level); !missing.empty())

@@ -111,7 +111,8 @@ std::string reached(const Scene& scene, const Level& level) {
       text << "only " << counted(contact->closed.size(), "element is", "elements are")
            << " closed";
     else
-      text << "the largest pressure is uncertain by " << 100 * contact->doubt << " %";
+      return bem::message(text.str(), "the largest pressure is uncertain by ",
+                          100 * contact->doubt, " %, above the 5 % that are allowed");
   }
   text << (isReached(scene, level) ? ", within" : ", above")
        << " Adaptivity->Tolerance = " << *tolerance;

@@ -166,7 +166,10 @@ std::vector<int> readCounts(const Part& part, const std::string& key, std::size_
   const auto& counts = part.list->get<Teuchos::Array<int>>(key);
   if (static_cast<std::size_t>(counts.size()) != edges)
     throw InputError(part.path(key), ": has ", counts.size(),
-                     " numbers, but the polygon has ", edges, " edges");
+                     " numbers, but the polygon has ", edges, " edges",
+                     static_cast<std::size_t>(counts.size()) > edges
+                         ? "; those of a hole are in Hole <k> Elements per Edge"
+                         : "");
   return counts.toVector();
 }
 

@@ -117,6 +117,8 @@ TEUCHOS_UNIT_TEST(BadScenes, theMeshFitsTheOutline) {
   SceneText scene;
   scene.discretization = elements("{4, 2, 4}");
   TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "3", "4");
+  scene.discretization = elements("{4, 2, 4, 2, 4, 2, 4, 2}");
+  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "8", "Hole <k>");
   TEST_COMPLAINT(withDiscretization(real("Mesh Size", "0.5")).xml(),
                  "Discretization->Elements per Edge", "Mesh Size");
   scene.discretization = real("Mesh Size", "1e-9");

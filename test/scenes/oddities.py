@@ -53,6 +53,9 @@ for sentence, settings, words in [
     code, warnings = told(scene("coulomb.xml"), "odd", settings)
     claim(code == 0 and len(warnings) == 1 and words in warnings[0],
           "%s: %s" % (sentence, warnings))
+code, warnings = told(scene("o-ring.xml"), "lifted", ["Bodies->lid->Motion->Displacement Y=0.1"])
+claim(code == 0 and len(warnings) == 1 and "contact never closes" in warnings[0],
+      "a lid that moves away: %s" % warnings)
 SIDE = CONDITIONS + "side={Type=Dirichlet, Displacement X=%s, Displacement Y=%s}"
 TOP = CONDITIONS + "top={Type=Neumann, Traction Y=-100*%s}"
 for sentence, setting, *words in [
