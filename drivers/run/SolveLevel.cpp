@@ -53,6 +53,8 @@ std::vector<bem::SteklovPoincare> makeStiffness(const BodySpaces& spaces,
 double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
   // a strain of this part of the thermal one has no meaning in a body that heat leaves unstrained
   constexpr double negligible = 1e-12;  // of squared norms
+  // where nothing is loaded, sides that touch overlap by rounding
+  const double overlap = 1e-24 * solved.last().spaces.scene().energy();
   double largest = solved.steps.front()->row.energyStrain;
   for (const auto& step : solved.steps)
     largest = std::max(largest, step->row.energyStrain);
@@ -65,7 +67,7 @@ double relative(const SolvedLevel& solved, const bem::Vector& estimates) {
     const double square = estimates[k] * estimates[k];
     // rounding may leave an energy below zero
     const double norm = 2 * std::max({step.row.energyStrain, largest / 100, 0.0});
-    if (std::max(square, norm) > storable.rounding)
+    if (std::max(square, norm) > std::max(storable.rounding, norm > 0 ? 0 : overlap))
       result = std::max(
           result, estimates[k] / std::sqrt(std::max(norm, negligible * storable.inside)));
   }
