@@ -1,7 +1,10 @@
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 
+#include "bem/base/Parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::adaptivity {
 
@@ -53,6 +56,8 @@ std::vector<Joint> findJoints(const bem::Mesh& mesh,
   return joints;
 }
 
+constexpr double ofCost = 100;  // ns, of an element
+
 /// Corrections of all contact elements, and their costs.
 struct Corrections {
   std::vector<AtEnds> factors;
@@ -61,10 +66,12 @@ struct Corrections {
 
   Corrections(const std::vector<ContactCost>& elements, std::vector<AtEnds> all)
       : factors(std::move(all)) {
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-      costs.push_back(elements[k](factors[k]));
-      total += costs.back();
-    }
+    const auto size = static_cast<bem::Index>(elements.size());
+    costs.resize(elements.size());
+    bem::parallelFor({size, ofCost * static_cast<double>(size), 16}, [&](bem::Index k) {
+      costs[bem::at(k)] = elements[bem::at(k)](factors[bem::at(k)]);
+    });
+    total = std::accumulate(costs.begin(), costs.end(), 0.0);
   }
 };
 
@@ -179,17 +186,23 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
   constexpr int sweeps = 40;
   constexpr double enough = 1e-3;  // of the total gain; the bound holds for all c
   std::vector<Joint> joints = findJoints(mesh, conditions, elements);
+  const auto size = static_cast<bem::Index>(joints.size());
+  std::vector<Step> steps(joints.size());
+  constexpr double ofStep = 20 * ofCost;
   Corrections best(costs, std::vector<AtEnds>(elements.size()));
   const double start = best.total;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     // All joints at once, so that their order does not matter, with half steps: each cost
     // depends on two joints and is convex where pressure and shear keep their signs.
     std::vector<AtEnds> factors = best.factors;
-    for (Joint& joint : joints) {
-      const Step step = bestStep(joint.reach, {joint, costs, best});
-      joint.reach = step.reach;
-      for (const Arm& arm : joint.arms)
-        arm.move(0.5 * step.change, factors[arm.contact]);
+    bem::parallelFor({size, ofStep * static_cast<double>(size), 16}, [&](bem::Index j) {
+      const Joint& joint = joints[bem::at(j)];
+      steps[bem::at(j)] = bestStep(joint.reach, {joint, costs, best});
+    });
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      joints[j].reach = steps[j].reach;
+      for (const Arm& arm : joints[j].arms)
+        arm.move(0.5 * steps[j].change, factors[arm.contact]);
     }
     Corrections next(costs, std::move(factors));
     if (!(next.total < best.total))

@@ -97,10 +97,8 @@ struct BoundaryFields::Far {
   std::vector<Stretch> stretches{};
   std::vector<const SourceGroups::Group*> groups{};
   PointSources points;  ///< places relative to the middle of the target
-  std::vector<PointSources::Range> carriers{};  ///< whose values they have
-  PointSources rare;                            ///< carriers of orders that are not kept
 
-  explicit Far(std::size_t states) : points(states), rare(states) {}
+  explicit Far(std::size_t states) : points(states) {}
 };
 
 struct BoundaryFields::Sources {
@@ -149,10 +147,8 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
       [&](Index k) {
         const int order = asInt(orders - k);  // the longest first
         PointSources& points = everything_[bem::at(order)];
-        for (int f = 0; f < mesh_.size(); ++f) {
-          addPlaces(f, order, mesh_[f].curve.frame().middle, points);
-          carry(f, order, points);
-        }
+        for (int f = 0; f < mesh_.size(); ++f)
+          addCarriers(f, order, mesh_[f].curve.frame().middle, points);
       });
   const auto densities = [this](int f, const Rule& rule, std::vector<Complex>& g) {
     const Element& source = mesh_[f];
@@ -183,14 +179,16 @@ void BoundaryFields::addPlaces(int f, int order, Vec2 middle,
     points.add(asComplex(middle + mesh_[f].curve.fromMiddle(t)));
 }
 
-/// What the last of them carry.
-void BoundaryFields::carry(int f, int order, PointSources& points) const {
+/// The same with what they carry.
+void BoundaryFields::addCarriers(int f, int order, Vec2 middle,
+                                 PointSources& points) const {
   const Element& source = mesh_[f];
   const Rule& rule = gaussLegendre(order);
   const std::vector<LocalField> fields = fieldsOf(f);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
     const double weight = source.half * rule.weights[q];
+    points.add(asComplex(middle + source.curve.fromMiddle(t)));
     for (std::size_t k = 0; k < states_; ++k) {
       const LocalField& values = fields[k];
       points.carry(k, weight * evaluate(values.density, source.densities - 1, t),
@@ -199,14 +197,12 @@ void BoundaryFields::carry(int f, int order, PointSources& points) const {
   }
 }
 
-void BoundaryFields::addFar(int f, int order, Vec2 middle, Far& far) const {
-  addPlaces(f, order, middle, far.points);
-  const bool isKept = bem::at(order) < everything_.size();
-  const PointSources& from = isKept ? everything_[bem::at(order)] : far.rare;
-  const std::size_t first = isKept ? bem::at(f) * bem::at(order) : far.rare.carried();
-  if (!isKept)
-    carry(f, order, far.rare);
-  far.carriers.push_back({&from, first, first + bem::at(order)});
+void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points) const {
+  if (static_cast<std::size_t>(order) >= everything_.size())
+    return addCarriers(f, order, middle, points);
+  addPlaces(f, order, middle, points);
+  const std::size_t first = static_cast<std::size_t>(f) * order;
+  points.carry(everything_[order], first, first + order);
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
@@ -233,7 +229,7 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
     }
     const Nearness& smooth = chosen.own[lane];
     addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
-           sources.far(2 * smooth.outer));
+           sources.far(2 * smooth.outer).points);
   }
 }
 
@@ -249,8 +245,6 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
             .groups.push_back(&group);
       },
       [&](int r) { splitRun(element, r, sources); });
-  for (auto& [order, far] : sources.all)
-    far.points.carry(far.carriers);
   return sources;
 }
 

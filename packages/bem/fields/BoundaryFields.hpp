@@ -61,8 +61,8 @@ class BoundaryFields {
 
   std::vector<LocalField> fieldsOf(int f) const;  ///< of the states
   void addPlaces(int f, int order, Vec2 middle, PointSources& points) const;
-  void carry(int f, int order, PointSources& points) const;
-  void addFar(int f, int order, Vec2 middle, Far& far) const;
+  void addCarriers(int f, int order, Vec2 middle, PointSources& points) const;
+  void addFar(int f, int order, Vec2 middle, PointSources& points) const;
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
   std::vector<SmoothSeries> smoothSeries(int element, const Sources& sources) const;

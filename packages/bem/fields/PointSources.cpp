@@ -3,6 +3,7 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace epafi::bem {
 
@@ -27,7 +28,7 @@ EPAFI_INLINE void evaluate(const Pack& wx, const Pack& wy, Kernels& k) {
 }
 
 struct Summation {
-  const std::vector<Vector>& arrays;
+  const Matrix& arrays;
   std::size_t first;
   std::size_t last;
   double x;
@@ -36,7 +37,7 @@ struct Summation {
 
   // the last points among some that carry nothing, away from x
   EPAFI_INLINE void read(std::size_t array, std::size_t k, double other, Pack& to) const {
-    const double* from = arrays[array].data() + k;
+    const double* from = arrays.column(static_cast<Index>(array)) + k;
     if (k + lanes <= last)
       return load(from, to);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -86,25 +87,30 @@ struct Summation {
 }  // namespace
 
 void PointSources::add(Complex place) {
-  arrays_[0].push_back(place.real());
-  arrays_[1].push_back(place.imag());
+  const auto size = static_cast<Index>(size_);
+  if (size == arrays_.rows()) {
+    constexpr Index least = 128;
+    Matrix larger = Matrix::unset(std::max(least, 2 * size), arrays_.columns());
+    for (Index j = 0; j < arrays_.columns(); ++j)
+      std::copy_n(arrays_.column(j), size, larger.column(j));
+    arrays_ = std::move(larger);
+  }
+  arrays_(size, 0) = place.real();
+  arrays_(size, 1) = place.imag();
+  ++size_;
 }
 
 void PointSources::carry(std::size_t state, Complex density, Complex slope) {
-  std::size_t array = 2 + 4 * state;
+  Index array = 2 + 4 * static_cast<Index>(state);
   for (const double number : {density.real(), density.imag(), slope.real(), slope.imag()})
-    arrays_[array++].push_back(number);
+    arrays_(static_cast<Index>(size_) - 1, array++) = number;
 }
 
-void PointSources::carry(const std::vector<Range>& points) {
-  for (std::size_t array = 2; array < arrays_.size(); ++array) {
-    arrays_[array].resize(size());
-    double* to = arrays_[array].data();
-    for (const auto& [of, first, last] : points) {
-      const double* from = of->arrays_[array].data();
-      to = std::copy(from + first, from + last, to);
-    }
-  }
+void PointSources::carry(const PointSources& others, std::size_t first,
+                         std::size_t last) {
+  for (Index array = 2; array < arrays_.columns(); ++array)
+    std::copy(others.arrays_.column(array) + first, others.arrays_.column(array) + last,
+              arrays_.column(array) + (size_ - (last - first)));
 }
 
 void PointSources::addAt(Complex x, std::size_t first, std::size_t last,

@@ -13,24 +13,17 @@ namespace epafi::bem {
 /// quadrature weight.  Structure of arrays.
 class PointSources {
  public:
-  explicit PointSources(std::size_t states) : arrays_(2 + 4 * states) {}
+  explicit PointSources(std::size_t states)
+      : arrays_(0, 2 + 4 * static_cast<Index>(states)) {}
 
-  std::size_t size() const { return arrays_.front().size(); }
+  std::size_t size() const { return size_; }
 
   /// Appends a point.
   void add(Complex place);
-  /// Sets the values of a state at the next point without values in that state.
+  /// Sets the values of a state at the last point.
   void carry(std::size_t state, Complex density, Complex slope);
-  std::size_t carried() const { return arrays_.back().size(); }
-
-  /// Points first ... last - 1 of others.
-  struct Range {
-    const PointSources* of;
-    std::size_t first;
-    std::size_t last;
-  };
-  /// Copies the values of as many points as there are.
-  void carry(const std::vector<Range>& points);
+  /// Copies the values of the points first ... last - 1 of `others` to the last points.
+  void carry(const PointSources& others, std::size_t first, std::size_t last);
 
   /// Partial sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and
   /// the real and imaginary cubic part; for g = density and g = slope.
@@ -59,8 +52,10 @@ class PointSources {
              InstructionSet set = largestInstructionSet()) const;
 
  private:
-  /// Point x, y; then for each state density x, y and slope x, y.
-  std::vector<Vector> arrays_;
+  /// Columns: point x, y; then for each state density x, y and slope x, y.  One allocation, with room
+  /// for more points.
+  Matrix arrays_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace epafi::bem

@@ -4,6 +4,7 @@
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,19 +167,21 @@ void CompressedFlexibility::addMotions(const std::vector<std::vector<Vector>>& r
 // D X = D_M X + U S Uᵀ X
 Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   Matrix forces(operators().size(), x.columns());
-  for (Index j = 0; j < x.columns(); ++j)
-    addTranspose(1, x.column(j), forces.column(j));
+  const bem::Job job{
+      x.columns(),
+      bem::workOfNumbers(10 * static_cast<double>(operators().size() * x.columns()))};
+  bem::parallelFor(job, [&](Index j) { addTranspose(1, x.column(j), forces.column(j)); });
   // a multiplier that is held ties no bodies to one another
   Matrix moved = own_.front().solve(forces);
   for (std::size_t b = 1; b < own_.size(); ++b)
     bem::addTo(moved, own_[b].solve(forces));
   Matrix result(size(), x.columns());
-  for (Index j = 0; j < x.columns(); ++j) {
+  bem::parallelFor(job, [&](Index j) {
     const Vector applied = apply(moved.column(j));
     std::copy(applied.begin(), applied.end(), result.column(j));
     for (const bem::Entry& entry : mass_)
       result(entry.row, j) += entry.value * x(entry.column, j);
-  }
+  });
   motions_.addTo(result, x);
   return result;
 }

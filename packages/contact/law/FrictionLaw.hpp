@@ -13,7 +13,7 @@ class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
 
-  /// s >= 0 at a pressure >= 0.
+  /// s >= 0 at a pressure >= 0.  The estimate asks several threads at a time.
   virtual double bound(double pressure, const Vector& fields) const = 0;
 
   /// ds/dpressure at a pressure >= 0; at a kink one of the one-sided derivatives, at zero
@@ -84,7 +84,7 @@ struct Friction : LawOnBoundary<FrictionLaw> {
 /// \throws bem::InputError for an unknown name, or another number of fields.
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
 
-/// A friction coefficient F(x, λₙ) >= 0 at a pressure >= 0, in the user's units.
+/// A friction coefficient F(x, λₙ) >= 0 at a pressure >= 0, in the user's units; thread-safe.
 using PressureCoefficient =
     std::function<double(const bem::SurfacePoint&, double pressure)>;
 

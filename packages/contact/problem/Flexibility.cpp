@@ -3,6 +3,7 @@
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -209,9 +210,9 @@ class DenseFlexibility final : public Flexibility::Operator {
     Product sum{Vector(x.size(), 0.0), Vector(x.size(), 0.0)};
     double* value = sum.value.data();
     double* magnitude = sum.magnitude.data();
-    overColumns(x, [&](const double* column, double factor) {
+    overColumns(x, [&](const double* column, double factor, Index first, Index last) {
 #pragma omp simd
-      for (std::size_t i = 0; i < x.size(); ++i) {
+      for (Index i = first; i < last; ++i) {
         const double term = column[i] * factor;
         value[i] += term;
         magnitude[i] += std::abs(term);
@@ -223,9 +224,9 @@ class DenseFlexibility final : public Flexibility::Operator {
   Vector times(const Vector& x) const override {
     Vector sum(x.size(), 0.0);
     double* value = sum.data();
-    overColumns(x, [&](const double* column, double factor) {
+    overColumns(x, [&](const double* column, double factor, Index first, Index last) {
 #pragma omp simd
-      for (std::size_t i = 0; i < x.size(); ++i)
+      for (Index i = first; i < last; ++i)
         value[i] += column[i] * factor;
     });
     return sum;
@@ -236,12 +237,19 @@ class DenseFlexibility final : public Flexibility::Operator {
   }
 
  private:
+  /// A block of rows on each thread: sums have one order.
   template <class Add>
   void overColumns(const Vector& x, const Add& add) const {
     assert(static_cast<Index>(x.size()) == size());
-    for (std::size_t j = 0; j < x.size(); ++j)
-      if (x[j] != 0)
-        add(entries_.column(static_cast<Index>(j)), x[j]);
+    const double work = bem::workOfProduct(size(), size(), 1);
+    const Index blocks = bem::threadsFor(work);
+    const Index rows = (size() + blocks - 1) / blocks;
+    bem::parallelFor({blocks, work}, [&](Index k) {
+      const Index last = std::min(size(), (k + 1) * rows);
+      for (Index j = 0; j < size(); ++j)
+        if (x[at(j)] != 0)
+          add(entries_.column(j), x[at(j)], k * rows, last);
+    });
   }
 
   Matrix entries_;
