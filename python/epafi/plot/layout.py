@@ -1,15 +1,52 @@
 """Where samples of contact are drawn: along an axis or the length of their boundaries, cut to where
 something touches."""
+import os
+
 import numpy as np
+
+from epafi.tables import Table, read
 
 
 def chains(contact):
     """Index ranges (first, last) of samples that follow each other on one boundary: a new one
-    begins where the name changes or an element is not the next one of the mesh."""
-    names, element = contact["boundary"].astype(str), contact["element"]
-    fresh = (names[1:] != names[:-1]) | (np.diff(element) > 1) | (np.diff(element) < 0)
+    begins where the name changes, or an element is not the next one of the mesh and not the first one of
+    an outline that the boundary runs on over, see in_order."""
+    names, element = contact["boundary"].astype(str), np.diff(contact["element"])
+    on = np.diff(contact["s"]) > 0 if "s" in contact else element >= 0  # of an older run
+    fresh = (names[1:] != names[:-1]) | (element > 1) | ~on
     starts = np.append(0, np.flatnonzero(fresh) + 1)
     return list(zip(starts, [*starts[1:], len(names)]))
+
+
+def in_order(contact):
+    """The table with its samples along their boundaries: of one that runs over the first vertex of its
+    outline, where the numbers of elements begin again, what is before the vertex comes first."""
+    parts = chains(contact)
+    if "s" not in contact or len(parts) < 2:
+        return contact
+    names, s = contact["boundary"].astype(str), contact["s"]
+    x = np.column_stack([contact["x"], contact["y"]])
+
+    def step(a, b):
+        return np.hypot(*np.diff(x[a:b], axis=0).T).max(initial=0)
+
+    order = list(parts)
+    for a, b in parts:
+        for start, end in parts:  # where lengths go on from
+            if start > a and names[start] == names[a] and s[end - 1] < s[a] and np.hypot(
+                    *(x[a] - x[end - 1])) <= 2 * max(step(a, min(b, a + 2)), step(max(start, end - 2), end)):
+                order.remove((start, end))
+                order.insert(order.index((a, b)), (start, end))
+    if order == parts:
+        return contact
+    rows = np.concatenate([np.arange(a, b) for a, b in order])
+    return Table.of({name: column[rows] for name, column in contact.columns.items()})
+
+
+def samples_at(folder, step=None, columns=None):
+    """contact.csv of a step, else of the last one, in its order; of some columns, or of all."""
+    contact = read(os.path.join(folder, "steps", "%d" % step) if step else folder, "contact.csv", columns)
+    return contact and in_order(contact)
 
 
 def abscissa(contact, parts):
@@ -68,15 +105,15 @@ def laid_out(contact, first=0, last=None, turns=None):
 
 
 def window(laid):
-    """What is shown of (columns, s, ...) that share an axis: all, or where little of it is ever
-    closed, that and as much again on both sides."""
+    """What is shown of (columns, s, ...) that share an axis: all, or where less than half of it is ever
+    closed, that and half as much again on both sides."""
     closed = np.concatenate([s[columns["contact"] > 0] for columns, s, *_ in laid])
     low, high = (pick(s) for pick, s in ((min, [s.min() for _, s, *_ in laid]),
                                          (max, [s.max() for _, s, *_ in laid])))
-    if not closed.size or np.ptp(closed) > 0.25 * (high - low):
+    if not closed.size or np.ptp(closed) > 0.5 * (high - low):
         return low, high
-    room = max(np.ptp(closed), 0.02 * (high - low))
-    return closed.min() - room, closed.max() + room
+    room = max(0.5 * np.ptp(closed), 0.02 * (high - low))
+    return max(low, closed.min() - room), min(high, closed.max() + room)
 
 
 def within(laid, low, high):

@@ -1,13 +1,11 @@
 """path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
 forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid; slip and
 movie, see there."""
-import os
-
 import numpy as np
 
 from epafi.plot import overlay, slip
 from epafi.plot.figures import COLOURS, settle, short
-from epafi.plot.layout import chains, lengths
+from epafi.plot.layout import chains, lengths, samples_at
 from epafi.tables import read
 
 SHOWN = 6  # steps overlaid, contacts or bodies drawn
@@ -41,10 +39,6 @@ COLUMNS = {"boundary", "element", "x", "y", "s", "body", "contact_name", "pressu
            "u_t", "slip", "worn_depth", "contact", "friction"}
 
 
-def step_file(folder, step, columns=None):
-    return read(os.path.join(folder, "steps", "%d" % step), "contact.csv", columns)
-
-
 def samples_of(contact, name):
     """Which samples are of a contact; of several of one name steps.csv says body:contact."""
     short = contact["contact_name"]
@@ -67,8 +61,9 @@ def mean_slip(contact, name, column):
 
 
 def torsion(folder, rows, contacts, contact):
-    """Of two bodies that meet all around, at the steps: how far the one that turns the other is
-    ahead [radian], and the torque on that one about its middle; None of others."""
+    """Of two bodies that meet all around and turn each other, at the steps: how far the one that turns the
+    other is ahead [radian], and the torque on that one about its middle; None of others, and where the force
+    between them does more work than the torque."""
     bodies = read(folder, "bodies.csv")
     if len(contacts) != 1 or bodies is None or len(set(bodies["body"])) != 2:
         return None
@@ -81,15 +76,18 @@ def torsion(folder, rows, contacts, contact):
     driving = last & (bodies["body"] != contact["body"][0])
     if not driven.sum() == driving.sum() == len(rows["step"]):
         return None
-    return (bodies["rotation"][driving] - bodies["rotation"][driven],
-            bodies["contact_moment"][driven])
+    twist, (x, y) = bodies["rotation"][driving] - bodies["rotation"][driven], x.mean(axis=0)
+    torque = (bodies["contact_moment"] - x * bodies["contact_y"] + y * bodies["contact_x"])[driven]
+    pushed = sum((bodies["motion_" + axis][driving] - bodies["motion_" + axis][driven])
+                 * bodies["contact_" + axis][driven] for axis in "xy")
+    return (twist, torque) if np.abs(twist * torque).max() > np.abs(pushed).max() else None
 
 
 def draw(folder, steps, title, pictures):
     rows = last_level(steps)
     t = np.append(0, rows["t"])
     drawn = any(map(pictures.wants, ("path", "steps", "slip")))
-    files = [step_file(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]
+    files = [samples_at(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]
     loops = all(file is not None for file in files)
     if pictures.wants("path"):
         draw_path(folder, rows, t, files if loops else [], title, pictures)

@@ -132,7 +132,7 @@ def key_results(pictures: Pictures, run: Run, step: Optional[int], fields: str,
         numbers, points = {name: run.steps[name][here][0] for name in run.steps}, run.step(step)
     revolves = run.scene.get("Geometry", {}).get("Type") == "Axisymmetric"
     found = list(Contacts(points, numbers, revolves).results()) if points else []
-    found.append(largest_stress(fields, singular))
+    found.append(largest_stress(fields, pictures, singular))
     rows, last = [], ""
     for each in found:
         unit = re.sub(r"\^(\d)", r"<sup>\1</sup>", html.escape(pictures.looks.unit(

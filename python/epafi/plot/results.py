@@ -7,10 +7,11 @@ from typing import Iterator, Mapping, NamedTuple, Optional
 
 import numpy as np
 
-from epafi.plot.inside import Inside
+from epafi.plot.figures import Pictures
+from epafi.plot.inside import known
 from epafi.plot.layout import chains, lengths
 from epafi.plot.path import contacts_of, samples_of
-from epafi.tables import Table
+from epafi.tables import Table, shown_step
 
 ROUNDING = 1e-10  # numbers so much smaller than the largest of their kind are none
 # Columns of one kind are compared with each other; the last word of their names says of which.
@@ -123,15 +124,11 @@ class Contacts:
             yield "safety against slip", math.inf, "", "no tangential force; " + told
 
 
-def largest_stress(fields: str, singular: Optional[Table]) -> Result:
-    """Of all of the inside, or of a window: fields.vtu or fields-window.csv.  `singular`: where stresses
-    are."""
-    if fields.endswith(".csv"):
-        table = Table(fields)
-        x, values, part = np.column_stack([table["x"], table["y"]]), table["von_mises"], "the window"
-    else:
-        inside = Inside(fields)
-        x, values, part = inside.points, inside.values["von_mises"], "the bodies"
+def largest_stress(fields: str, pictures: Pictures, singular: Optional[Table]) -> Result:
+    """Of all that is known of the inside and of the boundary, or of a window: see inside.known.  `singular`:
+    where stresses are."""
+    x, values = known("von_mises", fields, pictures.folder, pictures.step or shown_step(pictures.folder),
+                      pictures.window)
     peak = x[np.argmax(values)]
     size = float(max(np.ptp(x, axis=0)))
     remark = "at " + place(peak[0], peak[1], size)
@@ -139,4 +136,5 @@ def largest_stress(fields: str, singular: Optional[Table]) -> Result:
         near = np.hypot(singular["x"] - peak[0], singular["y"] - peak[1])
         if near.min() < 0.02 * size:
             remark += "; stress has no bound there, it grows with the mesh: see stress intensities"
-    return Result(part, "largest von Mises stress", float(np.max(values)), "stress", remark)
+    return Result("the window" if pictures.window else "the bodies", "largest von Mises stress",
+                  float(np.max(values)), "stress", remark)
