@@ -69,9 +69,9 @@ def draw_run(pictures: Pictures) -> None:
 
 def pressed_step(steps: Table) -> Optional[int]:
     """The step of the last level in which contacts press most."""
-    rows = path.last_level(steps)
+    rows = path.solved_steps(steps)
     forces = [rows[name] for name in rows if name.endswith(".force_normal")]
-    return int(rows["step"][np.argmax(sum(forces))]) if forces else None
+    return int(rows["step"][np.argmax(sum(forces))]) if forces and rows["step"].size else None
 
 
 def draw_study(pictures: Pictures, columns: Sequence[str]) -> None:
@@ -101,10 +101,12 @@ def draw_field(field: str, file: str, pictures: Pictures) -> None:
 
 def when(folder: str, step: Optional[int]) -> str:
     """What titles say of a step of a path, one of the last level's; None: the last one."""
-    steps = read(folder, "steps.csv")
-    if not steps:
-        return ""
-    return ", t = %g" % steps["t"][steps["level"] == steps["level"][-1]][(step or 0) - 1]
+    steps, history = read(folder, "steps.csv"), read(folder, "history.csv")
+    at, row, status = "", -1, history["status"] if history else ["converged"]
+    if steps:
+        row = np.flatnonzero(steps["level"] == steps["level"][-1])[(step or 0) - 1]
+        at, status = ", t = %g" % steps["t"][row], steps["status"]
+    return at + ", not solved" * (status[row] != "converged")
 
 
 def has_steps(folder: str) -> bool:

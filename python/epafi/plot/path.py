@@ -28,9 +28,9 @@ def tell_rest(axes, names, shown):
         axes.plot([], [], ls="", label="not drawn: %d others" % (len(names) - len(shown)))
 
 
-def last_level(steps):
-    """The rows of the last level, as arrays by column."""
-    here = steps["level"] == steps["level"].max()
+def solved_steps(steps):
+    """The rows of the last level that are solved, as arrays by column."""
+    here = (steps["level"] == steps["level"].max()) & (steps["status"] == "converged")
     return {name: column[here] for name, column in steps.columns.items()}
 
 
@@ -71,7 +71,7 @@ def torsion(folder, rows, contacts, contact):
     steps = np.hypot(*np.diff(x, axis=0).T)
     if np.hypot(*(x[-1] - x[0])) > 2 * max(steps[0], steps[-1]):
         return None
-    last = bodies["level"] == bodies["level"].max()
+    last = (bodies["level"] == bodies["level"].max()) & np.isin(bodies["step"], rows["step"])
     driven = last & (bodies["body"] == contact["body"][0])
     driving = last & (bodies["body"] != contact["body"][0])
     if not driven.sum() == driving.sum() == len(rows["step"]):
@@ -84,7 +84,11 @@ def torsion(folder, rows, contacts, contact):
 
 
 def draw(folder, steps, title, pictures):
-    rows = last_level(steps)
+    rows = solved_steps(steps)
+    if not rows["step"].size:
+        return
+    if steps["status"][-1] != "converged":
+        title += " up to t = %g, the last step that is solved" % rows["t"][-1]
     t = np.append(0, rows["t"])
     drawn = any(map(pictures.wants, ("path", "steps", "slip")))
     files = [samples_at(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]

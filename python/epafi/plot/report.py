@@ -186,7 +186,7 @@ def write_report(file: str, pictures: Pictures, fields: str, warnings: Sequence[
     if run_steps := read(folder, "steps.csv"):
         sections["Results"].append("<p>Numbers and pictures are those at%s, step %d of %d%s.</p>" % (
             when(folder, step)[1:], step or run_steps["step"][-1], run_steps["step"][-1],
-            ", where the strain energy is largest" if step and not pictures.step else ""))
+            ", of those that are solved where the strain energy is largest" if step and not pictures.step else ""))
     named = sorted(dict.fromkeys(pictures.names), key=lambda name: (
         list(SHOWN).index(name) if name in SHOWN else -1))
     sections["Pictures"] = [from_file(os.path.join(folder, name + ".png"), SHOWN.get(
