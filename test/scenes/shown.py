@@ -6,6 +6,7 @@ import re
 
 import matplotlib
 
+from epafi.plot.results import Contacts
 from epafi.runs import Run
 from runs import (WORK, claim, differ, epafi, finish, fresh, largest, read, rows, saved, scene, solved,
                   write)
@@ -105,6 +106,13 @@ claim(all(differ(image["right." + force], 2 * last["right." + force]) < 1e-6
           for force in ("force_normal", "force_tangential")),
       "that of its half has the forces of both: %.6f, %.6f" % (
           image["right.force_normal"], image["right.force_tangential"]))
+
+flanks = [{each.name: each for each in Contacts(Run(folder).contact, numbers, False, mirror).results()
+           if each.where == "right"} for folder, numbers, mirror in ((whole, last, "None"), (half, image, "X"))]
+claim(differ(flanks[1]["moment"].value, flanks[0]["moment"].value) < 2e-3 and
+      flanks[1]["width of contact"].remark.startswith("both halves; ") and not flanks[0]["width of contact"].remark and
+      all(differ(each["safety against slip"].value, 1) < 2e-3 for each in flanks),
+      "a report has the moment of the drawn flank: %s" % [each["moment"][2:] for each in flanks])
 
 # a load beyond what friction holds: the capacity, and pictures of what is solved
 page = read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc", "howto", "capacity.md")).split("```")

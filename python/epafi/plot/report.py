@@ -130,8 +130,9 @@ def key_results(pictures: Pictures, run: Run, step: Optional[int], fields: str,
     if step:
         here = (run.steps["level"] == run.steps["level"].max()) & (run.steps["step"] == step)
         numbers, points = {name: run.steps[name][here][0] for name in run.steps}, run.step(step)
-    revolves = run.scene.get("Geometry", {}).get("Type") == "Axisymmetric"
-    found = list(Contacts(points, numbers, revolves).results()) if points else []
+    geometry = run.scene.get("Geometry", {})
+    revolves = geometry.get("Type") == "Axisymmetric"
+    found = list(Contacts(points, numbers, revolves, geometry.get("Symmetry")).results()) if points else []
     found.append(largest_stress(fields, pictures, singular))
     rows, last = [], ""
     for each in found:
