@@ -9,7 +9,7 @@ import numpy as np
 
 from epafi.plot.figures import Pictures
 from epafi.plot.inside import known
-from epafi.plot.layout import chains, lengths
+from epafi.plot.layout import chains, lengths, per_element
 from epafi.plot.path import contacts_of, samples_of
 from epafi.tables import Table, shown_step
 
@@ -64,8 +64,7 @@ def extent(table: Optional[Table]) -> float:
 def integral_weights(points: Table, otherwise: np.ndarray) -> np.ndarray:
     """Of samples in the middles of equal parts of each element weights of integrals, exact for polynomials of
     degrees below 10 and the number of samples."""
-    change = (np.diff(points["element"]) != 0) | (points["boundary"][1:] != points["boundary"][:-1])
-    count = int(np.append(np.flatnonzero(change), points.size - 1)[0]) + 1  # on each element
+    count = per_element(points)
     if count == 1:
         return otherwise
     legendre = np.polynomial.legendre.legvander((2 * np.arange(count) + 1) / count - 1, min(count, 10) - 1)
