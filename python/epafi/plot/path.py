@@ -1,4 +1,5 @@
-"""path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
+"""path: forces and friction's work along a load path, loops of force over slip, without friction the length
+in contact over the force; rigid: motions and
 forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid; slip and
 movie, see there."""
 import numpy as np
@@ -118,7 +119,8 @@ def draw_path(folder, rows, t, files, title, pictures):
     rubs = max((np.abs(rows[name + ".force_tangential"]).max() for name in contacts), default=0) > 1e-9 * force or \
         np.abs(rows["energy_dissipated"]).max() > 1e-9 * np.abs(rows["energy_strain"]).max()
     files = files if rubs else []
-    panels = 1 + rubs + bool(files)
+    grows = bool(contacts) and not rubs
+    panels = 1 + rubs + bool(files) + grows
     figure, axes = pictures.subplots(1, panels, figsize=(0.5 + 4.2 * panels, 4))
     axes = np.ravel(axes)
     shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
@@ -142,9 +144,16 @@ def draw_path(folder, rows, t, files, title, pictures):
               ls="--")
         axes[1].set_ylabel(label("friction's work so far", "energy"))
         settle(axes[1], np.abs(rows["energy_strain"]).max())
-    for panel in axes[:2]:
+    for panel in axes[:1 + rubs]:
         panel.set_xlabel("t")
         pictures.legend(panel)
+    if grows:
+        for k, name in enumerate(shown):
+            axes[1].plot(rows[name + ".force_normal"], rows[name + ".contact_length"], marker=".", color=COLOURS[k])
+        settle(axes[1], force, "x")
+        axes[1].set_ylim(bottom=0)
+        axes[1].set_xlabel(label("normal force", "force"))
+        axes[1].set_ylabel(label("contact length", "length"))
     if files:
         moved = slip_column(files)
         loops = {name: ([mean_slip(file, name, moved) for file in files],

@@ -46,7 +46,7 @@ SHARES = ("load", "body_force", "contact", "reaction")
 SHOWN = {
     "contact": "Contact: pressure, shear and the bound of friction; displacements and gap.",
     "deformed": "Deformed bodies; arrows are tractions on them.",
-    "path": "Forces and friction's work along the path.",
+    "path": "Forces along the path, friction's work or the length in contact.",
     "slip": "Slip over place and time.",
     "rigid": "Motions of rigid bodies and forces on them.",
     "steps": "Contact at several steps of the path.",
