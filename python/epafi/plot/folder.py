@@ -102,11 +102,11 @@ def draw_field(field: str, file: str, pictures: Pictures) -> None:
 def when(folder: str, step: Optional[int]) -> str:
     """What titles say of a step of a path, one of the last level's; None: the last one."""
     steps, history = read(folder, "steps.csv"), read(folder, "history.csv")
-    at, row, status = "", -1, history["status"] if history else ["converged"]
+    at, status = "", history["status"][-1] if history else "converged"
     if steps:
         row = np.flatnonzero(steps["level"] == steps["level"][-1])[(step or 0) - 1]
-        at, status = ", t = %g" % steps["t"][row], steps["status"]
-    return at + ", not solved" * (status[row] != "converged")
+        at, status = ", t = %g" % steps["t"][row], steps["status"][row]
+    return at + ", not solved" * bool(status != "converged")
 
 
 def has_steps(folder: str) -> bool:
