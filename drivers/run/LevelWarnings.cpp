@@ -13,7 +13,7 @@ namespace epafi::drivers {
 
 namespace {
 
-/// What is told of a contact, the largest over the level or over the steps of its path.
+/// What is told of a contact, the largest over what is solved of the level or of the steps of its path.
 struct Contact {
   double sliding = 0;  ///< where it is closed, over its length in contact
   double parting = 0;  ///< of Direction, times the slip where it is closed
@@ -26,7 +26,9 @@ struct Contact {
 
 std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
   std::map<std::string, Contact> contacts;
-  for (const auto& step : level.steps)
+  for (const auto& step : level.steps) {
+    if (!step->row.converged)
+      continue;
     for (const contact::Solved& solved : step->bodies) {
       const contact::ContactFields fields(solved);
       const auto lengths = contact::contactLengths(solved);
@@ -51,6 +53,7 @@ std::map<std::string, Contact> contactsOf(const SolvedLevel& level) {
                        condition.cycles * condition.wear(point.place) * point.bound);
       }
     }
+  }
   return contacts;
 }
 
@@ -63,12 +66,13 @@ double largestMotion(const contact::Solved& solved, const bem::Outline& outline)
   return largest * solved.units.length / outline.diameter();
 }
 
-/// The same over the level or over the steps of its path.
+/// The same over what is solved of the level or of the steps of its path.
 double largestMotion(const SolvedLevel& level, std::size_t b) {
   double largest = 0;
   for (const auto& step : level.steps)
-    largest = std::max(
-        largest, largestMotion(step->bodies[b], *step->spaces.scene().bodies[b].outline));
+    if (step->row.converged)
+      largest = std::max(largest, largestMotion(step->bodies[b],
+                                                *step->spaces.scene().bodies[b].outline));
   return largest;
 }
 

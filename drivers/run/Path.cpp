@@ -197,10 +197,9 @@ class Follower {
       if (step >= shortest)
         continue;
       if (scene_.history)
-        path_.level.reason =
-            bem::message("step ", row_.step, " of the path ends at t = ", here_.t,
-                         ", before t = ", time, ", although it was halved down to ",
-                         2 * step, ": ", path_.level.reason);
+        path_.ends = bem::message(
+            "step ", row_.step, " of the path ends at t = ", here_.t,
+            ", before t = ", time, ", although it was halved down to ", 2 * step);
       break;
     }
     return step;

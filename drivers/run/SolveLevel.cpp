@@ -213,6 +213,21 @@ void handOutStep(const Run& run, SolvedLevel& path) {
   run.handOutStep(path);
 }
 
+/// Why a level is not converged, with the step of a path that it ends in.  Where all of a contact slips and
+/// no method goes on, friction's limit is all there is to say.
+std::string reasonOf(const SolvedLevel& level) {
+  const std::string limits = frictionLimits(level.last());
+  const std::vector<contact::StageRun>& stages = level.row.report.stages;
+  if (!limits.empty() && !stages.empty() &&
+      stages.back().stage == contact::Stage::FollowOffset)
+    return bem::message(
+        limits, "The load drives it beyond",
+        level.ends.empty() ? "" : " (" + level.ends + ")",
+        ": lessen the load, press harder, raise the friction, or hold the "
+        "motion (Rigid Motions->Fix)");
+  return limits + level.ends + (level.ends.empty() ? "" : ": ") + level.level.reason;
+}
+
 }  // namespace
 
 Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& planned,
@@ -247,9 +262,9 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
       },
       solved);
   if (planned.memoryOfDense && !solved.row.report.converged())
-    return solved.level.reason;
+    return reasonOf(solved);
   if (!solved.row.report.converged())
-    solved.level.reason = frictionLimits(solved.last()) + solved.level.reason;
+    solved.level.reason = reasonOf(solved);
   const std::string unbalanced = solved.unbalanced;
   Level level = finish(run, std::move(solved));
   if (!unbalanced.empty())

@@ -82,7 +82,8 @@ struct SolvedLevel {
   LevelRow row{};  ///< of a path that is not at its end: its report and times only
   std::vector<std::shared_ptr<const SolvedStep>> steps{};
   std::string
-      unbalanced{};  ///< what ends the run, see checkBalance; empty: all is in balance
+      unbalanced{};    ///< what ends the run, see checkBalance; empty: all is in balance
+  std::string ends{};  ///< of a path that ends early: "step 11 of the path ends at ..."
 
   const SolvedStep& last() const { return *steps.back(); }
 };

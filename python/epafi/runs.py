@@ -184,7 +184,7 @@ class Run:
                 units="mm,MPa" of length and stress
         """
         from epafi.plot.figures import Looks, Pictures, plt
-        from epafi.plot.folder import NAMES, draw_field, draw_run, when
+        from epafi.plot.folder import NAMES, draw_field, draw_run
         from epafi.plot.inside import NAMES as FIELDS
 
         if what not in (*NAMES, *FIELDS):
@@ -201,8 +201,7 @@ class Run:
         with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
             if what in FIELDS:
                 step = shown_step(self.folder) if step is None else step
-                draw_field(what, field_file(self.folder, place, window, step), pictures,
-                           when(self.folder, step))
+                draw_field(what, field_file(self.folder, place, window, step), pictures)
             else:
                 draw_run(pictures)
         if not pictures.names:
@@ -296,15 +295,15 @@ def pictured(draw: Callable[[], Figure], text: str) -> str:
 
 
 def field_file(folder: str, place: str, window: Optional[Window], step: Optional[int]) -> str:
-    """Writes what a field of a run is drawn of: at a step, else at the last one."""
-    if window is None:
-        file, how = "fields.vtu", ["--vtk"]
-    else:
+    """Writes what a field of a run is drawn of: at a step, else at the last one; fields.vtu also beside
+    the grid of a window."""
+    file = own(place, "fields.vtu")
+    call(["fields", folder, "--vtk", "--output", file, *_chosen(None, step)])
+    if window is not None:
         x, y = window[2] - window[0], window[3] - window[1]
-        file, how = "fields-window.csv", ["--grid", "%d,%d" % tuple(
-            max(1, round(CELLS * side / max(x, y))) for side in (x, y))]
-    file = own(place, file)
-    call(["fields", folder, *how, "--output", file, *_chosen(window, step)])
+        file = own(place, "fields-window.csv")
+        call(["fields", folder, "--grid", "%d,%d" % tuple(
+            max(1, round(CELLS * side / max(x, y))) for side in (x, y)), "--output", file, *_chosen(window, step)])
     return file
 
 

@@ -169,13 +169,13 @@ def read(folder: str, name: str, only: Optional[Container[str]] = None) -> Optio
 
 
 def shown_step(folder: str) -> Optional[int]:
-    """The step of a path that pictures show: that of the largest strain energy, of equal ones the
-    last.  None: the last step, or there is no path."""
+    """The step of a path that pictures show: of those that are solved that of the largest strain energy, of
+    equal ones the last.  None: the last step, or there is no path."""
     steps = read(folder, "steps.csv")
     if not steps:
         return None
     here = steps["level"] == steps["level"].max()
-    energy = steps["energy_strain"][here]
+    energy = np.where(steps["status"] == "converged", steps["energy_strain"], 0)[here]
     if not energy.max() > 0:
         return None
     most = np.flatnonzero(energy > (1 - EQUAL) * energy.max())[-1]

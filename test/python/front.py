@@ -229,10 +229,17 @@ depth = worn.profiles("worn_depth", "bottom")
 exact = 0.01 * (1 - 1.1 ** -np.arange(3.0))
 claim(depth.shape == (3, worn.contact.size) and np.allclose(depth, exact[:, None], atol=1e-12) and
       np.allclose(worn.steps["cycles"], [1, 2, 3]), "worn profiles over the steps of a path")
+
+
+def at_samples(curve):
+    """Of what is drawn on each element, between the samples, too."""
+    return curve.reshape(-1, 15)[:, ::2].ravel()
+
+
 figure, axes = worn.plot("contact", step=1)
 title = worn.plot("syy", step=1)[1].get_title()
 plt.close("all")
-claim(np.allclose(axes[0].lines[0].get_ydata(), worn.step(1)["pressure"], atol=0) and
+claim(np.allclose(at_samples(axes[0].lines[0].get_ydata()), worn.step(1)["pressure"], atol=0) and
       worn.step(1)["lambda_n"][0] > 1.05 * worn.contact["lambda_n"][0] and
       "t = 1" in figure.texts[0].get_text() and "t = 1" in title, "a step of a path is drawn, with its t")
 # pressed, then let go: what is left of the last step is rounding
@@ -243,9 +250,13 @@ idle = epafi.run(worn.scene.changed({
 _, axes = idle.plot("contact")
 titles = [axes[0].figure.texts[0].get_text(), *(idle.plot(what)[1].get_title() for what in (
     "deformed", "syy"))]
+along = idle.plot("path")[1]
+claim(len(along) == 2 and np.allclose(along[1].lines[0].get_xydata(), np.column_stack([
+    idle.steps["bottom.force_normal"], idle.steps["bottom.contact_length"]])),
+      "without friction the length in contact is drawn over the force")
 outline = idle.plot("deformed")[1].lines[1].get_xydata()
 plt.close("all")
-claim(np.allclose(axes[0].lines[0].get_ydata(), idle.step(1)["pressure"], atol=0) and
+claim(np.allclose(at_samples(axes[0].lines[0].get_ydata()), idle.step(1)["pressure"], atol=0) and
       np.ptp(outline[:, 1]) < 0.99 and all("t = 1" in title for title in titles),
       "the step of the largest energy is drawn: %s" % titles)
 outline = idle.plot("deformed", step=2)[1].lines[1].get_xydata()

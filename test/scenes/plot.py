@@ -1,4 +1,5 @@
 """Pictures of a run: all of them, in both formats, and clear words where there are none."""
+import math
 import os
 import shutil
 import struct
@@ -9,7 +10,7 @@ import xml.etree.ElementTree as xml
 import matplotlib
 import numpy as np
 
-from epafi.plot import __main__ as plot
+from epafi.plot import __main__ as plot, inside
 from epafi.plot.contact import cut
 from epafi.plot.figures import Pictures, plt
 from epafi.plot.folder import contact_window, draw_field
@@ -98,6 +99,10 @@ claim(np.ma.allclose(axes.collections[0].get_array().reshape(len(files), -1), np
 window = contact_window(fretting.folder, 1)
 claim(-2.1 < window[0] < -1.9 and 1.9 < window[2] < 2.1 and fretting.plot("von_mises", window="contact", step=1)[
     1].images[0].get_extent()[0] == window[0], "a window finds the contact: %s" % (window,))
+exact = max(inside.on_boundary(fretting.folder, 3)[1]["von_mises"])
+titles = [fretting.plot("von_mises", window=window, step=3)[1].get_title() for window in (None, "contact")]
+claim(all(title.endswith("to %.3g" % exact) for title in titles),
+      "a title ends with the largest value on the boundary, in a window, too: %s, %g" % (titles, exact))
 stresses = np.append(np.full(99, 2.0), 1e3), np.append(-1e4, np.full(99, 0.5))
 axes = plt.subplots()[1]
 cut(axes, [(each, np.ones(100)) for each in stresses])
@@ -123,6 +128,22 @@ last = steps("punch")[-1]
 ends = arrays["connectivity"][2 * arrays["body"].index(1)]  # a corner of the punch, (-1, 0)
 claim(abs(arrays["displacement"][3 * ends + 1] - last["punch.motion_y"] +
           last["punch.rotation"]) < 1e-15, "the punch is where steps.csv says")
+
+# a side that the outline's first vertex parts is drawn in its order, as one
+wide = body("foot", geometry([(-1, 0), (1, 0), (3, 1), (-3, 1)], "f, f, top, f"), 10.0,
+            condition("f", "Contact", friction("0.5"), Gap="y") +
+            condition("top", "Neumann", Traction_Y="-0.01*min(t, 1)", Traction_X="0.001*(t - 1)*(t > 1)"),
+            mesh=mesh(4, 2, 1), fix="X, Rotation")
+run(written("foot", [wide], NONE, "Density", more=history([1, 2], [1, 1])), "foot solved")
+turned = Run(os.path.join(WORK, "foot solved"))
+for picture, column in (("contact", "pressure"), ("steps", "pressure"), ("slip", "slip")):
+    figure, axes = turned.plot(picture)
+    low, high = np.ravel(axes)[0].get_xlim()
+    curve = next((line.get_xdata() for line in np.ravel(axes)[0].get_lines() if len(line.get_xdata()) > 9), [low, high])
+    side = 2 * math.hypot(2, 1) + 2
+    claim((np.diff(curve) > 0).all() and abs((low + high - side) / side) < 0.1 and high - low < 1.1 * side,
+          "%s of a side that the first vertex parts: %g to %g of %g" % (picture, low, high, side))
+    plt.close(figure)
 
 # paths whose contacts have one name, or names that look like numbers, and one without contact
 LOAD = condition("top", "Neumann", Traction_X="0.001*t", Traction_Y="-0.01*min(t, 1)")

@@ -2,8 +2,16 @@
 lengths, forces, moments and shear of a contact, of the whole and of a half; the pressure of loads."""
 import math
 import os
+import re
 
-from runs import WORK, claim, differ, epafi, finish, largest, rows, saved, scene, solved
+import matplotlib
+
+from epafi.plot.results import Contacts
+from epafi.runs import Run
+from runs import (WORK, claim, differ, epafi, finish, fresh, largest, read, rows, saved, scene, solved,
+                  write)
+
+matplotlib.use("Agg")
 
 STEEL = {"Young's Modulus": 1000, "Poisson's Ratio": 0.3}
 CIRCLE = {"Bulges": [1, 1]}
@@ -98,4 +106,35 @@ claim(all(differ(image["right." + force], 2 * last["right." + force]) < 1e-6
           for force in ("force_normal", "force_tangential")),
       "that of its half has the forces of both: %.6f, %.6f" % (
           image["right.force_normal"], image["right.force_tangential"]))
+
+flanks = [{each.name: each for each in Contacts(Run(folder).contact, numbers, False, mirror).results()
+           if each.where == "right"} for folder, numbers, mirror in ((whole, last, "None"), (half, image, "X"))]
+claim(differ(flanks[1]["moment"].value, flanks[0]["moment"].value) < 2e-3 and
+      flanks[1]["width of contact"].remark.startswith("both halves; ") and not flanks[0]["width of contact"].remark and
+      all(differ(each["safety against slip"].value, 1) < 2e-3 for each in flanks),
+      "a report has the moment of the drawn flank: %s" % [each["moment"][2:] for each in flanks])
+
+# a load beyond what friction holds: the capacity, and pictures of what is solved
+page = read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc", "howto", "capacity.md")).split("```")
+file = os.path.join(WORK, "capacity.yaml")
+write(file, page[1].removeprefix("yaml\n"))
+folder = fresh("capacity")
+code, text = epafi("run", file, "--output", folder)
+at = re.search(r"all of 'fit' slips: .* holds at most ([\d.]+), a moment of ([\d.]+)\.  The load drives it beyond \(step (\d+) of", text)
+lame = [((1 + q*q) / (1 - q*q) + sign * nu) / e for q, sign, nu, e in (
+    (7.5 / 20, -1, 0.33, 70000), (20 / 30, 1, 0.3, 210000))]
+torque = 0.15 * 0.02 / 20 / sum(lame) * 2 * math.pi * 20**2
+claim(code == 3 and at and differ(float(at[2]), torque) < 1e-3 and differ(float(at[1]) * 20, torque) < 1e-3 and
+      "pivoting" not in text and "displacements reach" not in text and "sliding reaches" not in text,
+      "a fit holds %.1f by Lame, and the message says that alone: %s" % (torque, text[text.find("epafi: "):].split("\n")[0]))
+claim(at and all(number in page[2] for number in at.groups()), "the page has these numbers: %s" % (at and at.groups(),))
+run = Run(folder)
+figure, axes = run.plot("path")
+twist, turned = axes[2].get_lines()[0].get_data()
+claim(len(twist) == int(at[3]) and max(turned) < torque and "last step that is solved" in figure.texts[0].get_text() and
+      max(abs(axes[0].get_lines()[0].get_xdata())) < 2, "the path is drawn up to the last step that is solved: %s" % (
+          figure.texts[0].get_text()))
+titles = [run.plot("contact", step=step)[0].texts[0].get_text() for step in (None, int(at[3]))]
+claim("not solved" not in titles[0] and "not solved" in titles[1],
+      "pictures are of what is solved, or say what is not: %s" % titles)
 finish()

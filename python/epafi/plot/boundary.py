@@ -8,19 +8,28 @@ from numpy.polynomial.legendre import legfit, legval
 from epafi.plot.bodies import revolves
 
 
-def on_circle(element):
-    """Of an element that is an arc, more points: its own are so few that one would see a polygon.
-    Displacements are their polynomial there."""
-    a, b, c = (complex(*element["x"][k]) for k in (0, len(element["x"]) // 2, -1))
+def on_arc(x):
+    """Points of an element that is an arc: its own are so few that one would see a polygon.  Of others its
+    own."""
+    a, b, c = (complex(*x[k]) for k in (0, len(x) // 2, -1))
     angle = 2 * np.angle((c - b) / (b - a)) if a != b != c else 0
-    count = 1 + max(len(element["x"]) - 1, math.ceil(abs(angle) / math.radians(2)))
-    if abs(angle) < 1e-6 or count == len(element["x"]):
-        return element
-    old, s = np.linspace(0, 1, len(element["x"])), np.linspace(0, 1, count)
+    count = 1 + max(len(x) - 1, math.ceil(abs(angle) / math.radians(2)))
+    if abs(angle) < 1e-6 or count == len(x):
+        return x
+    s = np.linspace(0, 1, count)
     z = a + (c - a) * np.sin(angle * s / 2) / np.sin(angle / 2) * np.exp(0.5j * angle * (s - 1))
+    return np.column_stack([z.real, z.imag])
+
+
+def on_circle(element):
+    """An element with the points of on_arc.  Displacements are their polynomial there."""
+    x = on_arc(element["x"])
+    if len(x) == len(element["x"]):
+        return element
+    old, s = np.linspace(0, 1, len(element["x"])), np.linspace(0, 1, len(x))
     u = legval(2 * s - 1, legfit(2 * old - 1, element["u"], element["degree"])).T
     t = np.column_stack([np.interp(s, old, column) for column in element["t"].T])
-    return {**element, "x": np.column_stack([z.real, z.imag]), "u": u, "t": t}
+    return {**element, "x": x, "u": u, "t": t}
 
 
 class Boundary:

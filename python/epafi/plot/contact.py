@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 from epafi.plot.figures import COLOURS, plain, settle, short
-from epafi.plot.layout import lengths, middles, places
+from epafi.plot.layout import finer, lengths, middles, places
 from epafi.tables import Table, used_of
 
 
@@ -62,12 +62,13 @@ def means_of_unresolved(columns, stress):
     element = np.char.add(columns["body"].astype(str), columns["element"].astype(str))
     starts = np.flatnonzero(np.concatenate([[True], element[1:] != element[:-1]]))
     ends = np.append(starts[1:], len(element))
-    doubtful = [columns[stress + "_error"][a] > 0.3 * abs(values[a:b].mean()) for a, b in zip(starts, ends)]
+    mean = [np.average(values[a:b], weights=lengths(columns["s"][a:b])) for a, b in zip(starts, ends)]
+    doubtful = [columns[stress + "_error"][a] > 0.3 * abs(average) for a, average in zip(starts, mean)]
     sizes = [np.abs(values[a:b]).max() for a, b in zip(starts, ends)]
     most = max((size for size, doubt in zip(sizes, doubtful) if not doubt), default=math.inf)
-    for a, b, doubt, size in zip(starts, ends, doubtful, sizes):
+    for a, b, doubt, size, average in zip(starts, ends, doubtful, sizes, mean):
         if doubt and size > most:
-            means[a:b] = values[a:b].mean()
+            means[a:b] = average
     return means
 
 
@@ -180,8 +181,8 @@ def title_of(names, sides):
 def draw(contact, title, pictures):
     sides = sides_of(pictures.folder)
     names = list(dict.fromkeys(contact["contact_name"].astype(str)))
-    contact = Table.of(with_bound_of_pressure(
-        contact.columns, [name for name, (_, law) in sides.items() if law == "Coulomb"]))
+    contact = finer(Table.of(with_bound_of_pressure(
+        contact.columns, [name for name, (_, law) in sides.items() if law == "Coulomb"])))
     shown = places(contact)
     figure, rows = pictures.subplots(2, len(shown), figsize=(5.9 + 3.5 * len(shown), 7.4),
                                      sharex="col", sharey="row")

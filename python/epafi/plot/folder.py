@@ -14,6 +14,7 @@ from epafi.plot import contact, convergence, deformed, inside, mesh, path, study
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import Pictures, plain, plt
+from epafi.plot.layout import samples_at
 from epafi.tables import Table, own, read, shown_step, title_of
 
 # Of a run, those that are drawn if none is named; fields have the names in inside.NAMES.
@@ -45,9 +46,7 @@ def draw_run(pictures: Pictures) -> None:
     history = read(folder, "history.csv")
     if history:
         convergence.draw(history, title, pictures)
-    outline, points, moved = read(folder, "boundary.csv"), read(folder, "contact.csv"), None
-    if step:
-        points = path.step_file(folder, step)
+    outline, points, moved = read(folder, "boundary.csv"), samples_at(folder, step), None
     if step and outline and pictures.wants("deformed"):
         outline, moved = at_step(outline, inside.arrays(own(
             folder, os.path.join("steps", str(step), "boundary.vtu"))))
@@ -62,7 +61,7 @@ def draw_run(pictures: Pictures) -> None:
     if points and pictures.wants("contact"):
         touching = pressed_step(steps) if steps and not pictures.step else None
         if touching and not (points["contact"] > 0).any():  # of what opens under the largest load
-            points, at = path.step_file(folder, touching) or points, when(folder, touching)
+            points, at = samples_at(folder, touching) or points, when(folder, touching)
         contact.draw(points, title + at, pictures)
     if steps:
         path.draw(folder, steps, title, pictures)
@@ -70,9 +69,9 @@ def draw_run(pictures: Pictures) -> None:
 
 def pressed_step(steps: Table) -> Optional[int]:
     """The step of the last level in which contacts press most."""
-    rows = path.last_level(steps)
+    rows = path.solved_steps(steps)
     forces = [rows[name] for name in rows if name.endswith(".force_normal")]
-    return int(rows["step"][np.argmax(sum(forces))]) if forces else None
+    return int(rows["step"][np.argmax(sum(forces))]) if forces and rows["step"].size else None
 
 
 def draw_study(pictures: Pictures, columns: Sequence[str]) -> None:
@@ -86,24 +85,28 @@ def draw_study(pictures: Pictures, columns: Sequence[str]) -> None:
     sweep.draw(study, title, pictures, columns)
 
 
-def draw_field(field: str, file: str, pictures: Pictures, when: str = "") -> None:
-    """Of a file of epafi fields: a .vtu, or a .csv of a grid over a window; `when` ends the
-    title."""
+def draw_field(field: str, file: str, pictures: Pictures) -> None:
+    """Of a file of epafi fields: a .vtu, or a .csv of a grid over a window."""
+    step = pictures.step or shown_step(pictures.folder)
+    everything = inside.known(field, file, pictures.folder, step, pictures.window)[1]
     outline = read(pictures.folder, "boundary.csv")
     rigid = rigid_outlines(pictures.folder, bodies_of(outline)) if outline else []
-    title = plain(title_of(pictures.folder)) + when
+    title = plain(title_of(pictures.folder)) + when(pictures.folder, step)
     if file.endswith(".csv") and outline:
-        inside.draw_window(Table(file), field, Boundary(outline).path(), rigid, title, pictures)
+        inside.draw_window(Table(file), field, everything, Boundary(outline).path(), rigid, title,
+                           pictures)
     else:
-        inside.draw(inside.Inside(file), field, rigid, title, pictures)
+        inside.draw(inside.Inside(file), field, everything, rigid, title, pictures)
 
 
 def when(folder: str, step: Optional[int]) -> str:
     """What titles say of a step of a path, one of the last level's; None: the last one."""
-    steps = read(folder, "steps.csv")
-    if not steps:
-        return ""
-    return ", t = %g" % steps["t"][steps["level"] == steps["level"][-1]][(step or 0) - 1]
+    steps, history = read(folder, "steps.csv"), read(folder, "history.csv")
+    at, status = "", history["status"][-1] if history else "converged"
+    if steps:
+        row = np.flatnonzero(steps["level"] == steps["level"][-1])[(step or 0) - 1]
+        at, status = ", t = %g" % steps["t"][row], steps["status"][row]
+    return at + ", not solved" * bool(status != "converged")
 
 
 def has_steps(folder: str) -> bool:
@@ -125,7 +128,7 @@ def contact_window(folder: str, step: Optional[int]) -> tuple[float, float, floa
 
     ValueError where nothing does.
     """
-    points = path.step_file(folder, step) if step else read(folder, "contact.csv")
+    points = samples_at(folder, step)
     closed = points["contact"] > 0 if points else np.zeros(0, bool)
     if not closed.any():
         raise ValueError("nothing is in contact%s; give --window X0,Y0,X1,Y1" % when(folder, step))
@@ -158,7 +161,7 @@ def draw_folder(pictures: Pictures, field: Optional[str] = None,
         draw_run(pictures)
         if field:
             draw_field(field, own(folder, "fields-window.csv" if pictures.window else "fields.vtu"),
-                       pictures, when(folder, pictures.step or shown_step(folder)))
+                       pictures)
     if not pictures.names and pictures.chosen is not None and os.path.isfile(
             os.path.join(folder, "history.csv")):
         raise ValueError("there is nothing for %s" % ", ".join(sorted(pictures.chosen)))

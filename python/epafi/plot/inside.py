@@ -1,5 +1,6 @@
 """A field inside the body, on triangles that end at the boundary's elements."""
 import base64
+import os
 import xml.etree.ElementTree as xml
 
 import numpy as np
@@ -7,6 +8,7 @@ from matplotlib.tri import Triangulation
 
 from epafi.plot.bodies import draw_rigid, revolves, roomy, with_images
 from epafi.plot.figures import equal_axes, shape_of
+from epafi.tables import Table, own, read
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",
@@ -55,6 +57,40 @@ class Inside:
             self.values[name] = np.concatenate([values, values * odd])
 
 
+def on_boundary(folder, step):
+    """Points of the boundary, and fields there, exact ones of the traction and of the strain along it; at a
+    step, else at the last one."""
+    if step:
+        found = arrays(own(folder, os.path.join("steps", str(step), "boundary.vtu")))
+        points, moved = found["Points"], found["displacement"]
+    else:
+        found = read(folder, "boundary.csv") or {"x": np.zeros(0), "y": np.zeros(0)}
+        points, moved = (np.column_stack([found[x], found[y]]) if x in found else np.zeros((0, 2))
+                         for x, y in (("x", "y"), ("ux", "uy")))
+    columns = {"ux": moved[:, 0], "uy": moved[:, 1],
+               **{name: found[name] for name in NAMES if name in found}}
+    return points[:, :2], columns
+
+
+def known(name, file, folder, step, window=None):
+    """Wherever a field is known: points and values.  Of `file`, see draw_field, of the fields.vtu beside it
+    and of the boundary, so that a window holds what the whole has there."""
+    parts = [on_boundary(folder, step)]
+    if window is not None:
+        cells = Table(file)
+        parts.append((np.column_stack([cells["x"], cells["y"]]), cells.columns))
+        file = os.path.join(os.path.dirname(file), "fields.vtu")
+    if os.path.isfile(file):
+        inside = Inside(file)
+        parts.append((inside.points, inside.values))
+    parts = [(x, values[name]) for x, values in parts if name in values]
+    x, values = (np.concatenate(part) for part in zip(*parts))
+    here = np.isfinite(values)
+    if window is not None:
+        here &= ((x >= window[:2]) & (x <= window[2:])).all(axis=1)
+    return x[here], values[here]
+
+
 def shares(points, corners):
     """Of each point a third of the area of its triangles."""
     a, b, c = (points[corners[:, k]] for k in range(3))
@@ -76,14 +112,14 @@ def range_of(values, weights):
     return low - size - 1e-300, high + size + 1e-300  # rounding is no field
 
 
-def limits(values, weights, name):
-    """Ends of the colours, their map, and which ends values lie beyond."""
+def limits(values, weights, name, everything):
+    """Ends of the colours, their map, and which ends any of the known values lie beyond."""
     low, high = range_of(values, weights)
     signed = low < 0 < high and name != "von_mises"
     if signed:
         high = max(high, -low)
         low = -high
-    cut = ("min" if values.min() < low else "") + ("max" if values.max() > high else "")
+    cut = "min" * bool(everything.min() < low) + "max" * bool(everything.max() > high)
     return low, high, "RdBu_r" if signed else "viridis", cut
 
 
@@ -109,12 +145,13 @@ def figure_for(extent, pictures):
     return pictures.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
 
 
-def draw(inside, name, rigid, title, pictures):
+def draw(inside, name, everything, rigid, title, pictures):
     if name not in inside.values:
         raise ValueError("there is no field %r here; fields: %s" % (
             name, ", ".join(each for each in NAMES if each in inside.values)))
     values = inside.values[name]
-    low, high, colours, cut = limits(values, shares(inside.points, inside.corners), name)
+    low, high, colours, cut = limits(values, shares(inside.points, inside.corners), name,
+                                     everything)
     extent = np.ptp(inside.points, axis=0)
     figure, axes = figure_for(extent, pictures)
     x, y = inside.points.T
@@ -124,7 +161,7 @@ def draw(inside, name, rigid, title, pictures):
         if inside.revolves:
             rigid = with_images(rigid)
         draw_rigid(axes, rigid, 0, roomy(inside.points.min(axis=0), inside.points.max(axis=0)))
-    finish(figure, axes, drawn, cut, values, name, title, extent, pictures)
+    finish(figure, axes, drawn, cut, everything, name, title, extent, pictures)
 
 
 def filled(image):
@@ -140,11 +177,11 @@ def filled(image):
     return image
 
 
-def draw_window(cells, name, outline, rigid, title, pictures):
-    """Of middles of equal cells; those outside of the bodies are missing.  `outline`: the path of
-    the bodies."""
+def draw_window(cells, name, everything, outline, rigid, title, pictures):
+    """Of middles of equal cells; those outside of the bodies are missing.  `everything`: known values,
+    `outline`: the path of the bodies."""
     values = cells[name]
-    low, high, colours, cut = limits(values, np.ones(len(values)), name)
+    low, high, colours, cut = limits(values, np.ones(len(values)), name, everything)
     (x, column), (y, row) = (np.unique(cells[axis], return_inverse=True) for axis in ("x", "y"))
     image = np.full((len(y), len(x)), np.nan)
     image[row, column] = values
@@ -156,4 +193,4 @@ def draw_window(cells, name, outline, rigid, title, pictures):
                         vmin=low, vmax=high, cmap=colours)
     drawn.set_clip_path(outline, axes.transData)
     draw_rigid(axes, rigid, 0, extent)
-    finish(figure, axes, drawn, cut, values, name, title, shape, pictures)
+    finish(figure, axes, drawn, cut, everything, name, title, shape, pictures)

@@ -67,9 +67,10 @@ def draw(folder, rows, title, pictures):
     drawn, colours = [], {}
     if field:
         seen = [within(inside.points, view) for inside in insides]
-        low, high, cmap, _ = limits(*(np.concatenate(parts) for parts in zip(*(
+        values, weights = (np.concatenate(parts) for parts in zip(*(
             (inside.values[field][here], shares(inside.points, inside.corners)[here])
-            for inside, here in zip(insides, seen)))), field)
+            for inside, here in zip(insides, seen))))
+        low, high, cmap, _ = limits(values, weights, field, values)
         colours = {"vmin": low, "vmax": high, "cmap": cmap, "shading": "gouraud"}
         bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(low, high), cmap), ax=axes)
         bar.set_label(pictures.looks.field_label(NAMES[field], field))

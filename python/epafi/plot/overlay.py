@@ -3,7 +3,7 @@ import numpy as np
 
 from epafi.plot.contact import cut, line
 from epafi.plot.figures import Pictures, plt
-from epafi.plot.layout import laid_out, lengths, turned, window, within
+from epafi.plot.layout import finer, in_order, laid_out, lengths, turned, window, within
 
 
 PRESSURE, SHEAR, WORN = (("pressure", "pressure", "stress"), ("shear", "shear", "stress"),
@@ -22,7 +22,7 @@ def quantities(contacts):
 
 def draw(contacts, labels, title, name, pictures):
     """Of tables of contact.csv, coloured in their order; shear and wear where there is any."""
-    drawn = quantities(contacts)
+    contacts, drawn = [finer(in_order(contact)) for contact in contacts], quantities(contacts)
     figure, panels = pictures.subplots(len(drawn), 1, sharex=True,
                                        figsize=(9.4, 0.4 + 3.5 * len(drawn)))
     panels = np.atleast_1d(panels).ravel()

@@ -1,13 +1,12 @@
-"""path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
+"""path: forces and friction's work along a load path, loops of force over slip, without friction the length
+in contact over the force; rigid: motions and
 forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid; slip and
 movie, see there."""
-import os
-
 import numpy as np
 
 from epafi.plot import overlay, slip
 from epafi.plot.figures import COLOURS, settle, short
-from epafi.plot.layout import chains, lengths
+from epafi.plot.layout import chains, lengths, samples_at
 from epafi.tables import read
 
 SHOWN = 6  # steps overlaid, contacts or bodies drawn
@@ -30,19 +29,15 @@ def tell_rest(axes, names, shown):
         axes.plot([], [], ls="", label="not drawn: %d others" % (len(names) - len(shown)))
 
 
-def last_level(steps):
-    """The rows of the last level, as arrays by column."""
-    here = steps["level"] == steps["level"].max()
+def solved_steps(steps):
+    """The rows of the last level that are solved, as arrays by column."""
+    here = (steps["level"] == steps["level"].max()) & (steps["status"] == "converged")
     return {name: column[here] for name, column in steps.columns.items()}
 
 
 # What pictures of a path take of contact.csv.
 COLUMNS = {"boundary", "element", "x", "y", "s", "body", "contact_name", "pressure", "shear", "u_n",
            "u_t", "slip", "worn_depth", "contact", "friction"}
-
-
-def step_file(folder, step, columns=None):
-    return read(os.path.join(folder, "steps", "%d" % step), "contact.csv", columns)
 
 
 def samples_of(contact, name):
@@ -67,8 +62,9 @@ def mean_slip(contact, name, column):
 
 
 def torsion(folder, rows, contacts, contact):
-    """Of two bodies that meet all around, at the steps: how far the one that turns the other is
-    ahead [radian], and the torque on that one about its middle; None of others."""
+    """Of two bodies that meet all around and turn each other, at the steps: how far the one that turns the
+    other is ahead [radian], and the torque on that one about its middle; None of others, and where the force
+    between them does more work than the torque."""
     bodies = read(folder, "bodies.csv")
     if len(contacts) != 1 or bodies is None or len(set(bodies["body"])) != 2:
         return None
@@ -76,20 +72,27 @@ def torsion(folder, rows, contacts, contact):
     steps = np.hypot(*np.diff(x, axis=0).T)
     if np.hypot(*(x[-1] - x[0])) > 2 * max(steps[0], steps[-1]):
         return None
-    last = bodies["level"] == bodies["level"].max()
+    last = (bodies["level"] == bodies["level"].max()) & np.isin(bodies["step"], rows["step"])
     driven = last & (bodies["body"] == contact["body"][0])
     driving = last & (bodies["body"] != contact["body"][0])
     if not driven.sum() == driving.sum() == len(rows["step"]):
         return None
-    return (bodies["rotation"][driving] - bodies["rotation"][driven],
-            bodies["contact_moment"][driven])
+    twist, (x, y) = bodies["rotation"][driving] - bodies["rotation"][driven], x.mean(axis=0)
+    torque = (bodies["contact_moment"] - x * bodies["contact_y"] + y * bodies["contact_x"])[driven]
+    pushed = sum((bodies["motion_" + axis][driving] - bodies["motion_" + axis][driven])
+                 * bodies["contact_" + axis][driven] for axis in "xy")
+    return (twist, torque) if np.abs(twist * torque).max() > np.abs(pushed).max() else None
 
 
 def draw(folder, steps, title, pictures):
-    rows = last_level(steps)
+    rows = solved_steps(steps)
+    if not rows["step"].size:
+        return
+    if steps["status"][-1] != "converged":
+        title += " up to t = %g, the last step that is solved" % rows["t"][-1]
     t = np.append(0, rows["t"])
     drawn = any(map(pictures.wants, ("path", "steps", "slip")))
-    files = [step_file(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]
+    files = [samples_at(folder, step, COLUMNS) for step in rows["step"]] if drawn else [None]
     loops = all(file is not None for file in files)
     if pictures.wants("path"):
         draw_path(folder, rows, t, files if loops else [], title, pictures)
@@ -116,7 +119,8 @@ def draw_path(folder, rows, t, files, title, pictures):
     rubs = max((np.abs(rows[name + ".force_tangential"]).max() for name in contacts), default=0) > 1e-9 * force or \
         np.abs(rows["energy_dissipated"]).max() > 1e-9 * np.abs(rows["energy_strain"]).max()
     files = files if rubs else []
-    panels = 1 + rubs + bool(files)
+    grows = bool(contacts) and not rubs
+    panels = 1 + rubs + bool(files) + grows
     figure, axes = pictures.subplots(1, panels, figsize=(0.5 + 4.2 * panels, 4))
     axes = np.ravel(axes)
     shown = largest(rows, contacts, ".force_normal", 3 if pictures.small else SHOWN)
@@ -140,9 +144,16 @@ def draw_path(folder, rows, t, files, title, pictures):
               ls="--")
         axes[1].set_ylabel(label("friction's work so far", "energy"))
         settle(axes[1], np.abs(rows["energy_strain"]).max())
-    for panel in axes[:2]:
+    for panel in axes[:1 + rubs]:
         panel.set_xlabel("t")
         pictures.legend(panel)
+    if grows:
+        for k, name in enumerate(shown):
+            axes[1].plot(rows[name + ".force_normal"], rows[name + ".contact_length"], marker=".", color=COLOURS[k])
+        settle(axes[1], force, "x")
+        axes[1].set_ylim(bottom=0)
+        axes[1].set_xlabel(label("normal force", "force"))
+        axes[1].set_ylabel(label("contact length", "length"))
     if files:
         moved = slip_column(files)
         loops = {name: ([mean_slip(file, name, moved) for file in files],

@@ -46,7 +46,7 @@ SHARES = ("load", "body_force", "contact", "reaction")
 SHOWN = {
     "contact": "Contact: pressure, shear and the bound of friction; displacements and gap.",
     "deformed": "Deformed bodies; arrows are tractions on them.",
-    "path": "Forces and friction's work along the path.",
+    "path": "Forces along the path, friction's work or the length in contact.",
     "slip": "Slip over place and time.",
     "rigid": "Motions of rigid bodies and forces on them.",
     "steps": "Contact at several steps of the path.",
@@ -130,9 +130,10 @@ def key_results(pictures: Pictures, run: Run, step: Optional[int], fields: str,
     if step:
         here = (run.steps["level"] == run.steps["level"].max()) & (run.steps["step"] == step)
         numbers, points = {name: run.steps[name][here][0] for name in run.steps}, run.step(step)
-    revolves = run.scene.get("Geometry", {}).get("Type") == "Axisymmetric"
-    found = list(Contacts(points, numbers, revolves).results()) if points else []
-    found.append(largest_stress(fields, singular))
+    geometry = run.scene.get("Geometry", {})
+    revolves = geometry.get("Type") == "Axisymmetric"
+    found = list(Contacts(points, numbers, revolves, geometry.get("Symmetry")).results()) if points else []
+    found.append(largest_stress(fields, pictures, singular))
     rows, last = [], ""
     for each in found:
         unit = re.sub(r"\^(\d)", r"<sup>\1</sup>", html.escape(pictures.looks.unit(
@@ -186,7 +187,7 @@ def write_report(file: str, pictures: Pictures, fields: str, warnings: Sequence[
     if run_steps := read(folder, "steps.csv"):
         sections["Results"].append("<p>Numbers and pictures are those at%s, step %d of %d%s.</p>" % (
             when(folder, step)[1:], step or run_steps["step"][-1], run_steps["step"][-1],
-            ", where the strain energy is largest" if step and not pictures.step else ""))
+            ", of those that are solved where the strain energy is largest" if step and not pictures.step else ""))
     named = sorted(dict.fromkeys(pictures.names), key=lambda name: (
         list(SHOWN).index(name) if name in SHOWN else -1))
     sections["Pictures"] = [from_file(os.path.join(folder, name + ".png"), SHOWN.get(

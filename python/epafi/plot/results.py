@@ -3,14 +3,15 @@ carry, how far from slipping they are, the largest stress."""
 from __future__ import annotations
 
 import math
-from typing import Iterator, Mapping, NamedTuple, Optional
+from typing import Iterator, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from epafi.plot.inside import Inside
-from epafi.plot.layout import chains, lengths
+from epafi.plot.figures import Pictures
+from epafi.plot.inside import known
+from epafi.plot.layout import chains, lengths, per_element
 from epafi.plot.path import contacts_of, samples_of
-from epafi.tables import Table
+from epafi.tables import Table, shown_step
 
 ROUNDING = 1e-10  # numbers so much smaller than the largest of their kind are none
 # Columns of one kind are compared with each other; the last word of their names says of which.
@@ -60,18 +61,39 @@ def extent(table: Optional[Table]) -> float:
     return max(float(np.ptp(table[axis])) for axis in "xy") if table else 0.0
 
 
+def integral_weights(points: Table, otherwise: np.ndarray) -> np.ndarray:
+    """Of samples in the middles of equal parts of each element weights of integrals, exact for polynomials of
+    degrees below 10 and the number of samples."""
+    count = per_element(points)
+    if count == 1:
+        return otherwise
+    legendre = np.polynomial.legendre.legvander((2 * np.arange(count) + 1) / count - 1, min(count, 10) - 1)
+    on_element = np.linalg.pinv(legendre.T)[:, 0] * count  # of integrals over the steps between samples
+    s = points["s"].reshape(-1, count)
+    return ((s[:, 1] - s[:, 0])[:, None] * on_element).ravel()
+
+
+def ends_of(points: Mapping[str, np.ndarray], axis: str) -> np.ndarray:
+    """A coordinate at the samples, and at the ends of the sides half a step beyond them."""
+    x = points[axis]
+    beyond = [x[k] - (x[k + step] - x[k]) / 2 for a, b in chains(points) if b - a > 1
+              for k, step in ((a, 1), (b - 1, -1))]
+    return np.append(x, beyond)
+
+
 class Contacts:
     """Of all contacts of a run, at one step of a path or of the one load."""
 
-    def __init__(self, points: Table, numbers: Mapping[str, float], revolves: bool) -> None:
+    def __init__(self, points: Table, numbers: Mapping[str, float], revolves: bool,
+                 mirror: Optional[str] = None) -> None:
         """points   contact.csv
-        numbers  the row of steps.csv, or of history.csv, by columns"""
-        self.points, self.revolves = points, revolves
+        numbers  the row of steps.csv, or of history.csv, by columns
+        mirror   Geometry->Symmetry, X or Y: half of the scene is drawn"""
+        self.points, self.revolves, self.mirror = points, revolves, {"X": "x", "Y": "y"}.get(mirror or "", "")
         self.numbers = {name: values[0] for name, values in settled(
             {name: np.atleast_1d(value) for name, value in numbers.items()}).items()}
-        self.weights = np.concatenate([lengths(points["s"][a:b]) for a, b in chains(points)])
-        if revolves:
-            self.weights = self.weights * 2 * math.pi * points["x"]
+        self.lengths = np.concatenate([lengths(points["s"][a:b]) for a, b in chains(points)])
+        self.weights = integral_weights(points, self.lengths) * (2 * math.pi * points["x"] if revolves else 1)
 
     def results(self) -> Iterator[Result]:
         for name in contacts_of(self.numbers):
@@ -83,7 +105,8 @@ class Contacts:
         of = {key.rpartition(".")[2]: value for key, value in self.numbers.items()
               if key.rpartition(".")[0] == name}
         points = {column: self.points[column][here] for column in (
-            "x", "y", "pressure", "shear", "bound")}
+            "boundary", "element", "s",
+            "x", "y", "pressure", "shear", "bound", "contact", "d_x", "d_y")}
         weights = self.weights[here]
         size = math.hypot(np.ptp(points["x"]), np.ptp(points["y"]))
         if not of["contact_length"] > 0:
@@ -95,16 +118,33 @@ class Contacts:
                 of["pressure_max_error"], place(points["x"][peak], points["y"][peak], size),
                 "; beside it, at an end of the side, it has no bound" * bool(
                     of["pressure_unbounded"]))
-        yield "width of contact", of["contact_length"], "length"
-        yield "normal force", of["force_normal"], "force"
-        if of["force_tangential"] or points["bound"].any():
-            yield "tangential force", of["force_tangential"], "force"
-        middle = [(points[axis].min() + points[axis].max()) / 2 for axis in "xy"]
-        moment = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"]
+        both = bool(self.mirror) and (
+            of["contact_length"] > 1.5 * self.lengths[here][points["contact"] > 0].sum())
+        for what, column, quantity in (("width of contact", "contact_length", "length"),
+                                       ("normal force", "force_normal", "force"),
+                                       ("tangential force", "force_tangential", "force")):
+            if what != "tangential force" or of[column] or points["bound"].any():
+                yield (what, of[column], quantity,
+                       "both halves; %.4g of the one that is drawn" % (of[column] / 2) if both and of[column] else "")
+        middle = [(min(ends) + max(ends)) / 2 for ends in (ends_of(points, axis) for axis in "xy")]
+        moment, whose = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"], ""
+        if both:  # that of both is about the line, where it is 0
+            moment, whose = self._drawn_moment(points, weights, middle), "of the half that is drawn, "
         pressed = np.abs(points["pressure"]) @ weights
         if not self.revolves and abs(moment) > 1e-6 * pressed * size:
-            yield "moment", moment, "energy", "about " + place(middle[0], middle[1], size)
+            yield "moment", moment, "energy", "%sabout %s" % (whose, place(middle[0], middle[1], size))
         yield from self._slip(of, points, weights)
+
+    def _drawn_moment(self, points: Mapping[str, np.ndarray], weights: np.ndarray,
+                      middle: Sequence[float]) -> float:
+        """Of the stresses of a half, about the middle of its side; 0 where the side goes on beyond the line,
+        whose middle is on it."""
+        if (np.abs(points[self.mirror]) <= 2 * self.lengths.max()).any():
+            return 0.0
+        x, y = (points[axis] - at for axis, at in zip("xy", middle))
+        force = [-(points["pressure"] * d + points["shear"] * t) for d, t in (
+            (points["d_x"], -points["d_y"]), (points["d_y"], points["d_x"]))]
+        return float((x * force[1] - y * force[0]) @ weights)
 
     @staticmethod
     def _slip(of: Mapping[str, float], points: Mapping[str, np.ndarray],
@@ -123,15 +163,11 @@ class Contacts:
             yield "safety against slip", math.inf, "", "no tangential force; " + told
 
 
-def largest_stress(fields: str, singular: Optional[Table]) -> Result:
-    """Of all of the inside, or of a window: fields.vtu or fields-window.csv.  `singular`: where stresses
-    are."""
-    if fields.endswith(".csv"):
-        table = Table(fields)
-        x, values, part = np.column_stack([table["x"], table["y"]]), table["von_mises"], "the window"
-    else:
-        inside = Inside(fields)
-        x, values, part = inside.points, inside.values["von_mises"], "the bodies"
+def largest_stress(fields: str, pictures: Pictures, singular: Optional[Table]) -> Result:
+    """Of all that is known of the inside and of the boundary, or of a window: see inside.known.  `singular`:
+    where stresses are."""
+    x, values = known("von_mises", fields, pictures.folder, pictures.step or shown_step(pictures.folder),
+                      pictures.window)
     peak = x[np.argmax(values)]
     size = float(max(np.ptp(x, axis=0)))
     remark = "at " + place(peak[0], peak[1], size)
@@ -139,4 +175,5 @@ def largest_stress(fields: str, singular: Optional[Table]) -> Result:
         near = np.hypot(singular["x"] - peak[0], singular["y"] - peak[1])
         if near.min() < 0.02 * size:
             remark += "; stress has no bound there, it grows with the mesh: see stress intensities"
-    return Result(part, "largest von Mises stress", float(np.max(values)), "stress", remark)
+    return Result("the window" if pictures.window else "the bodies", "largest von Mises stress",
+                  float(np.max(values)), "stress", remark)

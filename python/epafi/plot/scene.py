@@ -3,6 +3,7 @@ obstacles where their gap puts them."""
 import numpy as np
 from matplotlib.lines import Line2D
 
+from epafi.plot.boundary import on_arc
 from epafi.plot.figures import equal_axes, plain, plt, shape_of
 
 COLOURS = {"Dirichlet": "C1", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey",
@@ -23,10 +24,14 @@ def runs_of(table):
 def fill_rigid(axes, table):
     """Their areas: which side of a line is solid."""
     rigid = np.flatnonzero(table["condition"] == "rigid")
+    if not rigid.size:
+        return
     x, y, body = table["x"][rigid], table["y"][rigid], table["body"][rigid]
     apart = np.hypot(np.diff(x), np.diff(y)) > 1e-9 * max(np.ptp(table["x"]), np.ptp(table["y"]))
     for loop in np.split(np.arange(len(x)), np.flatnonzero(apart | (body[1:] != body[:-1])) + 1):
-        axes.fill(x[loop], y[loop], color="0.85", zorder=0)
+        starts = np.flatnonzero(np.diff(table["element"][rigid][loop])) + 1
+        lines = [on_arc(points) for points in np.split(np.column_stack([x[loop], y[loop]]), starts)]
+        axes.fill(*np.concatenate(lines).T, color="0.85", zorder=0)
 
 
 def write_names(axes, table, names):
@@ -78,9 +83,10 @@ def figure_of(table, title, looks):
     for part in runs_of(table):
         kind = "Contact" if table["contact_name"][part][0] else str(table["condition"][part][0])
         colour = met.setdefault(kind, COLOURS[kind])
-        axes.plot(x[part], y[part], color=colour, lw=2.5, zorder=2)
         ends = table["element"][part]
         nodes = np.append(np.flatnonzero(np.diff(ends)), len(ends) - 1)
+        lines = [on_arc(points) for points in np.split(np.column_stack([x[part], y[part]]), nodes[:-1] + 1)]
+        axes.plot(*np.concatenate(lines).T, color=colour, lw=2.5, zorder=2)
         axes.plot(x[part][nodes], y[part][nodes], ".", color=colour, ms=5, zorder=3)
         if kind != "symmetry":  # which the legend names
             names.append((kind == "free", part, colour))
