@@ -213,6 +213,11 @@ void handOutStep(const Run& run, SolvedLevel& path) {
   run.handOutStep(path);
 }
 
+/// What the solver says of a level that is not converged, with the step of a path that it ends in.
+std::string reasonAtEnd(const SolvedLevel& level) {
+  return level.ends + (level.ends.empty() ? "" : ": ") + level.level.reason;
+}
+
 /// Why a level is not converged, with the step of a path that it ends in.  Where all of a contact slips and
 /// no method goes on, friction's limit is all there is to say.
 std::string reasonOf(const SolvedLevel& level) {
@@ -225,7 +230,7 @@ std::string reasonOf(const SolvedLevel& level) {
         level.ends.empty() ? "" : " (" + level.ends + ")",
         ": lessen the load, press harder, raise the friction, or hold the "
         "motion (Rigid Motions->Fix)");
-  return limits + level.ends + (level.ends.empty() ? "" : ": ") + level.level.reason;
+  return limits + reasonAtEnd(level);
 }
 
 }  // namespace
@@ -262,7 +267,7 @@ Attempt solveLevel(const BodySpaces& spaces, const Level& from, const LevelRow& 
       },
       solved);
   if (planned.memoryOfDense && !solved.row.report.converged())
-    return reasonOf(solved);
+    return reasonAtEnd(solved);
   if (!solved.row.report.converged())
     solved.level.reason = reasonOf(solved);
   const std::string unbalanced = solved.unbalanced;

@@ -3,7 +3,7 @@ carry, how far from slipping they are, the largest stress."""
 from __future__ import annotations
 
 import math
-from typing import Iterator, Mapping, NamedTuple, Optional, Sequence
+from typing import Iterator, Mapping, NamedTuple, Optional
 
 import numpy as np
 
@@ -73,12 +73,15 @@ def integral_weights(points: Table, otherwise: np.ndarray) -> np.ndarray:
     return ((s[:, 1] - s[:, 0])[:, None] * on_element).ravel()
 
 
-def ends_of(points: Mapping[str, np.ndarray], axis: str) -> np.ndarray:
-    """A coordinate at the samples, and at the ends of the sides half a step beyond them."""
-    x = points[axis]
-    beyond = [x[k] - (x[k + step] - x[k]) / 2 for a, b in chains(points) if b - a > 1
-              for k, step in ((a, 1), (b - 1, -1))]
-    return np.append(x, beyond)
+def middle_of(points: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Of the box around samples and the ends of sides half a step beyond them; those that are closed have
+    none."""
+    x = np.column_stack([points["x"], points["y"]])
+    for a, b in chains(points):
+        beyond = (x[[a + 1, b - 2]] - x[[a, b - 1]]) / 2 if b - a > 1 else np.zeros((2, 2))
+        if np.hypot(*(x[a] - x[b - 1])) > 4 * np.hypot(*beyond.T).max():
+            x = np.vstack([x, x[[a, b - 1]] - beyond])
+    return (x.min(axis=0) + x.max(axis=0)) / 2
 
 
 class Contacts:
@@ -126,7 +129,7 @@ class Contacts:
             if what != "tangential force" or of[column] or points["bound"].any():
                 yield (what, of[column], quantity,
                        "both halves; %.4g of the one that is drawn" % (of[column] / 2) if both and of[column] else "")
-        middle = [(min(ends) + max(ends)) / 2 for ends in (ends_of(points, axis) for axis in "xy")]
+        middle = middle_of(points)
         moment, whose = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"], ""
         if both:  # that of both is about the line, where it is 0
             moment, whose = self._drawn_moment(points, weights, middle), "of the half that is drawn, "
@@ -136,7 +139,7 @@ class Contacts:
         yield from self._slip(of, points, weights)
 
     def _drawn_moment(self, points: Mapping[str, np.ndarray], weights: np.ndarray,
-                      middle: Sequence[float]) -> float:
+                      middle: np.ndarray) -> float:
         """Of the stresses of a half, about the middle of its side; 0 where the side goes on beyond the line,
         whose middle is on it."""
         if (np.abs(points[self.mirror]) <= 2 * self.lengths.max()).any():
