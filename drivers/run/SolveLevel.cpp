@@ -218,13 +218,22 @@ std::string reasonAtEnd(const SolvedLevel& level) {
   return level.ends + (level.ends.empty() ? "" : ": ") + level.level.reason;
 }
 
+/// Did the path of offsets find no state to go on to?  Not where its steps or its size were limited.
+bool findsNoState(const contact::Report& report) {
+  if (report.stages.empty())
+    return false;
+  const contact::StageRun& last = report.stages.back();
+  using contact::End;
+  return last.stage == contact::Stage::FollowOffset &&
+         (last.end == End::NoBalance || last.end == End::Stalled ||
+          last.end == End::Singular);
+}
+
 /// Why a level is not converged, with the step of a path that it ends in.  Where all of a contact slips and
-/// no method goes on, friction's limit is all there is to say.
+/// no state balances the load, friction's limit is all there is to say.
 std::string reasonOf(const SolvedLevel& level) {
   const std::string limits = frictionLimits(level.last());
-  const std::vector<contact::StageRun>& stages = level.row.report.stages;
-  if (!limits.empty() && !stages.empty() &&
-      stages.back().stage == contact::Stage::FollowOffset)
+  if (!limits.empty() && findsNoState(level.row.report))
     return bem::message(
         limits, "The load drives it beyond",
         level.ends.empty() ? "" : " (" + level.ends + ")",

@@ -84,6 +84,8 @@ def known(name, file, folder, step, window=None):
         inside = Inside(file)
         parts.append((inside.points, inside.values))
     parts = [(x, values[name]) for x, values in parts if name in values]
+    if not parts:
+        return np.zeros((0, 2)), np.zeros(0)
     x, values = (np.concatenate(part) for part in zip(*parts))
     here = np.isfinite(values)
     if window is not None:
