@@ -224,9 +224,9 @@ bool findsNoState(const contact::Report& report) {
     return false;
   const contact::StageRun& last = report.stages.back();
   using contact::End;
-  return last.stage == contact::Stage::FollowOffset &&
-         (last.end == End::NoBalance || last.end == End::Stalled ||
-          last.end == End::Singular);
+  return last.stage == contact::Stage::FollowOffset && last.end != End::Iterations &&
+         last.end != End::TooLong && last.end != End::TooLarge &&
+         last.end != End::NotFinite;
 }
 
 /// Why a level is not converged, with the step of a path that it ends in.  Where all of a contact slips and
