@@ -11,9 +11,6 @@ namespace {
 
 using Element = contact::MultiplierSpace::ContactElement;
 
-/// Of the largest pressure, its error; told in NextLevel.
-constexpr double mostDoubt = 0.05;
-
 bool isClose(const ContactEstimate& contact, double tolerance) {
   return contact.relative <= tolerance && contact.doubt <= mostDoubt;
 }

@@ -20,7 +20,10 @@ std::vector<ContactEstimate> contactEstimates(const BodySpaces& spaces,
                                               const Level& level,
                                               const bem::Processes& processes);
 
-/// Does a contact keep the tolerance, on enough elements, and is its largest pressure right to 5 %?
+/// Of the largest pressure of a contact, the error that ends a run with a tolerance.
+constexpr double mostDoubt = 0.05;
+
+/// Does a contact keep the tolerance, on enough elements, and is its largest pressure right to mostDoubt?
 bool keeps(const ContactEstimate& contact, double tolerance);
 
 /// The one farthest from the tolerance; null: all keep it.

@@ -112,7 +112,8 @@ std::string reached(const Scene& scene, const Level& level) {
            << " closed";
     else
       return bem::message(text.str(), "the largest pressure is uncertain by ",
-                          100 * contact->doubt, " %, above the 5 % that are allowed");
+                          100 * contact->doubt, " %, above the ", 100 * mostDoubt,
+                          " % that are allowed");
   }
   text << (isReached(scene, level) ? ", within" : ", above")
        << " Adaptivity->Tolerance = " << *tolerance;

@@ -230,15 +230,16 @@ bool findsNoState(const contact::Report& report) {
 }
 
 /// Why a level is not converged, with the step of a path that it ends in.  Where all of a contact slips and
-/// no state balances the load, friction's limit is all there is to say.
+/// no state was found, friction's limit comes in place of the solver's advice.
 std::string reasonOf(const SolvedLevel& level) {
   const std::string limits = frictionLimits(level.last());
   if (!limits.empty() && findsNoState(level.row.report))
     return bem::message(
-        limits, "The load drives it beyond",
+        limits, "The load may drive it beyond",
         level.ends.empty() ? "" : " (" + level.ends + ")",
         ": lessen the load, press harder, raise the friction, or hold the "
-        "motion (Rigid Motions->Fix)");
+        "motion (Rigid Motions->Fix); tried last: ",
+        contact::told({level.row.report.stages.back()}));
   return limits + reasonAtEnd(level);
 }
 

@@ -120,7 +120,7 @@ file = os.path.join(WORK, "capacity.yaml")
 write(file, page[1].removeprefix("yaml\n"))
 folder = fresh("capacity")
 code, text = epafi("run", file, "--output", folder)
-at = re.search(r"all of 'fit' slips: .* holds at most ([\d.]+), a moment of ([\d.]+)\.  The load drives it beyond \(step (\d+) of", text)
+at = re.search(r"all of 'fit' slips: .* holds at most ([\d.]+), a moment of ([\d.]+)\.  The load may drive it beyond \(step (\d+) of", text)
 lame = [((1 + q*q) / (1 - q*q) + sign * nu) / e for q, sign, nu, e in (
     (7.5 / 20, -1, 0.33, 70000), (20 / 30, 1, 0.3, 210000))]
 torque = 0.15 * 0.02 / 20 / sum(lame) * 2 * math.pi * 20**2
