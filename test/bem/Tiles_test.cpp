@@ -1,7 +1,7 @@
 // What pairs of elements give tile by tile, against 33 digits, and sources in sums; the same by every
 // instruction set that this processor has.
 #include "Largest.hpp"
-#include "bem/fields/PointSources.hpp"
+#include "bem/fields/BoundaryFields.hpp"
 #include "bem/operators/TileWriter.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/QuadOperators.hpp"
@@ -158,7 +158,8 @@ TEUCHOS_UNIT_TEST(TileBlocks, areTheSameForEveryInstructionSet) {
       const int degree = space.mesh()[0].degree;
       for (int r = 0; r < runs.size(); ++r) {
         const auto evaluated = [&](bem::InstructionSet set) {
-          pairs->evaluate(runs, 0, r, {runs[r].first, runs[r].last}, set);
+          const bem::WithInstructionSet only(set);
+          pairs->evaluate(runs, 0, r, {runs[r].first, runs[r].last});
           return entries(*pairs, degree);
         };
         const bem::Vector baseline = evaluated(bem::InstructionSet::Baseline);
@@ -172,39 +173,35 @@ TEUCHOS_UNIT_TEST(TileBlocks, areTheSameForEveryInstructionSet) {
 
 TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
   TEST_ASSERT(bem::instructionSets().front() == bem::InstructionSet::Baseline);
-  TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
+  TEST_ASSERT(bem::instructionSets().back() == bem::usedInstructionSet());
 }
 
-TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
-  for (const std::size_t states : {1, 3}) {
-    bem::PointSources sources(states);
-    for (std::size_t k = 0; k < 1001; ++k) {
-      const auto at = static_cast<double>(k);
-      sources.add({std::cos(0.1 * at), std::sin(0.1 * at)});
-      for (std::size_t i = 0; i < states; ++i)
-        sources.carry(i,
-                      {std::sin((1.3 + static_cast<double>(i)) * at), std::cos(0.4 * at)},
-                      {std::cos(2.1 * at), 0.3});
-    }
-    const bem::Complex x(0.2, -0.1);
-    const auto sumsBy = [&](bem::InstructionSet set) {
-      std::vector<bem::PointSources::Sums> sums(states);
-      sources.addAt(x, 3, sources.size(), sums, set);
-      std::vector<bem::FieldSums> totals;
-      for (const auto& of : sums)
-        totals.push_back(of.total());
-      return totals;
+// Near and far sources of several states.
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFields) {
+  for (const Sample& sample : samples()) {
+    const bem::Space space(sample.mesh);
+    const auto any = [](Index size, double seed) {
+      bem::Vector v;
+      for (Index i = 0; i < size; ++i)
+        v.push_back(std::sin(seed + 1.7 * static_cast<double>(i)));
+      return v;
     };
-    const auto baseline = sumsBy(bem::InstructionSet::Baseline);
-    for (const bem::InstructionSet set : bem::instructionSets()) {
-      const auto sums = sumsBy(set);
-      for (std::size_t i = 0; i < states; ++i)
-        for (const auto part : {&bem::FieldSums::density, &bem::FieldSums::slope})
-          for (const auto kernel : {&bem::SourceSums::overW, &bem::SourceSums::overConj,
-                                    &bem::SourceSums::cubic})
-            TEST_COMPARE(std::abs(sums[i].*part.*kernel - baseline[i].*part.*kernel), <,
-                         1e-10);
-    }
+    const bem::Vector u = any(space.displacements(), 0.3);
+    const bem::Vector psi = any(space.densities(), 1.3);
+    const bem::Vector other = any(space.densities(), 2.2);
+    const auto fieldsBy = [&](bem::InstructionSet set) {
+      const bem::WithInstructionSet only(set);
+      const bem::BoundaryFields fields(space, lame, {{u, psi}, {u, other}});
+      bem::Vector numbers;
+      for (const auto& values : fields.on(0))
+        for (const bem::BoundaryValue& value : values)
+          numbers.insert(numbers.end(), {value.traction.x, value.traction.y,
+                                         value.mismatch.x, value.mismatch.y});
+      return numbers;
+    };
+    const bem::Vector baseline = fieldsBy(bem::InstructionSet::Baseline);
+    for (const bem::InstructionSet set : bem::instructionSets())
+      TEST_COMPARE(test::relativeDifference(fieldsBy(set), baseline), <, 1e-12);
   }
 }
 

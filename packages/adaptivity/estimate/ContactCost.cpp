@@ -141,7 +141,7 @@ double ContactCost::operator()(const AtEnds& c) const {
                  self_ * (dot(c.start, c.start) + dot(c.end, c.end)) +
                  2 * other_ * dot(c.start, c.end));
   double terms = 0;
-  bem::dispatch(bem::largestInstructionSet(), Kernel{*this, c, terms});
+  bem::dispatch(Kernel{*this, c, terms});
   return sum + terms;
 }
 

@@ -123,15 +123,14 @@ std::vector<long double> Doubled::joined() const {
 
 long double dotDoubled(const double* a, Index size, const Doubled& x, Index first) {
   long double result = 0;
-  dispatch(largestInstructionSet(),
-           Dot{a, x.high.data() + first, x.low.data() + first, size, result});
+  dispatch(Dot{a, x.high.data() + first, x.low.data() + first, size, result});
   return result;
 }
 
 void addDoubled(long double factor, const double* a, Index size, Doubled& y,
                 Index first) {
-  dispatch(largestInstructionSet(), AddMultiple{Halves(factor), a, y.high.data() + first,
-                                                y.low.data() + first, size});
+  dispatch(
+      AddMultiple{Halves(factor), a, y.high.data() + first, y.low.data() + first, size});
 }
 
 }  // namespace epafi::bem

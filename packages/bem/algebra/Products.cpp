@@ -9,8 +9,8 @@ namespace epafi::bem {
 namespace {
 
 /// C <- s op(A) B + keep C
-void multiply(Teuchos::ETransp op, double s, const Matrix& a, const Matrix& b,
-              double keep, Matrix& c) {
+void multiply(Teuchos::ETransp op, double s, ConstMatrixView a, ConstMatrixView b,
+              double keep, MatrixView c) {
   using Blas = Teuchos::BLAS<int, double>;
   const int lda = asInt(a.stride());
   if (c.empty() || b.rows() == 0)
@@ -27,7 +27,7 @@ void multiply(Teuchos::ETransp op, double s, const Matrix& a, const Matrix& b,
   });
 }
 
-Matrix productOf(Teuchos::ETransp op, Index rows, const Matrix& a, const Matrix& b) {
+Matrix productOf(Teuchos::ETransp op, Index rows, ConstMatrixView a, ConstMatrixView b) {
   if (b.rows() == 0)
     return {rows, b.columns()};
   Matrix c = Matrix::unset(rows, b.columns());
@@ -37,19 +37,19 @@ Matrix productOf(Teuchos::ETransp op, Index rows, const Matrix& a, const Matrix&
 
 }  // namespace
 
-void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
+void addProduct(double s, ConstMatrixView a, ConstMatrixView b, MatrixView c) {
   multiply(Teuchos::NO_TRANS, s, a, b, 1, c);
 }
 
-void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
+void addTransposedProduct(double s, ConstMatrixView a, ConstMatrixView b, MatrixView c) {
   multiply(Teuchos::TRANS, s, a, b, 1, c);
 }
 
-Matrix product(const Matrix& a, const Matrix& b) {
+Matrix product(ConstMatrixView a, ConstMatrixView b) {
   return productOf(Teuchos::NO_TRANS, a.rows(), a, b);
 }
 
-Matrix transposedProduct(const Matrix& a, const Matrix& b) {
+Matrix transposedProduct(ConstMatrixView a, ConstMatrixView b) {
   return productOf(Teuchos::TRANS, a.columns(), a, b);
 }
 

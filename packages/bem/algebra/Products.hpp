@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/MatrixView.hpp"
 #include "bem/base/Parallel.hpp"
 
 #include <algorithm>
@@ -10,11 +11,11 @@ namespace epafi::bem {
 // Products and submatrices of any size.
 
 /// C += s A B, and C += s Aᵀ B; in parallel, see byColumns
-void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
-void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
+void addProduct(double s, ConstMatrixView a, ConstMatrixView b, MatrixView c);
+void addTransposedProduct(double s, ConstMatrixView a, ConstMatrixView b, MatrixView c);
 /// A B, and Aᵀ B
-Matrix product(const Matrix& a, const Matrix& b);
-Matrix transposedProduct(const Matrix& a, const Matrix& b);
+Matrix product(ConstMatrixView a, ConstMatrixView b);
+Matrix transposedProduct(ConstMatrixView a, ConstMatrixView b);
 
 /// B += A
 inline void addTo(Matrix& b, const Matrix& a) {

@@ -17,7 +17,7 @@ ProxyRows::ProxyRows(const Space& space, const Kernel& kernel,
 }
 
 Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
-                             const std::vector<Index>& columns, InstructionSet set) {
+                             const std::vector<Index>& columns) {
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   std::vector<AlignedLane> circle(2 * points_ / lanes);
@@ -48,7 +48,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
     }
     const double distance = radius - length(middle);
     far_->evaluateFields(circle, f,
-                         farOrder(element.curve.angle(), distance / element.half), set);
+                         farOrder(element.curve.angle(), distance / element.half));
     for (const auto& [function, column] : functions)
       for (int c = 0; c < components; ++c) {
         double* to = out.column(column) + c * points_;

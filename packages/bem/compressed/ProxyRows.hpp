@@ -26,8 +26,7 @@ class ProxyRows {
   int points() const { return points_; }
   /// Rows: each component of all points; columns: the unknowns `columns`.
   Matrix operator()(const ClusterTree& tree, int cluster,
-                    const std::vector<Index>& columns,
-                    InstructionSet set = largestInstructionSet());
+                    const std::vector<Index>& columns);
 
  private:
   const Space& space_;

@@ -1,8 +1,8 @@
 #include "bem/fields/BoundaryFields.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Parallel.hpp"
-#include "bem/moments/ElementPotential.hpp"
-#include "bem/simd/Dispatch.hpp"
+#include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,105 +21,53 @@ constexpr int smallestGroup = 16;
 /// Gauss points on a source of a degree: its density has one less.
 int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
 
-/// Adds what carriers have of the fields of each state at eight points.
-struct Combination {
-  const ElementPotential& kernels;
-  const std::vector<Complex>& shares;
-  PointSources::Sums* sums;
+/// Gauss points on a target for the sum of what so many points on it resolve times such a sum: twice
+/// as many, in whole packs.
+int pointsOfTargets(int smoothOrder) {
+  return (2 * smoothOrder + lanes - 1) / lanes * lanes;
+}
 
-  template <Division>
-  EPAFI_INLINE void run() const {
-    const auto count = static_cast<std::size_t>(kernels.size());
-    for (std::size_t k = 0; k < shares.size() / count; ++k) {
-      Pack sum[6] = {};
-      for (std::size_t i = 0; i < count; ++i) {
-        const KernelLanes& of = kernels[static_cast<int>(i)];
-        PointSources::addProducts(shares[k * count + i], of.overConj.load(),
-                                  of.cubic.load(), sum);
-      }
-      for (std::size_t part = 0; part < 6; ++part)
-        add(sums[k / 2].of[k % 2][part].lane, sum[part]);
-    }
+/// At points of an element, the last one again up to a whole pack.
+template <class Points, class Function>
+std::vector<ComplexLanes> packed(const Points& points, const Function& function) {
+  std::vector<ComplexLanes> packs((points.size() + lanes - 1) / lanes);
+  for (std::size_t k = 0; k < packs.size() * lanes; ++k)
+    packs[k / lanes].set(asInt(static_cast<Index>(k % lanes)),
+                         asComplex(function(points[std::min(k, points.size() - 1)])));
+  return packs;
+}
+
+/// Adds what groups do at a point of all states: x and y of both equations.
+void addGroups(const std::vector<const SourceGroups::Group*>& groups, const Lame& lame,
+               Complex x, Complex normal, Index row, Matrix& to) {
+  std::vector<FieldSums> sums(at(to.columns() / 4));
+  for (const SourceGroups::Group* group : groups)
+    SourceGroups::addAt(*group, x, sums);
+  for (Index j = 0; j < to.columns(); j += 4) {
+    const Complex force = traction(lame, normal, sums[at(j / 4)]);
+    const Complex slope = mismatchSlope(lame, normal, sums[at(j / 4)]);
+    to(row, j) += force.real();
+    to(row, j + 1) += force.imag();
+    to(row, j + 2) += slope.real();
+    to(row, j + 3) += slope.imag();
   }
-};
-
-/// What elements do at points of another one in some states, in closed form.  Refers to its
-/// arguments.
-class NearElements {
- public:
-  NearElements(const Mesh& mesh, int element, const std::vector<EndPoint>& points,
-               std::size_t states)
-      : mesh_(mesh),
-        element_(element),
-        points_(points),
-        states_(states),
-        sums_((points.size() + lanes - 1) / lanes * states) {}
-
-  /// Adds an element, its field in each state.
-  void add(int source, const std::vector<LocalField>& fields) {
-    const Element& y = mesh_[source];
-    ElementPotential kernels(y.curve, std::max(y.degree, y.densities));
-    std::vector<Complex> shares;  // densities and slopes of the first state, and so on
-    for (std::size_t state = 0; state < states_; ++state)
-      for (const auto series : {&LocalField::density, &LocalField::slope})
-        for (int k = 0; k < kernels.size(); ++k)
-          shares.push_back(kernels.share(fields[state].*series, k));
-    PointSources::Sums* to = sums_.data();
-    for (const TargetLanes& targets : seenFrom(mesh_, source, element_, points_)) {
-      kernels.evaluate(targets);
-      dispatch(largestInstructionSet(), Combination{kernels, shares, to});
-      to += states_;
-    }
-  }
-
-  FieldSums at(std::size_t point, std::size_t state) const {
-    return sums_[point / lanes * states_ + state].at(point % lanes);
-  }
-
- private:
-  const Mesh& mesh_;
-  int element_;
-  const std::vector<EndPoint>& points_;
-  std::size_t states_;
-  std::vector<PointSources::Sums> sums_;  ///< of eight points all states, and so on
-};
+}
 
 }  // namespace
 
-/// Points from `first` to `last` of everything with `order` points an element.
-struct BoundaryFields::Stretch {
-  int order = 0;
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-struct BoundaryFields::Far {
-  std::vector<Stretch> stretches{};
-  std::vector<const SourceGroups::Group*> groups{};
-  PointSources points;  ///< places relative to the middle of the target
-
-  explicit Far(std::size_t states) : points(states) {}
-};
-
 struct BoundaryFields::Sources {
-  std::size_t states;
+  struct Far {
+    std::vector<FarSource> elements{};
+    std::vector<const SourceGroups::Group*> groups{};
+  };
   std::vector<int> near{};
-  std::map<int, Far> all{};  ///< by Gauss points on the target element
-
-  Far& far(int order) { return all.try_emplace(order, states).first->second; }
-};
-
-/// What is smooth on the target element, Legendre coefficients: fields of the far sources, and
-/// half of the element's own density and slope.
-struct BoundaryFields::SmoothSeries {
-  std::vector<Complex> traction;
-  std::vector<Complex> mismatch;
+  std::map<int, Far> far{};  ///< by Gauss points on the target element
 };
 
 BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
                                const std::vector<BoundaryState>& states)
-    : mesh_(space.mesh().withDegreesOfDensities()),
-      runs_(mesh_),
+    : sources_{space.mesh().withDegreesOfDensities(), {}, {0}, {}},
+      runs_(sources_.mesh),
       space_(space),
       lame_(lame),
       states_(states.size()) {
@@ -127,31 +75,17 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
     displacements_.push_back(space.withoutRotation(state.displacement));
     densities_.push_back(state.density);
   }
-  if (mesh_.outline().isAxisymmetric()) {
+  if (mesh().outline().isAxisymmetric()) {
     std::vector<LocalField> fields;
-    for (int e = 0; e < mesh_.size(); ++e)
+    for (int e = 0; e < mesh().size(); ++e)
       for (const LocalField& field : fieldsOf(e))
         fields.push_back(field);
-    rings_ = std::make_unique<const RingFields>(mesh_, lame_, fields, states_);
+    rings_ = std::make_unique<const RingFields>(mesh(), lame_, fields, states_);
     return;
   }
-  int largest = 0;
-  for (const Element& element : mesh_.elements())
-    largest = std::max(largest, element.degree);
-  while (static_cast<int>(everything_.size()) <= pointsOn(smoothOrderOfCircles, largest))
-    everything_.emplace_back(states_);
-  constexpr double ofPoint = 100;  // ns
-  const auto orders = static_cast<Index>(everything_.size()) - 1;
-  parallelFor(
-      {orders, 0.5 * ofPoint * static_cast<double>(orders * orders) * mesh_.size()},
-      [&](Index k) {
-        const int order = asInt(orders - k);  // the longest first
-        PointSources& points = everything_[bem::at(order)];
-        for (int f = 0; f < mesh_.size(); ++f)
-          addCarriers(f, order, mesh_[f].curve.frame().middle, points);
-      });
+  setSources();
   const auto densities = [this](int f, const Rule& rule, std::vector<Complex>& g) {
-    const Element& source = mesh_[f];
+    const Element& source = mesh()[f];
     const std::vector<LocalField> fields = fieldsOf(f);
     auto next = g.begin();
     for (const double t : rule.points)
@@ -164,6 +98,44 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
       std::make_unique<const SourceGroups>(runs_, 2 * states_, densities, smallestGroup);
 }
 
+void BoundaryFields::setSources() {
+  int largest = 0;
+  for (const Element& element : mesh().elements()) {
+    largest = std::max(largest, element.degree);
+    sources_.firsts.push_back(sources_.firsts.back() +
+                              std::max(element.degree, element.densities));
+  }
+  sources_.coefficients =
+      Matrix::unset(sources_.firsts.back(), 4 * static_cast<Index>(states_));
+  sources_.places.resize(bem::at(pointsOn(smoothOrderOfCircles, largest)) + 1);
+  for (std::vector<Vec2>& places : sources_.places)
+    places.resize(bem::at(mesh().size()) *
+                  static_cast<std::size_t>(&places - sources_.places.data()));
+  constexpr double ofField = 300;  // ns
+  const Index size = mesh().size();
+  parallelFor(
+      {size, ofField * static_cast<double>(size) * static_cast<double>(states_), 16},
+      [&](Index f) {
+        const std::vector<LocalField> fields = fieldsOf(asInt(f));
+        Index column = 0;
+        for (const LocalField& field : fields)
+          for (const auto series : {&LocalField::density, &LocalField::slope}) {
+            const Index first = sources_.firsts[bem::at(f)];
+            for (Index row = first; row < sources_.firsts[bem::at(f) + 1]; ++row) {
+              const Complex value = (field.*series)[bem::at(row - first)];
+              sources_.coefficients(row, column) = value.real();
+              sources_.coefficients(row, column + 1) = value.imag();
+            }
+            column += 2;
+          }
+        for (std::size_t order = 1; order < sources_.places.size(); ++order)
+          for (std::size_t q = 0; q < order; ++q)
+            sources_.places[order][bem::at(f) * order + q] =
+                mesh()[asInt(f)].curve.fromMiddle(
+                    gaussLegendre(asInt(static_cast<Index>(order))).points[q]);
+      });
+}
+
 std::vector<LocalField> BoundaryFields::fieldsOf(int f) const {
   std::vector<LocalField> fields;
   fields.reserve(states_);
@@ -172,55 +144,9 @@ std::vector<LocalField> BoundaryFields::fieldsOf(int f) const {
   return fields;
 }
 
-/// Element f through Gauss points, `middle` its place.
-void BoundaryFields::addPlaces(int f, int order, Vec2 middle,
-                               PointSources& points) const {
-  for (const double t : gaussLegendre(order).points)
-    points.add(asComplex(middle + mesh_[f].curve.fromMiddle(t)));
-}
-
-/// The same with what they carry.
-void BoundaryFields::addCarriers(int f, int order, Vec2 middle,
-                                 PointSources& points) const {
-  const Element& source = mesh_[f];
-  const Rule& rule = gaussLegendre(order);
-  const std::vector<LocalField> fields = fieldsOf(f);
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    const double t = rule.points[q];
-    const double weight = source.half * rule.weights[q];
-    points.add(asComplex(middle + source.curve.fromMiddle(t)));
-    for (std::size_t k = 0; k < states_; ++k) {
-      const LocalField& values = fields[k];
-      points.carry(k, weight * evaluate(values.density, source.densities - 1, t),
-                   weight * evaluate(values.slope, source.degree - 1, t));
-    }
-  }
-}
-
-void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points) const {
-  if (static_cast<std::size_t>(order) >= everything_.size())
-    return addCarriers(f, order, middle, points);
-  addPlaces(f, order, middle, points);
-  const std::size_t first = static_cast<std::size_t>(f) * order;
-  points.carry(everything_[order], first, first + order);
-}
-
-void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
+void BoundaryFields::split(int element, int r, Sources& sources) const {
   const ElementLanes& run = runs_[r];
   const ElementLanes chosen = runs_.choose(element, r, {run.first, run.last});
-  if (chosen.arePlain) {
-    const int order = pointsOn(chosen.smooth.inner, run.degree);
-    const std::size_t first = run.first * order;
-    const std::size_t last = run.last * order;
-    // interpolation needs twice as many points as a product of two such fields
-    auto& stretches = sources.far(2 * chosen.smooth.outer).stretches;
-    if (!stretches.empty() && stretches.back().order == order &&
-        stretches.back().last == first)
-      stretches.back().last = last;
-    else
-      stretches.push_back({order, first, last});
-    return;
-  }
   for (int f = run.first; f < run.last; ++f) {
     const int lane = f - run.first;
     if (!chosen.far[lane]) {
@@ -228,100 +154,92 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       continue;
     }
     const Nearness& smooth = chosen.own[lane];
-    addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
-           sources.far(2 * smooth.outer).points);
+    sources.far[pointsOfTargets(smooth.outer)].elements.push_back(
+        {f,
+         pointsOn(smooth.inner, mesh()[f].degree),
+         {chosen.wx[lane], chosen.wy[lane]}});
   }
 }
 
 BoundaryFields::Sources BoundaryFields::split(int element) const {
-  Sources sources{states_};
-  const double half = mesh_[element].half;
-  const Complex middle = asComplex(mesh_[element].curve.frame().middle);
+  Sources sources;
+  const Element& target = mesh()[element];
+  const Complex middle = asComplex(target.curve.frame().middle);
   groups_->visit(
-      middle, half,
+      middle, target.half,
       [&](const SourceGroups::Group& group) {
-        const double z = (std::abs(middle - group.centre) - group.radius) / half;
-        sources.far(2 * farOrder(mesh_[element].curve.angle(), z))
-            .groups.push_back(&group);
+        const double z = (std::abs(middle - group.centre) - group.radius) / target.half;
+        sources.far[pointsOfTargets(farOrder(target.curve.angle(), z))].groups.push_back(
+            &group);
       },
-      [&](int r) { splitRun(element, r, sources); });
+      [&](int r) { split(element, r, sources); });
   return sources;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): loops that add
-std::vector<BoundaryFields::SmoothSeries> BoundaryFields::smoothSeries(
-    int element, const Sources& sources) const {
-  const Element& target = mesh_[element];
-  const Complex middle = asComplex(target.curve.frame().middle);
-  std::size_t size = std::max(target.degree, target.densities);
-  if (!sources.all.empty())
-    size = std::max(size, static_cast<std::size_t>(sources.all.rbegin()->first));
-  std::vector<SmoothSeries> series(
-      states_, {std::vector<Complex>(size), std::vector<Complex>(size)});
-  const std::vector<LocalField> fields = fieldsOf(element);
-  for (std::size_t i = 0; i < states_; ++i) {
-    const LocalField& own = fields[i];
-    for (int k = 0; k < std::max(target.degree, target.densities); ++k) {
-      series[i].traction[k] = 0.5 * own.density[k];
-      series[i].mismatch[k] = -0.5 * own.slope[k];
-    }
-  }
-  std::vector<double> factors(size);
-  std::vector<PointSources::Sums> ofPoints(states_);
-  std::vector<FieldSums> sums(states_);
-  for (const auto& [order, far] : sources.all) {
+/// Legendre coefficients of what is smooth on the element, columns as of KernelRows::equations: the
+/// fields of far sources, and half of its own density and slope.
+Matrix BoundaryFields::smoothSeries(int element, const Sources& sources) const {
+  const Element& target = mesh()[element];
+  const Index first = sources_.firsts[bem::at(element)];
+  const Index own = sources_.firsts[bem::at(element) + 1] - first;
+  const Index size =
+      sources.far.empty() ? own : std::max<Index>(own, sources.far.rbegin()->first);
+  Matrix series(size, sources_.coefficients.columns());
+  for (Index j = 0; j < series.columns(); ++j)
+    for (Index k = 0; k < own; ++k)
+      series(k, j) = (j % 4 < 2 ? 0.5 : -0.5) * sources_.coefficients(first + k, j);
+  for (const auto& [order, far] : sources.far) {
     const Rule& rule = gaussLegendre(order);
+    const auto places =
+        packed(rule.points, [&](double t) { return target.curve.fromMiddle(t); });
+    const auto normals =
+        packed(rule.points, [&](double t) { return target.curve.normal(t); });
+    KernelRows rows(sources_, rule.points.size());
+    for (const FarSource& source : far.elements)
+      rows.add(source, places);
+    Matrix values = rows.equations(lame_, normals);
+    Matrix legendre = Matrix::unset(order, order);
     for (int q = 0; q < order; ++q) {
-      legendreValues(order - 1, rule.points[q], factors.data());
+      const std::size_t lane = bem::at(q) % lanes;
+      if (!far.groups.empty())
+        addGroups(
+            far.groups, lame_,
+            asComplex(target.curve.frame().middle) + places[bem::at(q) / lanes][lane],
+            normals[bem::at(q) / lanes][lane], q, values);
+      legendreValues(order - 1, rule.points[bem::at(q)], legendre.column(q));
       for (int k = 0; k < order; ++k)
-        factors[k] *= rule.weights[q] * (k + 0.5);
-      const Complex normal = asComplex(target.curve.normal(rule.points[q]));
-      const Complex offset = asComplex(target.curve.fromMiddle(rule.points[q]));
-      std::fill(ofPoints.begin(), ofPoints.end(), PointSources::Sums());
-      far.points.addAt(offset, 0, far.points.size(), ofPoints);
-      for (const Stretch& stretch : far.stretches)
-        everything_[stretch.order].addAt(middle + offset, stretch.first, stretch.last,
-                                         ofPoints);
-      for (std::size_t i = 0; i < states_; ++i)
-        sums[i] = ofPoints[i].total();
-      for (const SourceGroups::Group* group : far.groups)
-        SourceGroups::addAt(*group, middle + offset, sums);
-      for (std::size_t i = 0; i < states_; ++i) {
-        const Complex t = traction(lame_, normal, sums[i]);
-        const Complex m = mismatchSlope(lame_, normal, sums[i]);
-        for (int k = 0; k < order; ++k) {
-          series[i].traction[k] += factors[k] * t;
-          series[i].mismatch[k] += factors[k] * m;
-        }
-      }
+        legendre(k, q) *= rule.weights[bem::at(q)] * (k + 0.5);
     }
+    addProduct(1, legendre, values, MatrixView(series).rowsBetween(0, order));
   }
   return series;
 }
 
 BoundaryFields::Values BoundaryFields::at(int element, const Sources& sources,
                                           const std::vector<EndPoint>& points) const {
-  const std::vector<SmoothSeries> series = smoothSeries(element, sources);
-  NearElements near(mesh_, element, points, states_);
+  const Element& target = mesh()[element];
+  KernelRows near(sources_, points.size());
   for (const int f : sources.near)
-    near.add(f, fieldsOf(f));
-  const std::size_t terms = series.front().traction.size();
-  std::vector<double> legendre(terms);
+    near.add(f, seenFrom(mesh(), f, element, points));
+  Matrix equations = near.equations(lame_, packed(points, [&](const EndPoint& point) {
+                                      return target.curve.normal(point.t);
+                                    }));
+  const Matrix series = smoothSeries(element, sources);
+  Matrix legendre = Matrix::unset(series.rows(), equations.rows());
+  for (Index q = 0; q < legendre.columns(); ++q)
+    legendreValues(asInt(series.rows()) - 1,
+                   points[std::min(bem::at(q), points.size() - 1)].t, legendre.column(q));
+  addTransposedProduct(1, legendre, series, equations);
   Values values(states_);
-  for (std::size_t q = 0; q < points.size(); ++q) {
-    const double t = points[q].t;
-    legendreValues(static_cast<int>(terms) - 1, t, legendre.data());
-    const Complex normal = asComplex(mesh_[element].curve.normal(t));
-    for (std::size_t k = 0; k < states_; ++k) {
-      const FieldSums sums = near.at(q, k);
-      Complex force = traction(lame_, normal, sums);
-      Complex slope = mismatchSlope(lame_, normal, sums);
-      for (std::size_t j = 0; j < terms; ++j) {
-        force += legendre[j] * series[k].traction[j];
-        slope += legendre[j] * series[k].mismatch[j];
-      }
-      values[k].push_back({points[q], 0, asVector(force), asVector(slope)});
-    }
+  Index column = 0;
+  for (std::vector<BoundaryValue>& of : values) {
+    const auto vectorAt = [&](Index row, Index x) -> Vec2 {
+      return {equations(row, column + x), equations(row, column + x + 1)};
+    };
+    of.reserve(points.size());
+    for (Index q = 0; q < static_cast<Index>(points.size()); ++q)
+      of.push_back({points[bem::at(q)], 0, vectorAt(q, 0), vectorAt(q, 2)});
+    column += 4;
   }
   return values;
 }
@@ -335,7 +253,7 @@ BoundaryFields::Values BoundaryFields::at(int element,
 BoundaryFields::Values BoundaryFields::ofRings(
     int element, const std::vector<EndPoint>& points) const {
   Values values(states_);
-  if (mesh_.isAxis(element))
+  if (mesh().isAxis(element))
     return values;
   const int terms = rings_->terms(element);
   std::array<double, largestDegree + 2> slopes{};
@@ -351,7 +269,7 @@ BoundaryFields::Values BoundaryFields::ofRings(
       Complex slope = 0;
       for (int k = 0; k < terms; ++k) {
         force += legendre[k] * series.traction[k];
-        slope += slopes[k] / mesh_[element].half * series.mismatch[k];
+        slope += slopes[k] / mesh()[element].half * series.mismatch[k];
       }
       values[state].push_back({point, 0, asVector(force), asVector(slope)});
     }
@@ -360,19 +278,19 @@ BoundaryFields::Values BoundaryFields::ofRings(
 }
 
 BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const {
-  const Sources sources = rings_ != nullptr ? Sources{states_} : split(element);
+  const Sources sources = rings_ != nullptr ? Sources{} : split(element);
   std::vector<Feature> features;
-  int degree = mesh_[element].degree;
+  int degree = mesh()[element].degree;
   for (const int f : sources.near) {
-    degree = std::max(degree, mesh_[f].degree);
-    appendEnds(mesh_, element, f, features);
+    degree = std::max(degree, mesh()[f].degree);
+    appendEnds(mesh(), element, f, features);
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
   Values values = rings_ != nullptr ? ofRings(element, rule.points)
                                     : at(element, sources, rule.points);
   for (std::vector<BoundaryValue>& of : values)
     for (std::size_t q = 0; q < of.size(); ++q)
-      of[q].weight = mesh_.measure(element, rule.points[q].t) * rule.weights[q];
+      of[q].weight = mesh().measure(element, rule.points[q].t) * rule.weights[q];
   return values;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/fields/PointSources.hpp"
+#include "bem/fields/KernelRows.hpp"
 #include "bem/fields/RingFields.hpp"
 #include "bem/fields/SourceGroups.hpp"
 #include "bem/moments/ElementRuns.hpp"
@@ -29,7 +29,7 @@ struct BoundaryState {
 };
 
 /// Evaluates both integral equations for some states (u, ψ) at points of the boundary.  Kernels
-/// are evaluated once for all states; with eight states this takes half of the time.
+/// are integrated once for all states: rows of a matrix times their coefficients, see KernelRows.
 ///
 /// Near elements are integrated in closed form, at points graded toward the ends of the element
 /// and its neighbours, where the values have logarithms.  Far elements are integrated with
@@ -54,31 +54,25 @@ class BoundaryFields {
   Values at(int element, const std::vector<EndPoint>& points) const;
 
  private:
-  struct Stretch;
-  struct Far;
   struct Sources;
-  struct SmoothSeries;
 
+  const Mesh& mesh() const { return sources_.mesh; }
   std::vector<LocalField> fieldsOf(int f) const;  ///< of the states
-  void addPlaces(int f, int order, Vec2 middle, PointSources& points) const;
-  void addCarriers(int f, int order, Vec2 middle, PointSources& points) const;
-  void addFar(int f, int order, Vec2 middle, PointSources& points) const;
-  void splitRun(int element, int r, Sources& sources) const;
+  void setSources();
+  void split(int element, int r, Sources& sources) const;
   Sources split(int element) const;
-  std::vector<SmoothSeries> smoothSeries(int element, const Sources& sources) const;
+  Matrix smoothSeries(int element, const Sources& sources) const;
   Values ofRings(int element, const std::vector<EndPoint>& points) const;
   Values at(int element, const Sources& sources,
             const std::vector<EndPoint>& points) const;
 
-  Mesh mesh_;
-  ElementRuns runs_;  ///< of mesh_
+  FieldSources sources_;  ///< with the degrees of the densities
+  ElementRuns runs_;      ///< of its mesh
   const Space& space_;
   Lame lame_;
   std::size_t states_;
   std::vector<Vector> displacements_;  ///< by state, P u of Rotation
   std::vector<Vector> densities_;
-  /// By order: Gauss points of all elements, of the order that far circles need.
-  std::vector<PointSources> everything_;
   std::unique_ptr<const SourceGroups> groups_;
   std::unique_ptr<const RingFields>
       rings_;  ///< of solids of revolution, in place of the others

@@ -2,7 +2,6 @@
 
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/PointHeaps.hpp"
-#include "bem/fields/PointSources.hpp"
 #include "bem/fields/RingInterior.hpp"
 #include "bem/fields/SourceGroups.hpp"
 #include "bem/moments/ElementPotential.hpp"
@@ -19,9 +18,18 @@ struct Targets {
   AlignedLane x{};
   AlignedLane y{};
   ComplexLanes displacement{};
-  PointSources::Sums sums;        ///< of near elements
-  SumsOf<ComplexLanes> far[2]{};  ///< of ψ and u' of groups
+  SumsOf<ComplexLanes> sums[2]{};  ///< of ψ and u'
 };
+
+/// Adds the sums of ψ and u'.
+EPAFI_INLINE void addTo(Targets& to, const SumsOf<ComplexPack> (&own)[2]) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    SumsOf<ComplexLanes>& sum = to.sums[i];
+    sum.overW.store(sum.overW.load() + own[i].overW);
+    sum.overConj.store(sum.overConj.load() + own[i].overConj);
+    sum.cubic.store(sum.cubic.load() + own[i].cubic);
+  }
+}
 
 /// What a carrier of an element has of u, du/ds and ψ.
 struct Share {
@@ -39,7 +47,7 @@ struct Addition {
   template <Division>
   EPAFI_INLINE void run() const {
     ComplexPack displacement = to.displacement.load();
-    Pack sums[2][6] = {};
+    SumsOf<ComplexPack> sums[2];
     for (int k = 0; k < kernels.size(); ++k) {
       const KernelLanes& of = kernels[k];
       const Share& share = shares[static_cast<std::size_t>(k)];
@@ -54,13 +62,11 @@ struct Addition {
           singleLayer(lame, share.density * log, share.density * whole,
                       std::conj(share.density) * of.phase.load()) -
           doubleLayer(lame, normal * share.value * unit, Complex(normalPart) * unit);
-      PointSources::addProducts(share.density, overConj, unit.cubic, sums[0]);
-      PointSources::addProducts(share.slope, overConj, unit.cubic, sums[1]);
+      sums[0] = sums[0] + share.density * unit;
+      sums[1] = sums[1] + share.slope * unit;
     }
     to.displacement.store(displacement);
-    for (int field = 0; field < 2; ++field)
-      for (int part = 0; part < 6; ++part)
-        add(to.sums.of[field][part].lane, sums[field][part]);
+    addTo(to, sums);
   }
 };
 
@@ -75,7 +81,7 @@ void addElement(const Lame& lame, const Element& element, const LocalField& fiel
                       kernels.share(field.density, k)});
   for (Targets& to : targets) {
     kernels.evaluate(to.x, to.y);
-    dispatch(largestInstructionSet(), Addition{lame, kernels, shares, to});
+    dispatch(Addition{lame, kernels, shares, to});
   }
 }
 
@@ -141,13 +147,7 @@ struct FarAddition {
         to.displacement.load() +
         singleLayer(lame, log, whole, conj(conj(z) * plain[psi] - shifted)) -
         doubleLayer(lame, normal, normal));
-    for (std::size_t i = 0; i < 2; ++i) {
-      const SumsOf<ComplexPack> own = sumsOf(i);
-      SumsOf<ComplexLanes>& sum = to.far[i];
-      sum.overW.store(sum.overW.load() + own.overW);
-      sum.overConj.store(sum.overConj.load() + own.overConj);
-      sum.cubic.store(sum.cubic.load() + own.cubic);
-    }
+    addTo(to, {sumsOf(psi), sumsOf(slope)});
   }
 };
 
@@ -211,7 +211,7 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
         heaps.centre(heap), heaps.radius(heap),
         [&](const SourceGroups::Group& group) {
           for (Targets& to : targets)
-            dispatch(largestInstructionSet(), FarAddition{lame_, group, group.terms, to});
+            dispatch(FarAddition{lame_, group, group.terms, to});
         },
         [&](int r) {
           for (int e = runs[r].first; e < runs[r].last; ++e)
@@ -224,11 +224,10 @@ std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
       Complex displacement = own.displacement[lane];
       if (space_.rotation() != nullptr)
         displacement += rotation_ * asComplex(space_.rotation()->at(x));
-      FieldSums sums = own.sums.at(lane);
-      const auto farSums = [&](const SumsOf<ComplexLanes>& far) {
-        return SourceSums{far.overW[lane], far.overConj[lane], far.cubic[lane]};
+      const auto sumsOf = [&](const SumsOf<ComplexLanes>& of) {
+        return SourceSums{of.overW[lane], of.overConj[lane], of.cubic[lane]};
       };
-      sums.add({farSums(own.far[0]), farSums(own.far[1])});
+      const FieldSums sums{sumsOf(own.sums[0]), sumsOf(own.sums[1])};
       const Complex onX = traction(lame_, Complex(1, 0), sums);
       const Complex onY = traction(lame_, Complex(0, 1), sums);
       values[heaps.number(heap, k)] = {asVector(displacement), onX.real(), onY.imag(),

@@ -120,8 +120,7 @@ void addGroups(const RingGroups& all, const std::vector<const RingGroup*>& group
   const WeightedLegendre& table = weightedLegendre(order);
   for (int q = 0; q < order; ++q) {
     RingTargets targets;
-    dispatch(largestInstructionSet(),
-             Places{run, gaussLegendre(order).points[at(q)], targets});
+    dispatch(Places{run, gaussLegendre(order).points[at(q)], targets});
     std::vector<AlignedLane> fields(4 * states);
     for (const RingGroup* group : groups)
       all.add(*group, targets, fields.data());
@@ -243,8 +242,7 @@ RingFields::RingFields(const Mesh& mesh, const Lame& lame,
           if (mesh_.isAxis(e))
             return;
           tile.evaluate(runs, e, r, {run.first, run.last});
-          dispatch(largestInstructionSet(),
-                   Addition{tile, &fields[at(e) * states_], states_,
+          dispatch(Addition{tile, &fields[at(e) * states_], states_,
                             mesh_[e].densities + 1, columns, mesh_[e].half, sums});
         };
         std::vector<const RingGroup*> far;

@@ -110,8 +110,7 @@ class Places {
            Index column) const {
     for (std::size_t p = 0; p < packs_.size(); ++p) {
       std::vector<AlignedLane> sums(4 * states);
-      dispatch(largestInstructionSet(),
-               Summation<Wanted>{lame_, from, packs_[p], states, sums.data()});
+      dispatch(Summation<Wanted>{lame_, from, packs_[p], states, sums.data()});
       for (std::size_t state = 0; state < states; ++state)
         for (std::size_t lane = 0; lane < lanes; ++lane)
           for (std::size_t c = 0; c < 2; ++c)
@@ -132,13 +131,11 @@ class Places {
 
 void RingGroups::add(const RingGroup& group, const RingTargets& targets,
                      AlignedLane* to) const {
-  const InstructionSet set = largestInstructionSet();
-  dispatch(set, Summation<OfForces | WithTractions>{lame_, group.circle, targets, states_,
-                                                    to});
-  dispatch(set, Summation<OfDisplacements | WithTractions>{lame_, group.swelling, targets,
-                                                           states_, to});
-  dispatch(set,
-           Summation<OfJumps | WithTractions>{lame_, group.ends, targets, states_, to});
+  dispatch(
+      Summation<OfForces | WithTractions>{lame_, group.circle, targets, states_, to});
+  dispatch(Summation<OfDisplacements | WithTractions>{lame_, group.swelling, targets,
+                                                      states_, to});
+  dispatch(Summation<OfJumps | WithTractions>{lame_, group.ends, targets, states_, to});
 }
 
 RingGroups::RingGroups(const ElementRuns& runs, const Lame& lame, const Values& values,

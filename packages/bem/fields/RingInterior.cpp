@@ -190,8 +190,7 @@ void RingInterior::add(int e, Vec2 x, const Uniform& uniform, Sum& sum) const {
   const Complex image = element.curve.seen({-x.x, x.y}).z;
   const RingLame lame(lame_);
   const auto addPart = [&](const Sources& from, const ComplexLanes* w) {
-    dispatch(largestInstructionSet(),
-             Addition<Sources, Uniform, Sum>{from, w, x, lame, 4 * lame_.mu * lame_.nu,
+    dispatch(Addition<Sources, Uniform, Sum>{from, w, x, lame, 4 * lame_.mu * lame_.nu,
                                              uniform, sum});
   };
   const auto addBetween = [&](double from, double to, int depth,
@@ -242,8 +241,7 @@ void RingInterior::add(const RingGroup& group, Vec2 x, const Uniform& uniform,
   const RingLame lame(lame_);
   const Uniform none;
   const auto addPoints = [&](const Sources& eight) {
-    dispatch(largestInstructionSet(),
-             Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
+    dispatch(Addition<Sources, Uniform, Sum>{eight, nullptr, x, lame,
                                              4 * lame_.mu * lame_.nu, none, sum});
   };
   const auto addAll = [&](const RingPointSources& from,

@@ -134,10 +134,9 @@ SourceGroups::SourceGroups(const ElementRuns& runs, std::size_t count,
       if (number >= 0) {
         const Group& child = groups_[bem::at(number)];
         for (std::size_t k = 0; k < group.moments.size(); k += group.terms)
-          dispatch(
-              largestInstructionSet(),
-              MovedMoments{&child.moments[k], child.radius, child.centre - group.centre,
-                           group.radius, group.terms, &group.moments[k]});
+          dispatch(MovedMoments{&child.moments[k], child.radius,
+                                child.centre - group.centre, group.radius, group.terms,
+                                &group.moments[k]});
       }
   }
 }
@@ -163,8 +162,7 @@ void SourceGroups::sumElements(const Densities& densities, const std::vector<int
         for (std::size_t i = first; i < std::min(first + lanes, count_); ++i)
           eight.set(static_cast<int>(i - first),
                     source.half * rule.weights[q] * g[q * count_ + i]);
-        dispatch(largestInstructionSet(),
-                 PointMoments{eight, place, group.radius, group.terms,
+        dispatch(PointMoments{eight, place, group.radius, group.terms,
                               &group.moments[first / lanes * group.terms]});
       }
     }
@@ -175,8 +173,7 @@ std::size_t SourceGroups::termsAt(const Group& group, double distance) {
   return std::min(bem::at(termsFor(group.radius / distance)), group.terms);
 }
 
-void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
-                         InstructionSet set) {
+void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& sums) {
   const Complex z = x - group.centre;
   const Complex q = group.radius / z;
   const std::size_t terms = termsAt(group, std::abs(z));
@@ -184,8 +181,8 @@ void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& 
   for (std::size_t i = 0; i < 2 * sums.size(); ++i) {
     const std::size_t lane = i % lanes;
     if (lane == 0)  // q^(k+1) / R
-      dispatch(set, Series{group.moments.data() + i / lanes * group.terms, terms, 1.0 / z,
-                           q, of});
+      dispatch(
+          Series{group.moments.data() + i / lanes * group.terms, terms, 1.0 / z, q, of});
     const SourceSums own{of[0][lane], std::conj(of[1][lane]),
                          std::conj((std::conj(z) * of[2][lane] - of[3][lane]) / z)};
     (i % 2 == 0 ? sums[i / 2].density : sums[i / 2].slope).add(own);

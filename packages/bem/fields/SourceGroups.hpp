@@ -3,7 +3,6 @@
 #include "bem/fields/RunGroups.hpp"
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/simd/ComplexPack.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <functional>
 #include <vector>
@@ -51,8 +50,7 @@ class SourceGroups : public RunGroups<MomentGroup> {
   /// Terms for an error of 1e-13 of the largest sum at a distance |x - c|.
   static std::size_t termsAt(const Group& group, double distance);
   /// Adds the expansions of the densities ψ, u' of each state at a point far away.
-  static void addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
-                    InstructionSet set = largestInstructionSet());
+  static void addAt(const Group& group, Complex x, std::vector<FieldSums>& sums);
 
  private:
   void sumElements(const Densities& densities, const std::vector<int>& terms,

@@ -32,6 +32,11 @@ struct SumsOf {
 };
 using SourceSums = SumsOf<Complex>;
 
+template <class Number>
+EPAFI_INLINE SumsOf<Number> operator+(const SumsOf<Number>& f, const SumsOf<Number>& g) {
+  return {f.overW + g.overW, f.overConj + g.overConj, f.cubic + g.cubic};
+}
+
 /// Sums of the density g f from those of f, g a constant.
 template <class Number>
 EPAFI_INLINE SumsOf<Number> operator*(const Complex& g, const SumsOf<Number>& f) {
@@ -84,40 +89,48 @@ EPAFI_INLINE Number hypersingular(const Lame& lame, const Number& normal,
 }
 
 /// d/ds V f along the tangent τ = iN.
-inline Complex singleLayerSlope(const Lame& lame, const Complex& normal,
-                                const SourceSums& f) {
-  const Complex tangent = Complex(0, 1) * normal;
+template <class Number>
+EPAFI_INLINE Number singleLayerSlope(const Lame& lame, const Number& normal,
+                                     const SumsOf<Number>& f) {
+  const Number tangent = Complex(0, 1) * normal;
   return -lame.a * alongTangent(tangent, f) + 0.5 * lame.b * turned(tangent, f);
 }
 
 /// d/ds K v from the sums of v'; by parts, valid on a closed boundary.
-inline Complex doubleLayerSlope(const Lame& lame, const Complex& normal,
-                                const SourceSums& slope) {
-  const Complex tangent = Complex(0, 1) * normal;
+template <class Number>
+EPAFI_INLINE Number doubleLayerSlope(const Lame& lame, const Number& normal,
+                                     const SumsOf<Number>& slope) {
+  const Number tangent = Complex(0, 1) * normal;
   return Complex(0, lame.mu) *
-         (lame.b * std::conj(tangent) * slope.overConj - lame.a * tangent * slope.overW -
+         (lame.b * (conj(tangent) * slope.overConj) - lame.a * (tangent * slope.overW) -
           lame.b * turned(tangent, slope));
 }
 
 /// Sums of a density ψ and of a displacement's derivative u'.
-struct FieldSums {
-  SourceSums density;
-  SourceSums slope;
+template <class Number>
+struct FieldSumsOf {
+  SumsOf<Number> density;
+  SumsOf<Number> slope;
 
-  void add(const FieldSums& other) {
+  void add(const FieldSumsOf& other) {
     density.add(other.density);
     slope.add(other.slope);
   }
 };
+using FieldSums = FieldSumsOf<Complex>;
 
 /// K' ψ + W u.
-inline Complex traction(const Lame& lame, Complex normal, const FieldSums& sums) {
+template <class Number>
+EPAFI_INLINE Number traction(const Lame& lame, const Number& normal,
+                             const FieldSumsOf<Number>& sums) {
   return adjointDoubleLayer(lame, normal, sums.density) +
          hypersingular(lame, normal, sums.slope);
 }
 
 /// d/ds (V ψ - K u).
-inline Complex mismatchSlope(const Lame& lame, Complex normal, const FieldSums& sums) {
+template <class Number>
+EPAFI_INLINE Number mismatchSlope(const Lame& lame, const Number& normal,
+                                  const FieldSumsOf<Number>& sums) {
   return singleLayerSlope(lame, normal, sums.density) -
          doubleLayerSlope(lame, normal, sums.slope);
 }

@@ -163,12 +163,11 @@ ArcRule::ArcRule(const Curve& curve, int degree) : curve_(curve), degree_(degree
   }
 }
 
-void ArcRule::evaluate(const TargetLanes& x, KernelLanes* weights,
-                       InstructionSet set) const {
+void ArcRule::evaluate(const TargetLanes& x, KernelLanes* weights) const {
   if (areOnLine(x))
-    dispatch(set, ArcKernel<1>{*this, x, weights});
+    dispatch(ArcKernel<1>{*this, x, weights});
   else
-    dispatch(set, ArcKernel<2>{*this, x, weights});
+    dispatch(ArcKernel<2>{*this, x, weights});
 }
 
 }  // namespace epafi::bem

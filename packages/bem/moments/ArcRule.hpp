@@ -2,7 +2,6 @@
 
 #include "bem/moments/LegendreLanes.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <array>
 #include <vector>
@@ -46,8 +45,7 @@ class ArcRule {
   /// ∫ f ds/conj(w) = Σ f_q overConj_q and so on; principal values on the arc.  Accurate up to the
   /// arc, since 1/(t₀-t) and similar factors are integrated against Legendre polynomials in closed
   /// form (LegendreLanes).
-  void evaluate(const TargetLanes& x, KernelLanes* weights,
-                InstructionSet set = largestInstructionSet()) const;
+  void evaluate(const TargetLanes& x, KernelLanes* weights) const;
 
  private:
   std::size_t at(int q, int j) const {

@@ -69,13 +69,13 @@ ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
     rule_.emplace(curve, terms - 1);
 }
 
-void ElementPotential::evaluate(const TargetLanes& targets, InstructionSet set) {
+void ElementPotential::evaluate(const TargetLanes& targets) {
   if (rule_)
-    rule_->evaluate(targets, lanes_.data(), set);
+    rule_->evaluate(targets, lanes_.data());
   else if (areOnLine(targets))
-    dispatch(set, OfSegment<1>{curve_, terms_, need_, targets, lanes_.data()});
+    dispatch(OfSegment<1>{curve_, terms_, need_, targets, lanes_.data()});
   else
-    dispatch(set, OfSegment<2>{curve_, terms_, need_, targets, lanes_.data()});
+    dispatch(OfSegment<2>{curve_, terms_, need_, targets, lanes_.data()});
 }
 
 void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y) {

@@ -2,7 +2,6 @@
 
 #include "bem/moments/ArcRule.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <optional>
 
@@ -28,7 +27,7 @@ class ElementPotential {
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
   /// \param targets relative to the curve, as from seenFrom
-  void evaluate(const TargetLanes& targets, InstructionSet set = largestInstructionSet());
+  void evaluate(const TargetLanes& targets);
   /// At targets with these coordinates, not on the element.
   void evaluate(const AlignedLane& x, const AlignedLane& y);
 

@@ -183,9 +183,8 @@ struct FarKernel {
 
 }  // namespace
 
-void farMoments(const Element& e, const ElementLanes& far, Tile& moments,
-                InstructionSet set) {
-  dispatch(set, FarKernel{Work{e, far, moments}});
+void farMoments(const Element& e, const ElementLanes& far, Tile& moments) {
+  dispatch(FarKernel{Work{e, far, moments}});
 }
 
 }  // namespace epafi::bem

@@ -2,7 +2,6 @@
 
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/Tile.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {
 
@@ -10,7 +9,6 @@ namespace epafi::bem {
 /// lanes are written.  Between segments with one reciprocal per pair of points and one logarithm
 /// per outer point: ∫ P_j log|w| follows from ∫ P_j w·τ/|w|² by parts.  With arcs points and normals
 /// are on the curves, and there is a logarithm per pair of points.
-void farMoments(const Element& e, const ElementLanes& far, Tile& moments,
-                InstructionSet set = largestInstructionSet());
+void farMoments(const Element& e, const ElementLanes& far, Tile& moments);
 
 }  // namespace epafi::bem

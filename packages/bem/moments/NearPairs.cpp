@@ -53,7 +53,6 @@ struct Integration {
   const GradedRule& rule;
   const std::vector<TargetLanes>& targets;
   ElementPotential& potential;
-  InstructionSet set;
   bool onLine;  ///< only log is asked for
   Tile& sums;
 
@@ -64,7 +63,7 @@ struct Integration {
     sums.clear(rows, columns);
     Pack weighted[largestMoment + 1];
     for (std::size_t k = 0; k < targets.size(); ++k) {
-      potential.evaluate(targets[k], set);
+      potential.evaluate(targets[k]);
       AlignedLane places{};
       AlignedLane weights{};
       ComplexLanes normals{};
@@ -115,10 +114,10 @@ double total(const double* x) {
 
 }  // namespace
 
-void nearMoments(const Mesh& mesh, int e, int f, Tile& m, int lane, InstructionSet set) {
+void nearMoments(const Mesh& mesh, int e, int f, Tile& m, int lane) {
   const InOrder pair(mesh, e, f);
   if (e != f || mesh.lineOf(e) < 0)
-    return nearMoments(mesh, e, f, nearRule(mesh, pair), m, lane, set);
+    return nearMoments(mesh, e, f, nearRule(mesh, pair), m, lane);
   const Element& x = mesh[e];
   for (int i = 0; i <= x.densities; ++i)
     for (int j = 0; j <= x.densities; ++j) {
@@ -132,7 +131,7 @@ void nearMoments(const Mesh& mesh, int e, int f, Tile& m, int lane, InstructionS
 
 // NOLINTNEXTLINE(readability-function-*): the pair, where, how
 void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, Tile& m,
-                 int lane, InstructionSet set) {
+                 int lane) {
   const InOrder pair(mesh, e, f);
   const Element& x = mesh[pair.x];
   const Element& y = mesh[pair.y];
@@ -143,9 +142,8 @@ void nearMoments(const Mesh& mesh, int e, int f, const GradedRule& rule, Tile& m
   ElementPotential potential(y.curve, columns + (onLine ? 0 : 1),
                              onLine ? Need::Log : Need::Moments);
   Tile sums;
-  const std::vector<TargetLanes> targets =
-      seenFrom(mesh, pair.y, pair.x, rule.points, set);
-  dispatch(set, Integration{x, y, rule, targets, potential, set, onLine, sums});
+  const std::vector<TargetLanes> targets = seenFrom(mesh, pair.y, pair.x, rule.points);
+  dispatch(Integration{x, y, rule, targets, potential, onLine, sums});
   // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for the tangents of y and of F
   const Complex turn = asComplex(y.curve.frame().tangent) *
                        std::conj(asComplex(mesh[f].curve.frame().tangent));

@@ -75,8 +75,7 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
 }
 
 std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
-                                  const std::vector<EndPoint>& points,
-                                  InstructionSet set) {
+                                  const std::vector<EndPoint>& points) {
   std::vector<TargetLanes> eights((points.size() + lanes - 1) / lanes);
   if (mesh.lineOf(source) >= 0 && mesh.lineOf(element) >= 0) {
     const Vec2 direction = mesh[element].curve.frame().tangent;
@@ -85,9 +84,9 @@ std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
     const Complex step =
         mesh[element].half / mesh[source].half *
         Complex(dot(direction, y.tangent), areOnEdge ? 0.0 : dot(direction, y.normal));
-    dispatch(set, AlongSegment{points, seenFrom(mesh, source, mesh.at(element, -1)),
-                               seenFrom(mesh, source, mesh.at(element, 1)), step,
-                               eights.data()});
+    dispatch(AlongSegment{points, seenFrom(mesh, source, mesh.at(element, -1)),
+                          seenFrom(mesh, source, mesh.at(element, 1)), step,
+                          eights.data()});
     return eights;
   }
   for (std::size_t k = 0; k < eights.size(); ++k) {
@@ -102,10 +101,9 @@ std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
   return eights;
 }
 
-TargetLanes seenFrom(const Curve& segment, const AlignedLane& x, const AlignedLane& y,
-                     InstructionSet set) {
+TargetLanes seenFrom(const Curve& segment, const AlignedLane& x, const AlignedLane& y) {
   TargetLanes result;
-  dispatch(set, BesideSegment{segment, x, y, result});
+  dispatch(BesideSegment{segment, x, y, result});
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include "bem/mesh/Mesh.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/simd/ComplexPack.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <vector>
 
@@ -30,12 +29,10 @@ EPAFI_INLINE TargetLanes targetAt(const ComplexPack& minus1, const ComplexPack& 
 
 /// Points of `element` relative to element `source`, eight at a time; the last one is repeated.
 std::vector<TargetLanes> seenFrom(const Mesh& mesh, int source, int element,
-                                  const std::vector<EndPoint>& points,
-                                  InstructionSet set = largestInstructionSet());
+                                  const std::vector<EndPoint>& points);
 
 /// Eight points (x, y) relative to a segment.
-TargetLanes seenFrom(const Curve& segment, const AlignedLane& x, const AlignedLane& y,
-                     InstructionSet set = largestInstructionSet());
+TargetLanes seenFrom(const Curve& segment, const AlignedLane& x, const AlignedLane& y);
 
 TargetLanes packed(const RelativeTarget (&targets)[lanes]);
 

@@ -157,7 +157,7 @@ struct NearRings {
 };
 
 void RingTile::evaluate(const ElementRuns& runs, int trial, int r,
-                        const ElementRange& wanted, InstructionSet set) {
+                        const ElementRange& wanted) {
   trial_ = trial;
   run_ = &runs[r];
   wanted_ = {std::max(wanted.first, run_->first), std::min(wanted.last, run_->last)};
@@ -171,26 +171,26 @@ void RingTile::evaluate(const ElementRuns& runs, int trial, int r,
   moments_.assign(static_cast<std::size_t>(count * rows_ * columns_), {});
   const ElementLanes chosen = runs.choose(trial, r, wanted_);
   if (chosen.smooth.isFar())
-    far(mesh, chosen, set);
+    far(mesh, chosen);
   for (int e = wanted_.first; e < wanted_.last; ++e)
     if (const int lane = e - run_->first; !chosen.far[lane] && !onAxis_[lane])
-      near(mesh, e, lane, set);
+      near(mesh, e, lane);
 }
 
-void RingTile::far(const Mesh& mesh, const ElementLanes& chosen, InstructionSet set) {
+void RingTile::far(const Mesh& mesh, const ElementLanes& chosen) {
   constexpr double harmless = 3;  // a radius of unused lanes, see ElementLanes::drop
   AlignedLane radii;
   for (int lane = 0; lane < lanes; ++lane)
     radii.lane[lane] =
         chosen.far[lane] ? mesh[run_->first + lane].curve.frame().middle.x : harmless;
-  dispatch(set, FarRings{*this, mesh[trial_], chosen, radii});
+  dispatch(FarRings{*this, mesh[trial_], chosen, radii});
 }
 
-void RingTile::near(const Mesh& mesh, int e, int lane, InstructionSet set) {
+void RingTile::near(const Mesh& mesh, int e, int lane) {
   static thread_local std::vector<RingPoints> points;
   nearRingPoints(mesh, trial_, e, more_, points);
   sums_.assign(moments_.size(), {});
-  dispatch(set, NearRings{*this, mesh[trial_], mesh[e], points});
+  dispatch(NearRings{*this, mesh[trial_], mesh[e], points});
   for (std::size_t k = 0; k < moments_.size(); ++k) {
     const double* x = sums_[k].lane;
     moments_[k].lane[lane] =

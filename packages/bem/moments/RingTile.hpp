@@ -2,7 +2,6 @@
 
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/RingKernels.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {
 
@@ -22,8 +21,7 @@ class RingTile {
 
   /// Computes the moments of a trial element with the wanted elements of run r.  Those of elements
   /// that are not wanted are finite and meaningless.  Refers to the runs.
-  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
-                InstructionSet set = largestInstructionSet());
+  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted);
 
   /// Number of polynomials on test elements.
   int columns() const { return columns_; }
@@ -48,8 +46,8 @@ class RingTile {
   EPAFI_INLINE std::size_t position(int kernel, int i, int j) const {
     return static_cast<std::size_t>((kernel * rows_ + i) * columns_ + j);
   }
-  void far(const Mesh& mesh, const ElementLanes& chosen, InstructionSet set);
-  void near(const Mesh& mesh, int e, int lane, InstructionSet set);
+  void far(const Mesh& mesh, const ElementLanes& chosen);
+  void near(const Mesh& mesh, int e, int lane);
 
   RingLame lame_;
   int more_;

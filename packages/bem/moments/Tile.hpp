@@ -2,7 +2,6 @@
 
 #include "bem/basis/Legendre.hpp"
 #include "bem/moments/ElementRuns.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <complex>
 
@@ -81,8 +80,7 @@ class Tile {  // NOLINT(cppcoreguidelines-pro-type-member-init): clear() sets wh
   /// quadrature of a pair depends on the other elements of its tile: equal results need equal
   /// tiles.  Moments of elements that are not wanted are finite and meaningless.
   /// Refers to the runs.
-  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
-                InstructionSet set = largestInstructionSet());
+  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted);
   int trial() const { return trial_; }
   const ElementLanes& run() const { return *run_; }
   bool isWanted(int lane) const { return wanted_.contain(run_->first + lane); }

@@ -25,7 +25,7 @@ double energyNorm(const CauchyData& data, const Kernel& kernel) {
           return;
         for (int r = 0; r <= runs.runOf(e); ++r) {
           const int last = std::min(runs[r].last, e + 1);
-          pairs->integrate(runs, e, r, {runs[r].first, last}, largestInstructionSet());
+          pairs->integrate(runs, e, r, {runs[r].first, last});
           for (int f = runs[r].first; f < last; ++f)
             if (!mesh.isAxis(f))
               rows[at(e)] +=

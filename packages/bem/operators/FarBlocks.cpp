@@ -218,7 +218,7 @@ const std::vector<double>& FarBlocks::functions(int points, int degree, int dens
   return values;
 }
 
-void FarBlocks::sampleTests(const std::vector<Test>& tests, InstructionSet set) {
+void FarBlocks::sampleTests(const std::vector<Test>& tests) {
   const Rule& rule = gaussLegendre(work_.outer);
   outer_.resize(outerSize * work_.outer);
   AlignedLane radii;
@@ -228,7 +228,7 @@ void FarBlocks::sampleTests(const std::vector<Test>& tests, InstructionSet set) 
     tests_.set(lane, test.offset, element);
     radii.lane[lane] = element.curve.frame().middle.x;
   }
-  dispatch(set, Sampling{tests_, radii, rule, outer_.data(), outerSize});
+  dispatch(Sampling{tests_, radii, rule, outer_.data(), outerSize});
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
@@ -252,7 +252,7 @@ void FarBlocks::sampleTrial(const Element& element) {
     value *= element.half;
 }
 
-void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionSet set) {
+void FarBlocks::evaluate(const std::vector<Test>& tests, int trial) {
   Functions rows;
   for (const Test& test : tests) {
     const Element& row = space_.mesh()[test.element];
@@ -261,18 +261,18 @@ void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionS
   }
   work_.rowNodes = rows.degree + 1;
   work_.rowDensities = rows.densities;
-  integrate(tests, rows, trial, set);
+  integrate(tests, rows, trial);
 }
 
-void FarBlocks::evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
-                                  InstructionSet set) {
+void FarBlocks::evaluateTractions(const std::vector<Test>& tests, int trial,
+                                  int moments) {
   work_.rowNodes = moments;
   work_.rowDensities = 0;
-  integrate(tests, {-1, moments}, trial, set);
+  integrate(tests, {-1, moments}, trial);
 }
 
 void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial,
-                               int order, InstructionSet set) {
+                               int order) {
   work_.rowNodes = work_.rowDensities = 0;
   work_.outer = static_cast<int>(points.size()) / 2;
   outer_.assign(outerSize * work_.outer, {});
@@ -285,31 +285,31 @@ void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial
   }
   columns_ = entries_.v * element.densities + entries_.k * (element.degree + 1);
   block_.resize(work_.outer * columns_);
-  run(element, order, set);
+  run(element, order);
 }
 
 void FarBlocks::integrate(const std::vector<Test>& tests, const Functions& rows,
-                          int trial, InstructionSet set) {
+                          int trial) {
   const Element& element = space_.mesh()[trial];
   const Nearness order = orderOf(tests, trial);
   // P_i themselves are larger at an element's ends than φ_k are
   const int atEnds = rows.degree < 0 ? 2 : 0;
   work_.outer = gaussPoints(order.outer, rows.degree, rows.densities + atEnds);
-  sampleTests(tests, set);
+  sampleTests(tests);
   outerValues_ = functions(work_.outer, rows.degree, rows.densities).data();
   columns_ = entries_.components * (element.degree + 1 + element.densities);
   block_.resize(entries_.components * (work_.rowNodes + work_.rowDensities) * columns_);
-  run(element, order.inner, set);
+  run(element, order.inner);
 }
 
-void FarBlocks::run(const Element& trial, int order, InstructionSet set) {
+void FarBlocks::run(const Element& trial, int order) {
   work_.columnDegree = trial.degree;
   work_.columnDensities = trial.densities;
   work_.inner = gaussPoints(order, trial.degree, trial.densities);
   sampleTrial(trial);
   sums_.resize((entries_.k + entries_.w) * (trial.degree + 1) +
                (entries_.v + entries_.t) * trial.densities);
-  compute(set);
+  compute();
 }
 
 template <class Points>
@@ -322,9 +322,8 @@ FarQuadrature<Points>::FarQuadrature(const Space& space,
 }
 
 template <class Points>
-void FarQuadrature<Points>::compute(InstructionSet set) {
-  dispatch(set,
-           Integrate{constants_, work_, outer_.data(), outerValues_, tests_.half,
+void FarQuadrature<Points>::compute() {
+  dispatch(Integrate{constants_, work_, outer_.data(), outerValues_, tests_.half,
                      inner_.data(), innerValues_.data(), sums_.data(), block_.data()});
 }
 

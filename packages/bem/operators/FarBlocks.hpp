@@ -5,7 +5,6 @@
 #include "bem/kernel/RingPoints.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/Tile.hpp"
-#include "bem/simd/InstructionSet.hpp"
 #include "bem/space/Space.hpp"
 
 #include <array>
@@ -36,17 +35,14 @@ class FarBlocks {
     int element = 0;
     Vec2 offset;
   };
-  void evaluate(const std::vector<Test>& tests, int trial,
-                InstructionSet set = largestInstructionSet());
+  void evaluate(const std::vector<Test>& tests, int trial);
   /// Moments of the traction instead: row (i, a), i < moments, has the kernels of the first
   /// block row tested with P_i e_a on each test element.
-  void evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
-                         InstructionSet set = largestInstructionSet());
+  void evaluateTractions(const std::vector<Test>& tests, int trial, int moments);
 
   /// K and -V of the trial functions at points.  `points`: of each pack of eight points x, then y,
   /// relative to the element's midpoint.  `order`: farOrder of the nearest point.
-  void evaluateFields(const std::vector<AlignedLane>& points, int trial, int order,
-                      InstructionSet set = largestInstructionSet());
+  void evaluateFields(const std::vector<AlignedLane>& points, int trial, int order);
   /// Eight values of evaluateFields: component c of a function at the points of a pack.
   const double* field(std::size_t pair, int function, int c) const {
     const int i = function - entries_.components * (work_.columnDegree + 1);
@@ -95,7 +91,7 @@ class FarBlocks {
 
  private:
   /// From samples to the block.
-  virtual void compute(InstructionSet set) = 0;
+  virtual void compute() = 0;
 
   /// Test functions: φ_k up to a degree (-1: none), and densities.
   struct Functions {
@@ -104,10 +100,9 @@ class FarBlocks {
   };
 
   Nearness orderOf(const std::vector<Test>& tests, int trial) const;
-  void integrate(const std::vector<Test>& tests, const Functions& rows, int trial,
-                 InstructionSet set);
-  void run(const Element& trial, int order, InstructionSet set);
-  void sampleTests(const std::vector<Test>& tests, InstructionSet set);
+  void integrate(const std::vector<Test>& tests, const Functions& rows, int trial);
+  void run(const Element& trial, int order);
+  void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);  ///< unless it is sampled by this rule
 
   /// weightedFunctions of a Gauss rule with this many points; computed once.
@@ -147,7 +142,7 @@ class FarQuadrature final : public FarBlocks {
 
  private:
   struct Integrate;
-  void compute(InstructionSet set) override;
+  void compute() override;
 
   typename Points::Constants constants_;
 };

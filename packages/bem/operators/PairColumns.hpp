@@ -2,7 +2,6 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/ElementRuns.hpp"
-#include "bem/simd/InstructionSet.hpp"
 #include "bem/space/LocalField.hpp"
 #include "bem/space/Space.hpp"
 
@@ -30,14 +29,13 @@ class PairColumns {
 
   /// Computes all columns of a trial element with the wanted elements of run r.  Refers to the
   /// runs.
-  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
-                InstructionSet set = largestInstructionSet()) {
-    integrate(runs, trial, r, wanted, set);
-    fill(set);
+  void evaluate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted) {
+    integrate(runs, trial, r, wanted);
+    fill();
   }
   /// The moments alone, for energy().
   virtual void integrate(const ElementRuns& runs, int trial, int r,
-                         const ElementRange& wanted, InstructionSet set) = 0;
+                         const ElementRange& wanted) = 0;
   /// <W u, v> + <V ψ, χ> of polynomials (u, ψ) on the trial element and (v, χ) on that of a lane.
   virtual double energy(int lane, const LocalField& onTrial,
                         const LocalField& onLane) const = 0;
@@ -68,7 +66,7 @@ class PairColumns {
   PairColumns& operator=(const PairColumns&) = delete;
   PairColumns& operator=(PairColumns&&) = delete;
 
-  virtual void fill(InstructionSet set) = 0;
+  virtual void fill() = 0;
 
   /// \return whether it is another one
   bool setRun(const ElementLanes& run, int trial);

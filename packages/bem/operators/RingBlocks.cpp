@@ -236,7 +236,7 @@ struct RingBlocks::Fill {
   }
 };
 
-void RingBlocks::fill(InstructionSet set) {
+void RingBlocks::fill() {
   const RingTile& tile = tile_;
   setRun(tile.run(), tile.trial());
   const Mesh& mesh = space_.mesh();
@@ -250,7 +250,7 @@ void RingBlocks::fill(InstructionSet set) {
     others.lane[lane] = tile.isWanted(lane) && e != f ? 1 : 0;
     isUniform = isUniform && (e >= run_->last || mesh[e].densities == 1);
   }
-  dispatch(set, Fill{*this, tile, wanted, others, isUniform});
+  dispatch(Fill{*this, tile, wanted, others, isUniform});
   if (f >= run_->first && f < run_->last && tile.isWanted(f - run_->first))
     addHalf(ringMassOf(mesh, f));
 }

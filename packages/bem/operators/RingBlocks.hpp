@@ -10,9 +10,9 @@ class RingBlocks final : public PairColumns {
  public:
   RingBlocks(const Space& space, const Lame& lame) : PairColumns(space), tile_(lame) {}
 
-  void integrate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
-                 InstructionSet set) override {
-    tile_.evaluate(runs, trial, r, wanted, set);
+  void integrate(const ElementRuns& runs, int trial, int r,
+                 const ElementRange& wanted) override {
+    tile_.evaluate(runs, trial, r, wanted);
   }
   /// With the radial displacements that W has beside slopes.
   double energy(int lane, const LocalField& onTrial,
@@ -30,7 +30,7 @@ class RingBlocks final : public PairColumns {
   class Filling;
   struct Fill;
 
-  void fill(InstructionSet set) override;
+  void fill() override;
 
   RingTile tile_;
   AlignedLane common_[4] = {};  ///< column by column

@@ -240,7 +240,7 @@ void TileBlocks<Family>::setRun(const ElementLanes& run, int trial) {
 }
 
 template <class Family>
-void TileBlocks<Family>::fill(InstructionSet set) {
+void TileBlocks<Family>::fill() {
   setRun(tile_.run(), tile_.trial());
   const int f = tile_.trial();
   const Mesh& mesh = space_.mesh();
@@ -254,7 +254,7 @@ void TileBlocks<Family>::fill(InstructionSet set) {
     work.others.lane[lane] = isThere && run_->first + lane != f ? 1 : 0;
     work.bent.lane[lane] = isThere && isBent ? 1 : 0;
   }
-  dispatch(set, Fill{work});
+  dispatch(Fill{work});
   if (tile_.isWanted(f - run_->first))
     addHalf(massOf(mesh[f]));
 }

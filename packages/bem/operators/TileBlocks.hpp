@@ -26,9 +26,9 @@ class TileBlocks final : public PairColumns {
  public:
   TileBlocks(const Space& space, const Family& family);
 
-  void integrate(const ElementRuns& runs, int trial, int r, const ElementRange& wanted,
-                 InstructionSet set) override {
-    tile_.evaluate(runs, trial, r, wanted, set);
+  void integrate(const ElementRuns& runs, int trial, int r,
+                 const ElementRange& wanted) override {
+    tile_.evaluate(runs, trial, r, wanted);
   }
   double energy(int lane, const LocalField& onTrial,
                 const LocalField& onLane) const override;
@@ -48,7 +48,7 @@ class TileBlocks final : public PairColumns {
   struct Fill;
 
   void setRun(const ElementLanes& run, int trial);
-  void fill(InstructionSet set) override;
+  void fill() override;
 
   Family family_;
   Tile tile_;

@@ -106,7 +106,7 @@ void TileWriter::add(const PairColumns& columns) {
       appendHypersingular(columns, f, k, c);
     }
   }
-  dispatch(largestInstructionSet(), Addition{stretches_});
+  dispatch(Addition{stretches_});
   if (element.next == f + 1 && f + 1 < run_->last && run_->first <= f + 1)
     addCommonNode(f, columns);
   collect(columns, f);
@@ -175,7 +175,7 @@ void TileWriter::finish() {
            isGhost ? components * run_->loop + k - ends : first + k,
            collected_.data() + k * groupSize_, groupSize_, 1);
   }
-  dispatch(largestInstructionSet(), Addition{stretches_});
+  dispatch(Addition{stretches_});
 }
 
 }  // namespace epafi::bem

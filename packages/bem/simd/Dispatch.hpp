@@ -18,11 +18,11 @@ __attribute__((target("avx2,fma"))) void runAvx2(const Kernel& kernel) {
 }
 #endif
 
-/// Calls kernel.run<Division>(), compiled for an instruction set that the processor has.
+/// Calls kernel.run<Division>(), compiled for usedInstructionSet().
 /// \pre run() and all functions that it calls are EPAFI_INLINE
 template <class Kernel>
-void dispatch(InstructionSet set, const Kernel& kernel) {
-  switch (set) {
+void dispatch(const Kernel& kernel) {
+  switch (usedInstructionSet()) {
 #ifdef EPAFI_X86
     case InstructionSet::Avx512Dividing:
       return runAvx512<Division::Exact>(kernel);

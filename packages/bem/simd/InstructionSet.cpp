@@ -1,5 +1,7 @@
 #include "bem/simd/InstructionSet.hpp"
 
+#include <atomic>
+
 namespace epafi::bem {
 
 std::vector<InstructionSet> instructionSets() {
@@ -20,9 +22,20 @@ std::vector<InstructionSet> instructionSets() {
   return sets;
 }
 
-InstructionSet largestInstructionSet() {
-  static const InstructionSet largest = instructionSets().back();
-  return largest;
+namespace {
+
+std::atomic<InstructionSet>& used() {
+  static std::atomic<InstructionSet> set = instructionSets().back();
+  return set;
 }
+
+}  // namespace
+
+InstructionSet usedInstructionSet() { return used().load(std::memory_order_relaxed); }
+
+WithInstructionSet::WithInstructionSet(InstructionSet set)
+    : before_(used().exchange(set)) {}
+
+WithInstructionSet::~WithInstructionSet() { used() = before_; }
 
 }  // namespace epafi::bem

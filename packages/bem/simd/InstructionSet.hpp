@@ -21,7 +21,19 @@ enum class InstructionSet {
 /// Instruction sets of this processor, in the order of the enumeration.
 std::vector<InstructionSet> instructionSets();
 
-/// The last one of instructionSets().
-InstructionSet largestInstructionSet();
+/// The one that kernels run with: the last of instructionSets(), unless a test has chosen another.
+InstructionSet usedInstructionSet();
+
+/// For tests: kernels of the whole process run with one of instructionSets() while it lives.
+class WithInstructionSet {
+ public:
+  explicit WithInstructionSet(InstructionSet set);
+  ~WithInstructionSet();
+  WithInstructionSet(const WithInstructionSet&) = delete;
+  WithInstructionSet& operator=(const WithInstructionSet&) = delete;
+
+ private:
+  InstructionSet before_;
+};
 
 }  // namespace epafi::bem

@@ -198,8 +198,7 @@ class ElementRows {
       const std::vector<TargetLanes> seen = seenFrom(mesh_, f, element_, rule.points);
       for (std::size_t k = 0; k < seen.size(); ++k) {
         source.evaluate(seen[k]);
-        dispatch(largestInstructionSet(),
-                 Sampling{lame_, source, from, to, tests[k], values.data()});
+        dispatch(Sampling{lame_, source, from, to, tests[k], values.data()});
         const Index first = static_cast<Index>(k) * lanes;
         for (const Component* of = from; of != to; ++of) {
           const Index column = of - components_.data();

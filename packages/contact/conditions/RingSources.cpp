@@ -79,7 +79,7 @@ void RingSources::add(const Source& source) {
 RingSources::Value RingSources::at(Vec2 x) const {
   Value value;
   for (const Eight& eight : rings_)
-    bem::dispatch(bem::largestInstructionSet(), Sum{eight, x, value});
+    bem::dispatch(Sum{eight, x, value});
   if (line_ != 0) {
     const double log = std::log(x.x);
     const double t = line_ * log;

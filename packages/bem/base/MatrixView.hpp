@@ -1,0 +1,55 @@
+#pragma once
+
+#include "bem/base/Matrix.hpp"
+
+#include <cassert>
+#include <type_traits>
+
+namespace epafi::bem {
+
+/// Numbers of a matrix, or of some of its rows and columns, that stay where they are.  Number: double
+/// or const double.
+template <class Number>
+class ViewOf {
+ public:
+  using Owner = std::conditional_t<std::is_const_v<Number>, const Matrix, Matrix>;
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a matrix is where a view is asked for
+  ViewOf(Owner& all) : ViewOf(all.data(), all.rows(), all.columns(), all.stride()) {}
+  ViewOf(Number* data, Index rows, Index columns, Index stride)
+      : data_(data), rows_(rows), columns_(columns), stride_(stride) {}
+  /// A view that does not write.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  operator ViewOf<const Number>() const { return {data_, rows_, columns_, stride_}; }
+
+  Index rows() const { return rows_; }
+  Index columns() const { return columns_; }
+  Index stride() const { return stride_; }
+  bool empty() const { return rows_ == 0 || columns_ == 0; }
+  Number* data() const { return data_; }
+  Number* column(Index j) const { return data_ + j * stride_; }
+  Number& operator()(Index i, Index j) const {
+    assert(0 <= i && i < rows_ && 0 <= j && j < columns_);
+    return data_[i + j * stride_];
+  }
+
+  /// Rows, or columns, first ... last - 1.
+  ViewOf rowsBetween(Index first, Index last) const {
+    assert(0 <= first && first <= last && last <= rows_);
+    return {data_ + first, last - first, columns_, stride_};
+  }
+  ViewOf columnsBetween(Index first, Index last) const {
+    assert(0 <= first && first <= last && last <= columns_);
+    return {column(first), rows_, last - first, stride_};
+  }
+
+ private:
+  Number* data_;
+  Index rows_;
+  Index columns_;
+  Index stride_;
+};
+using MatrixView = ViewOf<double>;
+using ConstMatrixView = ViewOf<const double>;
+
+}  // namespace epafi::bem
