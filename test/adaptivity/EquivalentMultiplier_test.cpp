@@ -55,7 +55,8 @@ std::vector<ContactCost> costsOf(const contact::Solved& solved) {
     const double size = 1e-4;
     const AtEnds moments{{size * any(k), size * any(k + 1)},
                          {size * any(k + 2), size * any(k + 3)}};
-    costs.emplace_back(solved, element, moments, factors, shearModulus);
+    adaptivity::KnownPlaces places(element);
+    costs.emplace_back(solved, element, moments, factors, shearModulus, places);
     k += 4;
   }
   return costs;
@@ -174,7 +175,8 @@ TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
       const Vec2 w = valueAt(c, element, t);
       change += weight * (dot(r(t) + w, r(t) + w) - dot(r(t), r(t)));
     }
-    const ContactCost cost(solved, contact, moments, factors, shearModulus);
+    adaptivity::KnownPlaces places(contact);
+    const ContactCost cost(solved, contact, moments, factors, shearModulus, places);
     const double size = 2 * element.half / contact.degree;
     TEST_FLOATING_EQUALITY(cost(c) - cost({}), 3 * size * change, 1e-12);
     // exact for quadratics: the derivative along c by a central difference
@@ -193,10 +195,11 @@ TEUCHOS_UNIT_TEST(ContactCost, differsFromTheTermsByAConstant) {
   factors.fill(1);
   factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 0;
   for (const auto& element : solved.problem.elements()) {
-    const ContactCost cost(solved, element, {}, factors, shearModulus);
+    adaptivity::KnownPlaces places(element);
+    const ContactCost cost(solved, element, {}, factors, shearModulus, places);
     const auto terms = [&](const AtEnds& correction) {
-      Contributions squares =
-          sharpContactTerms(contactProfiles(solved, element, correction), shearModulus);
+      Contributions squares = sharpContactTerms(
+          contactProfiles(solved, element, correction, places), shearModulus);
       double sum = -of(squares, adaptivity::Source::Penetration);
       for (const double square : squares)
         sum += square;

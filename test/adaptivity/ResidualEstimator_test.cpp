@@ -10,6 +10,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace epafi {
@@ -141,6 +142,35 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, seesASmallChangeOfAnyCondition) {
   other = Sliding().conditions();
   other.contact["bottom"].gap = [](Vec2 x) { return 1e-5 * x.x; };
   TEST_ASSERT(rises(other));
+}
+
+// As steps of a path, whose gaps and bounds follow time: places are shared, what is given is not.
+TEUCHOS_UNIT_TEST(ResidualEstimator, ofSeveralStatesIsThatOfEach) {
+  std::vector<std::unique_ptr<const SolvedScene>> scenes;
+  for (int k = 0; k < 40; ++k) {
+    SolvedScene::Input input = trescaScene(3, 2);
+    input.conditions.contact["bottom"].gap = [k](Vec2 x) {
+      return 1e-3 * (1 + k % 3) - 0.01 * std::abs(x.x);
+    };
+    scenes.push_back(std::make_unique<const SolvedScene>(input));
+  }
+  std::vector<contact::Solved> solved;
+  for (const auto& scene : scenes)
+    solved.push_back(scene->solved());
+  std::vector<adaptivity::Estimated> states;
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    states.push_back({solved[k], scenes[k]->density()});
+  const std::vector<Indicators> together = adaptivity::estimateResiduals(
+      states, scenes.front()->lame(), {"Energy", 1}, test::processes());
+  for (const std::size_t k : {0, 1, 2, 39}) {
+    const Indicators alone = estimate(*scenes[k]);
+    TEST_FLOATING_EQUALITY(together[k].estimate(), alone.estimate(), 1e-12);
+    const bem::Vector elements = alone.elements();
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      TEST_COMPARE(std::abs(together[k].elements()[e] - elements[e]), <=,
+                   1e-12 * alone.estimate() * alone.estimate());
+  }
+  TEST_COMPARE(std::abs(together[0].estimate() / together[1].estimate() - 1), >, 1e-3);
 }
 
 // Uniform traction on the whole boundary is taken by the fixed motions: u = 0.

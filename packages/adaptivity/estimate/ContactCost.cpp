@@ -86,7 +86,7 @@ struct ContactCost::Kernel {
 
 ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& element,
                          const AtEnds& moments, const Contributions& factors,
-                         double shearModulus)
+                         double shearModulus, KnownPlaces& places)
     : moments_(moments), factors_(factors) {
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
@@ -97,7 +97,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   self_ = bem::endValues(p, 1).end;
   other_ = bem::endValues(p, 1).start;
 
-  const ContactProfiles profiles = contactProfiles(solved, element, {});
+  const ContactProfiles profiles = contactProfiles(solved, element, {}, places);
   const Vec2 across = profiles.direction(0);
   const bem::Rule& rule = bem::gaussLegendre(p + 10);
   double steepest = 0;

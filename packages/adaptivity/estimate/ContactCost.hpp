@@ -15,7 +15,8 @@ class ContactCost {
  public:
   /// `moments`: ∫ r e(-t) ds and ∫ r e(t) ds of r = λʰ + S u, see endValue.
   ContactCost(const contact::Solved& solved, const ContactElement& element,
-              const AtEnds& moments, const Contributions& factors, double shearModulus);
+              const AtEnds& moments, const Contributions& factors, double shearModulus,
+              KnownPlaces& places);
 
   double operator()(const AtEnds& correction) const;
 

@@ -73,6 +73,7 @@ class Changes {
 
   template <class Function>
   void add(const Function& f, Vector& breaks) const {
+    constexpr double ofBreaks = 1e-9;
     Vector values;
     for (const Values& sample : samples_)
       values.push_back(f(sample));
@@ -80,7 +81,7 @@ class Changes {
         [&](double t) {
           return f([&](Number number) { return valueAt(profiles_, number, t); });
         },
-        places_, values);
+        places_, values, ofBreaks);
     breaks.insert(breaks.end(), changes.begin(), changes.end());
   }
 
@@ -127,7 +128,8 @@ Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
 }  // namespace
 
 ContactProfiles contactProfiles(const contact::Solved& solved,
-                                const ContactElement& element, const AtEnds& correction) {
+                                const ContactElement& element, const AtEnds& correction,
+                                KnownPlaces& places) {
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
@@ -140,46 +142,52 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bool acts = solved.conditions.inside || solved.insideBefore();
   const int degreeOfMotion =
       acts ? std::min(std::max(degree, p + forTurning), bem::largestDegree) : degree;
-  const auto motion = [&](bool since) {
-    const auto component = [&](double bem::Vec2::*part) {
-      return Polynomial(
-          [&](double t) {
-            const bem::Vec2 u = solved.displacementAt(element.element, t);
-            return since ? (u - solved.displacementBeforeAt(element.element, t)).*part
-                         : u.*part;
-          },
-          degreeOfMotion);
-    };
-    return [x = component(&bem::Vec2::x), y = component(&bem::Vec2::y)](double t) {
-      return bem::Vec2{x(t), y(t)};
+  const auto projected = [&](const auto& displacement) {
+    return bem::project([&](double t) { return asComplex(displacement(t)); },
+                        degreeOfMotion);
+  };
+  const auto motion = [degreeOfMotion](const bem::LegendreSeries<bem::Complex>& series) {
+    return [series, degreeOfMotion](double t) {
+      return bem::asVector(bem::evaluate(series, degreeOfMotion, t));
     };
   };
-  const auto stress = [&](auto part, const auto& direction) {
-    return Polynomial(
-        [&, part](double t) {
-          const double start = dot(correction.start, direction(t)) / geometry.half;
-          const double end = dot(correction.end, direction(t)) / geometry.half;
-          const bem::EndValues e = bem::endValues(p, t);
-          return multiplier.at(solved.state.multiplier, element, t).*part +
-                 start * e.start + end * e.end;
-        },
-        degree);
-  };
-  using Value = contact::MultiplierSpace::Value;
   // several profiles ask for the same point one after the other
   const auto last = std::make_shared<std::optional<contact::ContactPlace>>();
-  const auto at = [&solved, &element, last](double t) -> const contact::ContactPlace& {
+  const auto at = [&solved, &element, &places,
+                   last](double t) -> const contact::ContactPlace& {
     if (!*last || (*last)->t != t)
-      last->emplace(contact::ContactPlace{solved, element, t});
+      last->emplace(places.at(solved, element, t));
     return **last;
   };
   const auto across = [at](double t) { return at(t).opposite.direction.unit; };
-  const auto along = [across](double t) { return turnLeft(across(t)); };
-  const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial shear = stress(&Value::tangential, along);
-  const auto whole = motion(false);
+  // both components at once
+  const auto stress = bem::project(
+      [&](double t) {
+        const auto own = multiplier.at(solved.state.multiplier, element, t);
+        const bem::Vec2 more = valueAt(correction, geometry, t);
+        const bem::Vec2 normal = across(t);
+        return bem::Complex(own.normal + dot(more, normal),
+                            own.tangential + dot(more, turnLeft(normal)));
+      },
+      degree);
+  const auto part = [&](const auto& of) {
+    bem::LegendreSeries<double> series{};
+    std::transform(stress.begin(), stress.end(), series.begin(), of);
+    return Polynomial(series, degree);
+  };
+  const Polynomial pressure = part([](const bem::Complex& c) { return c.real(); });
+  const Polynomial shear = part([](const bem::Complex& c) { return c.imag(); });
+  bem::LegendreSeries<bem::Complex> displacement =
+      projected([&](double t) { return solved.displacementAt(element.element, t); });
+  const auto whole = motion(displacement);
   // the whole jump of bonded sides is an error, not what a step adds to it
-  const auto slid = motion(!element.ties() && solved.displacementBefore != nullptr);
+  if (!element.ties() && solved.displacementBefore != nullptr) {
+    const auto before = projected(
+        [&](double t) { return solved.displacementBeforeAt(element.element, t); });
+    for (std::size_t k = 0; k < before.size(); ++k)
+      displacement[k] -= before[k];
+  }
+  const auto slid = motion(displacement);
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
   const contact::Opposite& opposite = solved.problem.opposite();
   return {pressure,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
+#include "adaptivity/estimate/SidePlaces.hpp"
 #include "bem/basis/EndValues.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/quadrature/Piecewise.hpp"
@@ -30,7 +31,9 @@ class Polynomial {
  public:
   /// A polynomial of at most this degree, from its values at Gauss points.
   Polynomial(const bem::Profile& values, int degree)
-      : series_(bem::project(values, degree)), degree_(degree) {}
+      : Polynomial(bem::project(values, degree), degree) {}
+  Polynomial(const bem::LegendreSeries<double>& series, int degree)
+      : series_(series), degree_(degree) {}
   double operator()(double t) const { return bem::evaluate(series_, degree_, t); }
 
  private:
@@ -64,8 +67,10 @@ struct ContactProfiles {
 };
 
 /// Profiles for the multiplier λʰ + valueAt(correction) and the bound s of its pressure.
+/// Refers to its arguments.
 ContactProfiles contactProfiles(const contact::Solved& solved,
-                                const ContactElement& element, const AtEnds& correction);
+                                const ContactElement& element, const AtEnds& correction,
+                                KnownPlaces& places);
 
 /// Squares of the last five sources on one contact element, dimensionless, as printed:
 ///

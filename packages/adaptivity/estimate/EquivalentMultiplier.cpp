@@ -229,7 +229,7 @@ std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
 
 std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
                                 const Contributions& factors,
-                                const std::vector<AtEnds>& moments,
+                                const std::vector<AtEnds>& moments, SidePlaces& places,
                                 const bem::Processes& processes) {
   const auto& elements = solved.problem.elements();
   Vector numbers;
@@ -240,7 +240,7 @@ std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& 
   const double* next = numbers.data();
   for (const ContactElement& element : elements) {
     costs.emplace_back(solved, element, AtEnds{{next[0], next[1]}, {next[2], next[3]}},
-                       factors, lame.mu);
+                       factors, lame.mu, places.known(costs.size()));
     next += 4;
   }
   return agree(

@@ -34,7 +34,7 @@ std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
 ///   zero on other processes' elements
 std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
                                 const Contributions& factors,
-                                const std::vector<AtEnds>& moments,
+                                const std::vector<AtEnds>& moments, SidePlaces& places,
                                 const bem::Processes& processes);
 
 }  // namespace epafi::adaptivity

@@ -8,6 +8,7 @@
 #include "bem/fields/BoundaryFields.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace epafi::adaptivity {
 
@@ -49,13 +50,12 @@ double heatSquares(const contact::Solved& solved, int e) {
          inside->conducted()->missed(e);
 }
 
-/// At the points of fields on an element.
-using Directions = std::vector<Vec2>;
-
 class Residuals {
  public:
-  Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
+  Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights,
+            const SidePlaces& places)
       : solved_(solved),
+        places_(places),
         weights_(weights),
         lame_(lame),
         mesh_(solved.space.mesh()),
@@ -81,12 +81,14 @@ class Residuals {
     const Vec2 free = Vec2{1, 1} - solved_.conditions.given(mesh_.boundary(e));
     const auto neumann = solved_.conditions.neumann.find(mesh_.boundary(e));
     const bool loaded = neumann != solved_.conditions.neumann.end();
-    for (const bem::BoundaryValue& value : values) {
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      const bem::BoundaryValue& value = values[q];
       const double t = value.place.t;
       const Vec2 load = loaded ? (1 / solved_.units.stress) *
                                      neumann->second.at(mesh_.physicalPoint(e, t))
                                : Vec2{};
-      Vec2 r = load + solved_.pressed.at(e, t) + fixedTraction(e, t) - value.traction;
+      Vec2 r =
+          load + places_.pressed(solved_, e, q) + fixedTraction(e, t) - value.traction;
       if (solved_.conditions.inside)
         r = r - solved_.conditions.inside->traction(mesh_, e, t);
       of(squares, Source::Neumann) +=
@@ -98,7 +100,7 @@ class Residuals {
   /// λʰ + S u minus the tractions of fixed motions, at the points of a contact element.
   std::vector<Vec2> residual(const ContactElement& contact,
                              const std::vector<bem::BoundaryValue>& values,
-                             const Directions& directions) const {
+                             const std::vector<Vec2>& directions) const {
     const int e = contact.element;
     const contact::MultiplierSpace& multiplier = solved_.problem.multiplier();
     std::vector<Vec2> result;
@@ -135,10 +137,11 @@ class Residuals {
   Contributions contactSquares(const ContactElement& contact,
                                const std::vector<bem::BoundaryValue>& values,
                                const std::vector<Vec2>& residual,
-                               const AtEnds& correction, double shearModulus) const {
+                               const AtEnds& correction, KnownPlaces& places,
+                               double shearModulus) const {
     const bem::Element& element = mesh_[contact.element];
     const double size = 2 * element.half / element.degree;
-    ContactProfiles profiles = contactProfiles(solved_, contact, correction);
+    ContactProfiles profiles = contactProfiles(solved_, contact, correction, places);
     const Layer layer = behind(contact.element);
     if (layer.isHeld) {  // else gaps close by a motion of both sides
       const double stiffer = 1 + size * layer.beyondHalfPlane(lame_, size).across;
@@ -189,6 +192,7 @@ class Residuals {
   }
 
   const contact::Solved& solved_;
+  const SidePlaces& places_;
   const Weights& weights_;
   const bem::Lame& lame_;
   const bem::Mesh& mesh_;
@@ -221,7 +225,7 @@ double sharedShearModulus(const contact::Solved& solved, const ContactElement& e
   return own * other / (own + other);
 }
 
-using Fields = std::vector<std::vector<bem::BoundaryValue>>;
+using Fields = SidePlaces::Fields;
 
 /// On this process's elements, without the further terms of contact elements.
 std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& fields,
@@ -274,26 +278,14 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   return result;
 }
 
-/// Of contact on each of its elements, the same in all states.
-std::vector<Directions> directionsOf(const contact::Solved& any, const Fields& fields) {
-  std::vector<Directions> all;
-  for (const ContactElement& element : any.problem.elements()) {
-    Directions& own = all.emplace_back();
-    for (const bem::BoundaryValue& value : fields[bem::at(element.element)])
-      own.push_back(any.problem.opposite().at(element, value.place.t).direction.unit);
-  }
-  return all;
-}
-
 /// Not parallel: evaluates functions of the user, which may not be thread-safe.
-Indicators indicatorsOf(const Estimated& state, const Fields& fields,
-                        const std::vector<Directions>& directions, const bem::Lame& lame,
-                        const EstimatorOptions& options,
+Indicators indicatorsOf(const Estimated& state, const Fields& fields, SidePlaces& places,
+                        const bem::Lame& lame, const EstimatorOptions& options,
                         const bem::Processes& processes) {
   const auto& [solved, density] = state;
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, lame, weights);
+  const Residuals residuals(solved, lame, weights, places);
   const auto& touching = solved.problem.elements();
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
@@ -306,7 +298,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     const auto& values = fieldsOf(element);
     isTouching[static_cast<std::size_t>(element.element)] = true;
     contactResiduals.push_back(
-        residuals.residual(element, values, directions[contactResiduals.size()]));
+        residuals.residual(element, values, places.directions(contactResiduals.size())));
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
@@ -317,7 +309,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
       !solved.problem.opposite().meetsDeformable(solved.problem.number()) &&
       !mesh.outline().isAxisymmetric();
   const std::vector<AtEnds> correction =
-      sharp && alone ? corrections(solved, lame, factors, moments, processes)
+      sharp && alone ? corrections(solved, lame, factors, moments, places, processes)
                      : std::vector<AtEnds>(touching.size());
 
   // with Form Density the mean m of V ψ - (K + 1/2) u, which is -γ (λ + ψ), adds ∫ m²/h to
@@ -334,8 +326,9 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
       continue;
     bem::Lame both = lame;
     both.mu = sharedShearModulus(solved, touching[k], lame.mu);
-    Contributions contact = residuals.contactSquares(
-        touching[k], values, contactResiduals[k], correction[k], both.mu);
+    Contributions contact =
+        residuals.contactSquares(touching[k], values, contactResiduals[k], correction[k],
+                                 places.known(k), both.mu);
     const int e = touching[k].element;
     of(contact, Source::Density) +=
         dot(means[k], means[k]) * (mesh.measure(e, 0) / mesh[e].half);
@@ -368,19 +361,25 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
                                           const bem::Lame& lame,
                                           const EstimatorOptions& options,
                                           const bem::Processes& processes) {
-  constexpr std::size_t atOnce = 8;
+  // fields of all states are kept: for so many numbers as eight states of a large mesh have
+  constexpr std::size_t fewest = 8;
+  constexpr std::size_t most = 32;
+  constexpr std::size_t elements = 8192;
+  const auto size = bem::at(states.front().solved.space.mesh().size());
+  const std::size_t atOnce = std::clamp(fewest * elements / size, fewest, most);
   std::vector<Indicators> result;
+  std::optional<SidePlaces> places;
   for (std::size_t first = 0; first < states.size(); first += atOnce) {
     const std::vector<Estimated> some(
         states.begin() + static_cast<std::ptrdiff_t>(first),
         states.begin() +
             static_cast<std::ptrdiff_t>(std::min(first + atOnce, states.size())));
     const std::vector<Fields> fields = fieldsOf(some, lame, processes);
-    const std::vector<Directions> directions =
-        directionsOf(some.front().solved, fields.front());
+    if (!places)
+      places.emplace(some.front().solved, fields.front());
     for (std::size_t k = 0; k < some.size(); ++k)
       result.push_back(
-          indicatorsOf(some[k], fields[k], directions, lame, options, processes));
+          indicatorsOf(some[k], fields[k], *places, lame, options, processes));
   }
   return result;
 }

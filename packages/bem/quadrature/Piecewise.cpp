@@ -15,8 +15,9 @@ Vector signSamples(int degree) {
   return places;
 }
 
-Vector signChanges(const Profile& f, const Vector& places, const Vector& values) {
-  const auto isSmall = [](double a, double b) { return b - a <= 1e-15; };
+Vector signChanges(const Profile& f, const Vector& places, const Vector& values,
+                   double error) {
+  const auto isSmall = [error](double a, double b) { return b - a <= error; };
   Vector changes;
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     if ((values[i] < 0) != (values[i + 1] < 0)) {

@@ -13,8 +13,10 @@ using Profile = std::function<double(double)>;
 /// \param degree f is sampled finely enough for polynomials of this degree, in practice
 Vector signChanges(const Profile& f, int degree);
 /// Places of these samples; and sign changes from the values at such places.
+/// \param error  of the zeros, at most.  A rule that has its break so far from a kink errs by its square.
 Vector signSamples(int degree);
-Vector signChanges(const Profile& f, const Vector& places, const Vector& values);
+Vector signChanges(const Profile& f, const Vector& places, const Vector& values,
+                   double error = 1e-15);
 
 /// Rule over [-1, 1] with `order` Gauss points on each interval between breaks; these need not
 /// be sorted.

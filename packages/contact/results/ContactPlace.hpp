@@ -2,6 +2,8 @@
 
 #include "contact/results/Solved.hpp"
 
+#include <optional>
+
 namespace epafi::contact {
 
 /// A point of a contact side of a solution and the laws between the sides there, dimensionless.
@@ -18,7 +20,11 @@ struct ContactPlace {
   double closing(double pressure) const;
   /// A part of Wear where sides wear, else 0.
   double worn(Vector Wear::*part) const;
-  /// By how far the sides are apart, g + φ(λₙ) + w - uₙ, see Solved::approach.
+  /// Displacement of the opposite point.
+  bem::Vec2 opposing() const;
+  /// uₙ = [u]·d, [u] = u - u of the opposite point, without what arcs that turn about their centres add.
+  double approach(bem::Vec2 u) const;
+  /// By how far the sides are apart, g + φ(λₙ) + w - uₙ.
   double opening(double pressure, bem::Vec2 u) const;
   /// [u]·t less elastic shear and given sliding; in a step of a path its increment, for which
   /// u is one, too, but of bonded sides all of it.
@@ -31,6 +37,8 @@ struct ContactPlace {
   double shearYield() const;
   /// p/h of the opposite side over that of this side, at least 1.
   double fineness() const;
+
+  mutable std::optional<bem::Vec2> moved{};  ///< opposing(), where it has been asked for
 };
 
 }  // namespace epafi::contact

@@ -91,7 +91,7 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
   point.direction = here.opposite.direction;
-  point.normal = units_.length * solved_.approach(u, here.opposite);
+  point.normal = units_.length * here.approach(u);
   point.tangential = units_.length * dot(u - motionAt(solved_.motions, here.opposite),
                                          turnLeft(point.direction.unit));
   point.gap = units_.length * here.opposite.gap;

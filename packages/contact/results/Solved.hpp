@@ -61,14 +61,6 @@ struct Solved {
                : whole(*displacementBefore, insideBefore(), element, t);
   }
 
-  /// uₙ = [u]·d, [u] = u - u of the opposite point, without what arcs that turn about their centres add,
-  /// dimensionless.
-  double approach(bem::Vec2 u, const Opposite::Point& opposite) const {
-    return dot(u - motionAt(motions, opposite), opposite.direction.unit) -
-           field.turn() * opposite.direction.ownTurn +
-           turnAt(motions, opposite) * opposite.direction.oppositeTurn;
-  }
-
  private:
   bem::Vec2 whole(const bem::DisplacementField& u, const BodyLoadSolution& inside,
                   int element, double t) const {
