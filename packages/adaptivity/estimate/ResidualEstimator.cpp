@@ -49,23 +49,27 @@ double heatSquares(const contact::Solved& solved, int e) {
          inside->conducted()->missed(e);
 }
 
-/// At the points of fields on an element.
-using Directions = std::vector<Vec2>;
+/// What all states share at the points of fields on an element: directions of contact, or what presses.
+struct Shared {
+  std::vector<Vec2> directions{};
+  std::vector<std::vector<contact::Opposite::Source>> pressing{};
+};
 
 class Residuals {
  public:
-  Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
+  Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights,
+            double turning)
       : solved_(solved),
         weights_(weights),
         lame_(lame),
         mesh_(solved.space.mesh()),
         amplitudes_(solved.problem.fixedReactions(solved.contactForce)),
-        turning_(turningTraction(solved)),
+        turning_(turning),
         known_(solved.problem.knownTraction()) {}
 
   /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
   Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
-                        bool touching) const {
+                        const Shared& shared, bool touching) const {
     const double h = 2 * mesh_[e].half;
     Contributions squares{};
     for (const bem::BoundaryValue& value : values)
@@ -81,12 +85,15 @@ class Residuals {
     const Vec2 free = Vec2{1, 1} - solved_.conditions.given(mesh_.boundary(e));
     const auto neumann = solved_.conditions.neumann.find(mesh_.boundary(e));
     const bool loaded = neumann != solved_.conditions.neumann.end();
-    for (const bem::BoundaryValue& value : values) {
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      const bem::BoundaryValue& value = values[q];
       const double t = value.place.t;
+      const Vec2 pressed =
+          solved_.problem.foreignTraction(solved_.state.multiplier, shared.pressing[q]);
       const Vec2 load = loaded ? (1 / solved_.units.stress) *
                                      neumann->second.at(mesh_.physicalPoint(e, t))
                                : Vec2{};
-      Vec2 r = load + solved_.pressed.at(e, t) + fixedTraction(e, t) - value.traction;
+      Vec2 r = load + pressed + fixedTraction(e, t) - value.traction;
       if (solved_.conditions.inside)
         r = r - solved_.conditions.inside->traction(mesh_, e, t);
       of(squares, Source::Neumann) +=
@@ -98,7 +105,7 @@ class Residuals {
   /// λʰ + S u minus the tractions of fixed motions, at the points of a contact element.
   std::vector<Vec2> residual(const ContactElement& contact,
                              const std::vector<bem::BoundaryValue>& values,
-                             const Directions& directions) const {
+                             const std::vector<Vec2>& directions) const {
     const int e = contact.element;
     const contact::MultiplierSpace& multiplier = solved_.problem.multiplier();
     std::vector<Vec2> result;
@@ -193,7 +200,7 @@ class Residuals {
   const bem::Lame& lame_;
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
-  double turning_;     ///< see turningTraction
+  double turning_;     ///< see turningTractions
   contact::BoundaryTraction known_;
 };
 
@@ -225,11 +232,13 @@ using Fields = std::vector<std::vector<bem::BoundaryValue>>;
 
 /// On this process's elements, without the further terms of contact elements.
 std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& fields,
+                                     const std::vector<Shared>& shared,
                                      const std::vector<bool>& isTouching) {
   std::vector<Contributions> squares(fields.size());
   for (std::size_t e = 0; e < fields.size(); ++e)
     if (!fields[e].empty())
-      squares[e] = residuals.squares(static_cast<int>(e), fields[e], isTouching[e]);
+      squares[e] =
+          residuals.squares(static_cast<int>(e), fields[e], shared[e], isTouching[e]);
   return squares;
 }
 
@@ -267,33 +276,36 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   bem::parallelFor(
       {mine, ofSource * static_cast<double>(mine * size)}, [&](bem::Index k) {
         const int e = processes.rank() + bem::asInt(k) * count;
-        bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
+        bem::BoundaryFields::Values values = fields.on(e, any.problem.sourceBreaks(e));
         for (std::size_t s = 0; s < result.size(); ++s)
           result[s][e] = std::move(values[s]);
       });
   return result;
 }
 
-/// Of contact on each of its elements, the same in all states.
-std::vector<Directions> directionsOf(const contact::Solved& any, const Fields& fields) {
-  std::vector<Directions> all;
-  for (const ContactElement& element : any.problem.elements()) {
-    Directions& own = all.emplace_back();
-    for (const bem::BoundaryValue& value : fields[bem::at(element.element)])
-      own.push_back(any.problem.opposite().at(element, value.place.t).direction.unit);
-  }
+std::vector<Shared> sharedOf(const contact::ContactBody& body, const Fields& fields) {
+  std::vector<Shared> all(fields.size());
+  std::vector<const ContactElement*> touching(fields.size());
+  for (const ContactElement& element : body.elements())
+    touching[bem::at(element.element)] = &element;
+  for (std::size_t e = 0; e < all.size(); ++e)
+    for (const bem::BoundaryValue& value : fields[e])
+      if (const double t = value.place.t; touching[e] != nullptr)
+        all[e].directions.push_back(body.opposite().at(*touching[e], t).direction.unit);
+      else
+        all[e].pressing.push_back(body.sources(static_cast<int>(e), t));
   return all;
 }
 
 /// Not parallel: evaluates functions of the user, which may not be thread-safe.
 Indicators indicatorsOf(const Estimated& state, const Fields& fields,
-                        const std::vector<Directions>& directions, const bem::Lame& lame,
-                        const EstimatorOptions& options,
+                        const std::vector<Shared>& shared, double turning,
+                        const bem::Lame& lame, const EstimatorOptions& options,
                         const bem::Processes& processes) {
   const auto& [solved, density] = state;
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, lame, weights);
+  const Residuals residuals(solved, lame, weights, turning);
   const auto& touching = solved.problem.elements();
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
@@ -306,7 +318,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     const auto& values = fieldsOf(element);
     isTouching[static_cast<std::size_t>(element.element)] = true;
     contactResiduals.push_back(
-        residuals.residual(element, values, directions[contactResiduals.size()]));
+        residuals.residual(element, values, shared[bem::at(element.element)].directions));
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
@@ -325,7 +337,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   const std::vector<Vec2> means = solved.problem.coupling().meanSlacks(
       solved.state.multiplier, density,
       solved.problem.inResidual(solved.contactForce).compliance);
-  std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
+  std::vector<Contributions> squares = squaresOf(residuals, fields, shared, isTouching);
   for (Contributions& square : squares)
     multiply(square, factors);
   for (std::size_t k = 0; k < touching.size(); ++k) {
@@ -376,11 +388,12 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
         states.begin() +
             static_cast<std::ptrdiff_t>(std::min(first + atOnce, states.size())));
     const std::vector<Fields> fields = fieldsOf(some, lame, processes);
-    const std::vector<Directions> directions =
-        directionsOf(some.front().solved, fields.front());
+    const std::vector<Shared> shared =
+        sharedOf(some.front().solved.problem, fields.front());
+    const Vector turning = turningTractions(some);
     for (std::size_t k = 0; k < some.size(); ++k)
       result.push_back(
-          indicatorsOf(some[k], fields[k], directions, lame, options, processes));
+          indicatorsOf(some[k], fields[k], shared, turning[k], lame, options, processes));
   }
   return result;
 }

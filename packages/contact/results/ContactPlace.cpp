@@ -17,14 +17,13 @@ double ContactPlace::worn(Vector Wear::*part) const {
 
 double ContactPlace::opening(double pressure, bem::Vec2 u) const {
   return opposite.gap + closing(pressure) + worn(&Wear::depth) -
-         solved.approach(u, opposite);
+         solved.approach(u - motion, opposite);
 }
 
 double ContactPlace::slip(bem::Vec2 u, double shear) const {
   const bool isStep = !element.ties();
-  const bem::Vec2 motion = motionAt(solved.motions, opposite) -
-                           motionAt(isStep ? solved.motionsBefore : nullptr, opposite);
-  double slip = dot(u - motion, turnLeft(opposite.direction.unit));
+  const bem::Vec2 earlier = motionAt(isStep ? solved.motionsBefore : nullptr, opposite);
+  double slip = dot(u - (motion - earlier), turnLeft(opposite.direction.unit));
   if (element.condition->friction.compliance) {
     const Vector* before = isStep && solved.stateBefore != nullptr
                                ? &solved.stateBefore->multiplier

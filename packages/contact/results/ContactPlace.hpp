@@ -13,6 +13,7 @@ struct ContactPlace {
   double t;
   bem::SurfacePoint place = element.mesh->physicalPoint(element.element, t);
   Opposite::Point opposite = solved.problem.opposite().at(element, t);
+  bem::Vec2 motion = motionAt(solved.motions, opposite);  ///< of the opposite point
 
   /// φ(λₙ), by which the surfaces yield.
   double closing(double pressure) const;

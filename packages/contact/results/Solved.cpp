@@ -10,19 +10,6 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-ForeignPressure::ForeignPressure(const Solved& solved)
-    : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
-
-Vec2 ForeignPressure::at(int element, double t) const {
-  return body_ == nullptr ? Vec2() : body_->foreignTraction(*multiplier_, element, t);
-}
-
-Vector ForeignPressure::breaks(int element) const {
-  return body_ == nullptr
-             ? Vector()
-             : body_->opposite().sourceBreaks(static_cast<int>(body_->number()), element);
-}
-
 namespace {
 
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
@@ -84,16 +71,15 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
   const ContactPlace here{solved_, element, t};
-  const bem::Vec2 u = solved_.displacementAt(element.element, t);
+  const bem::Vec2 jump = solved_.displacementAt(element.element, t) - here.motion;
 
   ContactPoint point;
   point.place = here.place;
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
   point.direction = here.opposite.direction;
-  point.normal = units_.length * solved_.approach(u, here.opposite);
-  point.tangential = units_.length * dot(u - motionAt(solved_.motions, here.opposite),
-                                         turnLeft(point.direction.unit));
+  point.normal = units_.length * solved_.approach(jump, here.opposite);
+  point.tangential = units_.length * dot(jump, turnLeft(point.direction.unit));
   point.gap = units_.length * here.opposite.gap;
   if (element.condition->sliding)
     point.sliding = element.condition->sliding(point.place);
