@@ -300,12 +300,9 @@ class Follower {
     SolvedStep& step = *made;
     const contact::ContactSystem& system = *step.system;
     const double energy = scene_.energy();
-    double ofInside = 0;
-    for (const contact::Solved& solved : step.bodies)
-      ofInside += contact::energiesOfInside(solved).strain;
     row_.energyStrain =
         wholeOf(scene_.symmetry, contact::sumOf(step.summaries())).energyStrain;
-    const double strain = row_.energyStrain / energy - ofInside;
+    const double strain = step.at.strainEnergy();
     const double stored = step.at.storedEnergy();
     row_.energyDissipated = energy * here_.memory.friction();
     double workError = 0;

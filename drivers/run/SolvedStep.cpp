@@ -74,7 +74,6 @@ SolvedStep::SolvedStep(const BodySpaces& spaces_,
       solved.stateBefore = &before->at.state;
       solved.conditionsBefore = &(*before->conditions)[b];
     }
-    solved.pressed = contact::ForeignPressure(solved);
   }
 }
 

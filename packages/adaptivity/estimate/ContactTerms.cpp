@@ -190,25 +190,20 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const auto slid = motion(displacement);
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
   const contact::Opposite& opposite = solved.problem.opposite();
-  return {pressure,
-          shear,
-          [=, slides = element.shears() || !element.ties()](double t) {
-            return slides ? at(t).slip(slid(t), shear(t)) : 0;
+  return {pressure, shear,
+          // without friction it does nothing
+          [=, shears = element.shears()](double t) {
+            return shears ? at(t).slip(slid(t), shear(t)) : 0;
           },
           [=](double t) { return at(t).opening(pressure(t), whole(t)); },
-          [=](double t) { return at(t).bound(pressure(t)); },
-          p,
-          geometry.half,
+          [=](double t) { return at(t).bound(pressure(t)); }, p, geometry.half,
           [&mesh, e = element.element](double t) { return mesh.measure(e, t); },
-          opposite.breaks(element),
-          std::max(p, opposite.degree(element)),
-          element.ties(),
+          opposite.breaks(element), std::max(p, opposite.degree(element)), element.ties(),
           [=](double t) { return at(t).fineness(); },
           [=](double t, double opening) {
             return at(t).yield(pressure(t), opening, stiffness);
           },
-          [=](double t) { return at(t).shearYield(); },
-          across};
+          [=](double t) { return at(t).shearYield(); }, across};
 }
 
 namespace {

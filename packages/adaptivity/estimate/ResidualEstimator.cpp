@@ -52,15 +52,16 @@ double heatSquares(const contact::Solved& solved, int e) {
 
 class Residuals {
  public:
+  /// \param turning  see turningTractions
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights,
-            const SidePlaces& places)
+            const SidePlaces& places, double turning)
       : solved_(solved),
         places_(places),
         weights_(weights),
         lame_(lame),
         mesh_(solved.space.mesh()),
         amplitudes_(solved.problem.fixedReactions(solved.contactForce)),
-        turning_(turningTraction(solved)),
+        turning_(turning),
         known_(solved.problem.knownTraction()) {}
 
   /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
@@ -197,7 +198,7 @@ class Residuals {
   const bem::Lame& lame_;
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
-  double turning_;     ///< see turningTraction
+  double turning_;     ///< see turningTractions
   contact::BoundaryTraction known_;
 };
 
@@ -271,7 +272,7 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   bem::parallelFor(
       {mine, ofSource * static_cast<double>(mine * size)}, [&](bem::Index k) {
         const int e = processes.rank() + bem::asInt(k) * count;
-        bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
+        bem::BoundaryFields::Values values = fields.on(e, any.problem.sourceBreaks(e));
         for (std::size_t s = 0; s < result.size(); ++s)
           result[s][e] = std::move(values[s]);
       });
@@ -280,12 +281,13 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
 
 /// Not parallel: evaluates functions of the user, which may not be thread-safe.
 Indicators indicatorsOf(const Estimated& state, const Fields& fields, SidePlaces& places,
-                        const bem::Lame& lame, const EstimatorOptions& options,
+                        double turning, const bem::Lame& lame,
+                        const EstimatorOptions& options,
                         const bem::Processes& processes) {
   const auto& [solved, density] = state;
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, lame, weights, places);
+  const Residuals residuals(solved, lame, weights, places, turning);
   const auto& touching = solved.problem.elements();
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
@@ -377,9 +379,10 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
     const std::vector<Fields> fields = fieldsOf(some, lame, processes);
     if (!places)
       places.emplace(some.front().solved, fields.front());
+    const Vector turning = turningTractions(some);
     for (std::size_t k = 0; k < some.size(); ++k)
-      result.push_back(
-          indicatorsOf(some[k], fields[k], *places, lame, options, processes));
+      result.push_back(indicatorsOf(some[k], fields[k], *places, turning[k], lame, options,
+                                    processes));
   }
   return result;
 }

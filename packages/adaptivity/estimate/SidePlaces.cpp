@@ -36,28 +36,10 @@ SidePlaces::SidePlaces(const contact::Solved& any, const Fields& fields)
     for (const bem::BoundaryValue& value : fields[bem::at(element.element)])
       own.push_back(opposite.at(element, value.place.t).direction.unit);
   }
-  const auto number = static_cast<int>(any.problem.number());
   for (std::size_t e = 0; e < fields.size(); ++e)
-    for (const bem::BoundaryValue& value : fields[e]) {
-      if (touches[e])
-        break;
-      std::vector<Source>& own = sources_[e].emplace_back();
-      for (const contact::Opposite::Source& source :
-           opposite.sources(number, static_cast<int>(e), value.place.t))
-        own.push_back({source, opposite.at(*source.element, source.t).direction.unit});
-    }
-}
-
-bem::Vec2 SidePlaces::pressed(const contact::Solved& solved, int element,
-                              std::size_t point) const {
-  bem::Vec2 sum;
-  for (const auto& [source, across] : sources_[bem::at(element)][point]) {
-    const auto stress = solved.problem.multiplier().at(solved.state.multiplier,
-                                                       *source.element, source.t);
-    sum = sum + source.stretching *
-                    (stress.normal * across + stress.tangential * turnLeft(across));
-  }
-  return sum;
+    if (!touches[e])
+      for (const bem::BoundaryValue& value : fields[e])
+        sources_[e].push_back(any.problem.sources(static_cast<int>(e), value.place.t));
 }
 
 }  // namespace epafi::adaptivity

@@ -49,18 +49,16 @@ class SidePlaces {
   }
   KnownPlaces& known(std::size_t contact) { return known_[contact]; }
   /// Traction by the multipliers of other bodies at a point of an element that carries none.
-  bem::Vec2 pressed(const contact::Solved& solved, int element, std::size_t point) const;
+  bem::Vec2 pressed(const contact::Solved& solved, int element, std::size_t point) const {
+    return solved.problem.foreignTraction(solved.state.multiplier,
+                                          sources_[bem::at(element)][point]);
+  }
 
  private:
-  /// A point of another body's side and the direction of contact there.
-  struct Source {
-    contact::Opposite::Source point;
-    bem::Vec2 across;
-  };
-
   std::vector<std::vector<bem::Vec2>> directions_;
   std::deque<KnownPlaces> known_;
-  std::vector<std::vector<std::vector<Source>>> sources_;  ///< by element and point
+  /// By element and point.
+  std::vector<std::vector<std::vector<contact::Opposite::Source>>> sources_;
 };
 
 }  // namespace epafi::adaptivity

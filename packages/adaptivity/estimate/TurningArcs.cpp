@@ -29,14 +29,15 @@ double squareOf(const bem::Space& space) {
 
 }  // namespace
 
-double turningTraction(const contact::Solved& solved) {
-  if (solved.space.rotation() == nullptr || solved.state.multiplier.empty())
-    return 0;
-  const auto number = static_cast<int>(solved.problem.number());
-  const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
-  double moment = 0;
+Vector turningTractions(const std::vector<Estimated>& states) {
+  Vector moments(states.size());
+  const contact::ContactBody& body = states.front().solved.problem;
+  const bem::Space& space = body.space();
+  if (space.rotation() == nullptr)
+    return moments;
+  const auto number = static_cast<int>(body.number());
   forEachSidePoint(
-      multiplier, solved.problem.opposite(),
+      body.multiplier(), body.opposite(),
       [&](const auto& contact, const contact::Opposite::Point& middle) {
         const bool acts =
             contact.body == number || (middle.element >= 0 && middle.body == number);
@@ -47,11 +48,14 @@ double turningTraction(const contact::Solved& solved) {
         double turn = point.contact.body == number ? d.ownTurn : 0;
         if (point.opposite.element >= 0 && point.opposite.body == number)
           turn -= d.oppositeTurn;
-        if (turn != 0)
-          moment += point.weight * turn *
-                    multiplier.at(solved.state.multiplier, point.contact, point.t).normal;
+        for (std::size_t k = 0; turn != 0 && k < states.size(); ++k)
+          if (const Vector& lambda = states[k].solved.state.multiplier; !lambda.empty())
+            moments[k] += point.weight * turn *
+                          body.multiplier().at(lambda, point.contact, point.t).normal;
       });
-  return moment == 0 ? 0 : moment / squareOf(solved.space);
+  if (bem::largestEntry(moments) == 0)
+    return moments;
+  return bem::times(1 / squareOf(space), std::move(moments));
 }
 
 }  // namespace epafi::adaptivity

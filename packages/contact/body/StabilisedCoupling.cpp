@@ -40,11 +40,10 @@ class ElementCoupling {
         contact_(contact),
         element_(contact.geometry()),
         parts_(rows(), size()),
-        mass_(size(), size()) {
-    integrate();
-  }
+        mass_(size(), size()) {}
 
-  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+  void addTo(double gamma, Index firstRow, Coupling& coupling) {
+    integrate();
     for (int i = 0; i < size(); ++i) {
       const Index number = contact_.numberOf(i);
       for (int k = 0; k < size(); ++k)
@@ -59,7 +58,9 @@ class ElementCoupling {
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
                   const std::vector<BoundaryTraction>& tested,
-                  Loads::InResidual& moments) const {
+                  Loads::InResidual& moments) {
+    if (!isWhole())
+      integrate();
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
     forEachPoint(

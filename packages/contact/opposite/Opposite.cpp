@@ -218,10 +218,12 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
     const bem::Curve& own = here.element->geometry().curve;
     for (const auto& [foot, distance] :
          lookingAt(own, here.side->shift, other, t, here.along))
-      if (foot >= stretch.begin - 1e-12 && foot <= stretch.end + 1e-12)
-        result.push_back(
-            {here.element, std::clamp(foot, -1.0, 1.0),
-             stretching(*here.element, foot, other, t, distance, here.along)});
+      if (foot >= stretch.begin - 1e-12 && foot <= stretch.end + 1e-12) {
+        const double place = std::clamp(foot, -1.0, 1.0);
+        result.push_back({here.element, place,
+                          stretching(*here.element, foot, other, t, distance, here.along),
+                          at(*here.element, place).direction.unit});
+      }
   });
   return result;
 }

@@ -96,6 +96,7 @@ class Opposite {
     const MultiplierSpace::ContactElement* element;
     double t;
     double stretching;
+    bem::Vec2 across;  ///< d of contact
   };
   std::vector<Source> sources(int body, int element, double t) const;
   /// Where these bend or jump inside that element, within [-1, 1], in any order.

@@ -15,14 +15,8 @@ double ContactPlace::worn(Vector Wear::*part) const {
              : 0;
 }
 
-bem::Vec2 ContactPlace::opposing() const {
-  if (!moved)
-    moved = motionAt(solved.motions, opposite);
-  return *moved;
-}
-
 double ContactPlace::approach(bem::Vec2 u) const {
-  return dot(u - opposing(), opposite.direction.unit) -
+  return dot(u - motion, opposite.direction.unit) -
          solved.field.turn() * opposite.direction.ownTurn +
          turnAt(solved.motions, opposite) * opposite.direction.oppositeTurn;
 }
@@ -33,9 +27,8 @@ double ContactPlace::opening(double pressure, bem::Vec2 u) const {
 
 double ContactPlace::slip(bem::Vec2 u, double shear) const {
   const bool isStep = !element.ties();
-  const bem::Vec2 motion =
-      opposing() - motionAt(isStep ? solved.motionsBefore : nullptr, opposite);
-  double slip = dot(u - motion, turnLeft(opposite.direction.unit));
+  const bem::Vec2 earlier = motionAt(isStep ? solved.motionsBefore : nullptr, opposite);
+  double slip = dot(u - (motion - earlier), turnLeft(opposite.direction.unit));
   if (element.condition->friction.compliance) {
     const Vector* before = isStep && solved.stateBefore != nullptr
                                ? &solved.stateBefore->multiplier

@@ -2,8 +2,6 @@
 
 #include "contact/results/Solved.hpp"
 
-#include <optional>
-
 namespace epafi::contact {
 
 /// A point of a contact side of a solution and the laws between the sides there, dimensionless.
@@ -15,13 +13,12 @@ struct ContactPlace {
   double t;
   bem::SurfacePoint place = element.mesh->physicalPoint(element.element, t);
   Opposite::Point opposite = solved.problem.opposite().at(element, t);
+  bem::Vec2 motion = motionAt(solved.motions, opposite);  ///< of the opposite point
 
   /// φ(λₙ), by which the surfaces yield.
   double closing(double pressure) const;
   /// A part of Wear where sides wear, else 0.
   double worn(Vector Wear::*part) const;
-  /// Displacement of the opposite point.
-  bem::Vec2 opposing() const;
   /// uₙ = [u]·d, [u] = u - u of the opposite point, without what arcs that turn about their centres add.
   double approach(bem::Vec2 u) const;
   /// By how far the sides are apart, g + φ(λₙ) + w - uₙ.
@@ -37,8 +34,6 @@ struct ContactPlace {
   double shearYield() const;
   /// p/h of the opposite side over that of this side, at least 1.
   double fineness() const;
-
-  mutable std::optional<bem::Vec2> moved{};  ///< opposing(), where it has been asked for
 };
 
 }  // namespace epafi::contact

@@ -10,19 +10,6 @@ namespace epafi::contact {
 
 using bem::Vec2;
 
-ForeignPressure::ForeignPressure(const Solved& solved)
-    : body_(&solved.problem), multiplier_(&solved.state.multiplier) {}
-
-Vec2 ForeignPressure::at(int element, double t) const {
-  return body_ == nullptr ? Vec2() : body_->foreignTraction(*multiplier_, element, t);
-}
-
-Vector ForeignPressure::breaks(int element) const {
-  return body_ == nullptr
-             ? Vector()
-             : body_->opposite().sourceBreaks(static_cast<int>(body_->number()), element);
-}
-
 namespace {
 
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
@@ -92,8 +79,7 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.shear = units_.stress * stress.tangential;
   point.direction = here.opposite.direction;
   point.normal = units_.length * here.approach(u);
-  point.tangential = units_.length * dot(u - motionAt(solved_.motions, here.opposite),
-                                         turnLeft(point.direction.unit));
+  point.tangential = units_.length * dot(u - here.motion, turnLeft(point.direction.unit));
   point.gap = units_.length * here.opposite.gap;
   if (element.condition->sliding)
     point.sliding = element.condition->sliding(point.place);

@@ -6,24 +6,6 @@
 
 namespace epafi::contact {
 
-struct Solved;
-
-/// Tractions on a body by multipliers of other bodies, dimensionless.
-class ForeignPressure {
- public:
-  ForeignPressure() = default;
-  /// Tractions on this body.  Refers to its state and problem.
-  explicit ForeignPressure(const Solved& solved);
-
-  bem::Vec2 at(int element, double t) const;
-  /// Jumps inside an element, in [-1, 1], unsorted.
-  Vector breaks(int element) const;
-
- private:
-  const ContactBody* body_ = nullptr;
-  const Vector* multiplier_ = nullptr;
-};
-
 /// The solution of a body and the data from which results are computed.
 struct Solved {
   const bem::Space& space;
@@ -35,7 +17,6 @@ struct Solved {
   /// See ContactBody::displacement.
   Vector contactForce = problem.contactForce(state.multiplier);
   ContactBody::Results results = problem.results(state, displacement, contactForce);
-  ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;
   /// else null, and slip is measured from zero.

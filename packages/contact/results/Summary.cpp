@@ -178,7 +178,13 @@ std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
   return {work[0], work[1], work[2]};
 }
 
-}  // namespace
+/// What a particular solution u_p = u_b + u_T, of forces and of heat, adds to the energies of the
+/// rest u_h, dimensionless: to the strain energy ∫ t_h·u_b + t_T·u_h ds + ½ ∫ σ_p : C⁻¹ σ_p, to the
+/// loads' work ∫ f·u_p ds + ∫ b·u.
+struct EnergiesOfInside {
+  double strain = 0;
+  double load = 0;
+};
 
 // By Betti's formula ∫ b·u_h = ∮ t_h·u_b - t_b·u_h.
 EnergiesOfInside energiesOfInside(const Solved& solved) {
@@ -207,6 +213,8 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
   const double weight = ofForces - (bem::dot(loads.traction, u) - ofHeat) + within;
   return {ofForces + ofHeat + own, loads.work + weight};
 }
+
+}  // namespace
 
 Summary summarize(const Solved& solved) {
   const double energy = solved.units.energy();

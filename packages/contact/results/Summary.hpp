@@ -44,15 +44,6 @@ struct Summary {
 /// tests the whole solution.
 Summary summarize(const Solved& solved);
 
-/// What a particular solution u_p = u_b + u_T, of forces and of heat, adds to the energies of the
-/// rest u_h, dimensionless: to the strain energy ∫ t_h·u_b + t_T·u_h ds + ½ ∫ σ_p : C⁻¹ σ_p, to the
-/// loads' work ∫ f·u_p ds + ∫ b·u.
-struct EnergiesOfInside {
-  double strain = 0;
-  double load = 0;
-};
-EnergiesOfInside energiesOfInside(const Solved& solved);
-
 /// Summaries of all bodies.  A force between two bodies is in `contact` of both; lengths and
 /// energies of their contact are those of the body that carries the multiplier.
 std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);

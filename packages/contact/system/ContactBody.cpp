@@ -191,14 +191,13 @@ Vector ContactBody::wholeForce(const Vector& contactForce) const {
              reactionsTo(forceAgainst(load_, contactForce)).force);
 }
 
-bem::Vec2 ContactBody::foreignTraction(const Vector& multiplier, int element,
-                                       double t) const {
+bem::Vec2 ContactBody::foreignTraction(const Vector& multiplier,
+                                       const std::vector<Opposite::Source>& point) const {
   bem::Vec2 sum;
-  for (const auto& source : opposite().sources(static_cast<int>(number_), element, t)) {
+  for (const Opposite::Source& source : point) {
     const auto stress = this->multiplier().at(multiplier, *source.element, source.t);
-    const bem::Vec2 across = opposite().at(*source.element, source.t).direction.unit;
-    sum = sum + source.stretching *
-                    (stress.normal * across + stress.tangential * turnLeft(across));
+    sum = sum + source.stretching * (stress.normal * source.across +
+                                     stress.tangential * turnLeft(source.across));
   }
   return sum;
 }

@@ -101,8 +101,16 @@ class ContactBody {
   double stabilisationEnergy(const State& state, const Vector& displacement,
                              const Vector& contactForce, const Results& results) const;
 
-  /// What sides that face it press on a point with, by its own arc length.
-  bem::Vec2 foreignTraction(const Vector& multiplier, int element, double t) const;
+  /// What sides that face it press on a point with, by its own arc length, and where that jumps inside an
+  /// element, in [-1, 1], unsorted.
+  bem::Vec2 foreignTraction(const Vector& multiplier,
+                            const std::vector<Opposite::Source>& point) const;
+  std::vector<Opposite::Source> sources(int element, double t) const {
+    return opposite().sources(static_cast<int>(number_), element, t);
+  }
+  Vector sourceBreaks(int element) const {
+    return opposite().sourceBreaks(static_cast<int>(number_), element);
+  }
 
   /// What acts on it: f of the equations and, by themselves, what is given and what acts inside.
   const Loads& loads() const { return loads_; }
