@@ -37,6 +37,8 @@ Cells cellsOf(const Summary& s) {
       {"pressure_max_error", s.peak.error()},
       {"pressure_unbounded", s.peak.isUnbounded(), "likewise"},
       {"moment", s.contact.moment, "likewise: moment about the origin", energyUnit},
+      {"contact_length_error", s.contactLengthError, "likewise, as of all contacts",
+       "length"},
   };
 }
 
@@ -176,6 +178,10 @@ Cells cellsOf(const LevelRow& r) {  // NOLINT(readability-function-size): a tabl
        "not resolve its pressure and presses more in its mean than `pressure_max`: the "
        "exact pressure has no bound, or "
        "this mesh does not show it; else 0"},
+      {"contact_length_error", s.contactLengthError,
+       "by how much `contact_length` may be wrong: half of each element in which contact "
+       "ends",
+       "length"},
   };
   for (const auto& [name, contact] : r.contacts)
     append(cells, cellsOf(contact), name + ".");

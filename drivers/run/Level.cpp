@@ -43,7 +43,8 @@ contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half,
     return half;
   for (const auto member :
        {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
-        &Summary::contactLength, &Summary::slipLength, &Summary::wornVolume})
+        &Summary::contactLength, &Summary::contactLengthError, &Summary::slipLength,
+        &Summary::wornVolume})
     half.*member *= 2;
   for (const auto member : {&Summary::load, &Summary::inside, &Summary::contact,
                             &Summary::obstacle, &Summary::reaction}) {

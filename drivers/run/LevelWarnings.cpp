@@ -223,6 +223,7 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
            "which "
            "refines it");
   }
+  findCutSides(level, warn);
   findLarge(level, warn);
   return warn.all();
 }

@@ -41,6 +41,10 @@ std::vector<std::string> warningsOf(const Scene& scene);
 /// their elements can see, friction that no surface has, obstacles deep in a body.
 void findInConditions(const Scene& scene, Warnings& warn);
 
+/// Adds ends of sides at which contact presses though the outline goes on smoothly there, and what is
+/// opposite has no corner.
+void findCutSides(const SolvedLevel& level, Warnings& warn);
+
 /// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less
 /// than numbers can tell, contact never closes, sliding beyond a tenth of the length in contact,
 /// displacements beyond a tenth of a body: conditions on the undeformed outline mean little

@@ -116,6 +116,22 @@ TEUCHOS_UNIT_TEST(Curve, partsLieOnTheWholeAndAddUp) {
   }
 }
 
+// A short part's ends agree in most digits.
+TEUCHOS_UNIT_TEST(Curve, keepsItsDirectionWhereItIsMoved) {
+  const Curve whole({0.3, 0.1}, {0.7, -0.2}, 0.1);
+  const Vec2 shift{1e-3, -0.4};
+  for (const double size : {0.1, 1e-6, 1e-12}) {
+    const Curve part = whole.part({0.2, whole.length() - 0.2},
+                                  {0.2 + size, whole.length() - 0.2 - size});
+    const Curve moved = part.moved(shift);
+    for (const double t : {-1.0, 0.3}) {
+      TEST_COMPARE(norm(moved.normal(t) - part.normal(t)), <, 1e-15);
+      TEST_COMPARE(norm(moved.point(t) - (part.point(t) + shift)), <, 1e-15);
+    }
+    TEST_FLOATING_EQUALITY(moved.length(), part.length(), 1e-15);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Curve, knowsItsDistance) {
   for (const Curve& curve : samples()) {
     for (const double depth : {1e-9, 1e-3, -0.02})

@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginnings) {
     for (const Curve& other : met)
       for (const double t : {-1.0, -0.35, 0.2, 1.0}) {
         const auto found = crossing(side.point(t), side.normal(t), other);
-        TEST_ASSERT(found && isOn(*found));
+        TEST_ASSERT(found && isOn(*found, other));
         TEST_COMPARE(norm(side.point(t) + found->distance * side.normal(t) -
                           other.point(found->t)),
                      <, 1e-14);
@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(NormalRay, normalsOppositeAreTheWayBack) {
       for (const double t : {-1.0, -0.35, 0.2, 1.0}) {
         const auto found =
             across(side.point(t), side.normal(t), other, bem::Normals::Opposite);
-        TEST_ASSERT(found && isOn(*found));
+        TEST_ASSERT(found && isOn(*found, other));
         const auto back = crossing(other.point(found->t), other.normal(found->t), side);
         TEST_ASSERT(back.has_value());
         TEST_COMPARE(std::abs(back->t - t), <, 1e-13);
@@ -107,7 +107,35 @@ TEUCHOS_UNIT_TEST(NormalRay, stretchesEndWhereACircleTurnsAway) {
   TEST_COMPARE(std::abs(found[0].end - shrink), <, 1e-14);
 }
 
-/// Of two curves behind each other it is the nearer one.
+// Elements of a graded mesh, down to sizes at which coordinates round.
+TEUCHOS_UNIT_TEST(NormalRay, shortPartsFaceWhatTheWholeFaces) {
+  const Curve side({-0.15, 0.01}, {0.15, 0.01}, 0.075);
+  const Vec2 shift{0.002, -0.003};
+  const Curve other({0.15, -0.03}, {-0.15, -0.03}, 0.03);
+  const auto whole = facing(side.moved(shift), CurveTree({other}), {});
+  TEST_EQUALITY(whole.size(), 1u);
+  const double begin = side.half() * (1 + whole[0].begin);
+  TEST_COMPARE(begin, >, 1e-4);
+  // towards where the other one ends
+  std::vector<Curve> opposite;
+  const auto behind = [&](double toEnd) {
+    return bem::Position{other.length() - toEnd, toEnd};
+  };
+  double size = 0.2;
+  for (; size > 1e-12; size *= 0.15)
+    opposite.push_back(other.part(behind(size), behind(0.15 * size)));
+  opposite.push_back(other.part(behind(size), behind(0)));
+  const CurveTree graded(opposite);
+  for (double h = 0.1; h > 1e-12; h *= 0.15) {
+    const Curve part =
+        side.part({begin, side.length() - begin}, {begin + h, side.length() - begin - h});
+    double seen = 0;
+    for (const auto& stretch : facing(part.moved(shift), graded, {}))
+      seen += stretch.end - stretch.begin;
+    TEST_COMPARE(std::abs(seen - 2), <, 1e-2);
+  }
+}
+
 TEUCHOS_UNIT_TEST(NormalRay, facesTheNearer) {
   const Curve side({-1, 0}, {1, 0});
   const auto found = facing(

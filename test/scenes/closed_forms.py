@@ -68,6 +68,9 @@ error = worst([p for p in points if abs(p["x"]) < 0.95 * a],
 claim(error < 1e-3, "two cylinders: pressure within %.1e of the largest" % error)
 error = history[-1]["contact_length"] / (2 * a) - 1
 claim(abs(error) < 1e-3, "contact's width within %.1e" % error)
+claim(all(abs(row["contact_length"] - 2 * a) < row["contact_length_error"] + 2e-4 * a for row in history) and
+      0 < history[-1]["contact_length_error"] < 0.1 * history[0]["contact_length_error"],
+      "its error is told at each level, %.1e at last" % history[-1]["contact_length_error"])
 level = history[-1]
 claim(abs(level["pressure_max"] - p0) < 1e-3 * p0 and level["pressure_max_error"] < 1e-4 * p0 and
       level["pressure_unbounded"] == 0, "the largest pressure is that of Hertz")

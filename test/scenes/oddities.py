@@ -132,6 +132,25 @@ code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
                       "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
 claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),
       "a rigid body that nothing touches: %s" % warnings)
+# a side that ends too early; one that ends where what it meets has a corner
+for order in (["upper:contact", "lower:contact"], ["lower:contact", "upper:contact"]):
+    code, warnings = told(scene("two-cylinders.xml"), "cut", [
+        "Contacts->line->Between={%s}" % ", ".join(order),
+        "Bodies->upper->Boundary Conditions->load->Traction Y=-0.3"])
+    claim(code == 0 and len(warnings) == 1 and "'line' presses at an end of its side" in warnings[0] and
+          "give the edge 'side' the name 'contact'" in warnings[0],
+          order[0] + " first: contact that reaches the end of an arc is told: %s" % warnings)
+BED = geometry([(-2, -2), (2, -2), (2, 0), (1, 0), (-1, 0), (-2, 0)],
+               "bottom, right, top, middle, top, left")
+for side in ("bed:middle", "pad:bottom"):
+    pad = body("pad", block(-1, 0, 1, 1), 1, condition("top", "Dirichlet", Displacement_X=0,
+                                                       Displacement_Y=-0.01))
+    met = {"bed:middle": "pad:bottom", "pad:bottom": "bed:middle"}[side]
+    code, warnings = told(written("middle", [
+        body("bed", BED, 1, condition("bottom", "Dirichlet", CLAMPED)), pad],
+        contact("under", side, met), "Density"), "middle")
+    claim(code == 0 and not warnings, side + " first: at the corners of a pad contact ends: %s" % warnings)
+
 code, warnings = told(scene("coulomb.xml"), "slid", [SLID, HELD, SMOOTH])
 claim(code == 0 and any("'foundation': sliding reaches 14 %" in line for line in warnings),
       "sliding beyond a tenth of the contact: %s" % warnings)

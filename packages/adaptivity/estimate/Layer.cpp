@@ -53,7 +53,7 @@ Layer layerBehind(const bem::Mesh& mesh, const contact::Conditions& conditions,
         if (behind == own || edge.previous == own || edge.next == own)
           return;
         const auto here = crossing(x, n, edge.curve);
-        if (!here || !isOn(*here) || !(here->distance < 0) ||
+        if (!here || !isOn(*here, edge.curve) || !(here->distance < 0) ||
             !(-here->distance < layer.thickness))
           return;
         layer = {-here->distance, conditions.dirichlet.count(edge.boundary) +

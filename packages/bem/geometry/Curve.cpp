@@ -51,8 +51,12 @@ Curve::Curve(Vec2 from, Vec2 to, Vec2 chord, double bulge)
   frame_.middle = point(0.0);
 }
 
+// The ends of short curves differ by few digits, which do not tell the direction.
 Curve Curve::moved(Vec2 shift) const {
-  return {from_ + shift, to_ + shift, to_ - from_, std::tan(0.5 * alpha_)};
+  Curve result = *this;
+  for (Vec2* place : {&result.from_, &result.to_, &result.frame_.middle})
+    *place = *place + shift;
+  return result;
 }
 
 Curve Curve::part(Position start, Position end) const {

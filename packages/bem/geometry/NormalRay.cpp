@@ -15,7 +15,7 @@ namespace {
 bool mayFace(const Curve& side, const Disc& disc) {
   constexpr double rounding = 1 + 1e-9;
   constexpr double ofAngles = 1e-14;
-  const double radius = rounding * disc.radius;
+  const double radius = rounding * disc.radius + ofCoordinates;
   const Vec2 way = disc.middle - side.frame().middle;
   if (side.isStraight())
     return std::abs(dot(way, side.frame().tangent)) <= rounding * side.half() + radius;
@@ -27,11 +27,12 @@ bool mayFace(const Curve& side, const Disc& disc) {
                                        std::asin(radius / distance) + ofAngles;
 }
 
-bool isBetter(const Crossing& a, const Crossing& b) {
-  if (isOn(a) != isOn(b))
-    return isOn(a);
-  return isOn(a) ? std::abs(a.distance) < std::abs(b.distance)
-                 : std::abs(a.t) < std::abs(b.t);
+/// Of two crossings with one curve.
+bool isBetter(const Crossing& a, const Crossing& b, const Curve& curve) {
+  if (isOn(a, curve) != isOn(b, curve))
+    return isOn(a, curve);
+  return isOn(a, curve) ? std::abs(a.distance) < std::abs(b.distance)
+                        : std::abs(a.t) < std::abs(b.t);
 }
 
 /// Calls visit(crossing, n · n(t)) for those of the line x + s n with the full line or circle of a
@@ -107,7 +108,7 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
   curves.search(
       [&](const Disc& disc) {
         constexpr double rounding = 1 + 1e-9;
-        const double radius = rounding * disc.radius;
+        const double radius = rounding * disc.radius + ofCoordinates;
         const Vec2 way = disc.middle - x;
         const double along = dot(n, way);
         return !found && std::abs(cross(n, way)) <= radius && along >= first - radius &&
@@ -115,7 +116,8 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
       },
       [&](std::size_t k) {
         forEachCrossing(x, n, curves.curves()[k], [&](const Crossing& here, double) {
-          found = found || (isOn(here) && here.distance > first && here.distance < last);
+          found = found || (isOn(here, curves.curves()[k]) && here.distance > first &&
+                            here.distance < last);
         });
       });
   return found;
@@ -126,7 +128,7 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
 std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve) {
   std::optional<Crossing> best;
   forEachCrossing(x, n, curve, [&](const Crossing& found, double outward) {
-    if (outward < 0 && (!best || isBetter(found, *best)))
+    if (outward < 0 && (!best || isBetter(found, *best, curve)))
       best = found;
   });
   return best;
@@ -139,7 +141,7 @@ std::optional<Crossing> across(Vec2 x, Vec2 n, const Curve& curve, Normals along
   for (const double t : feetOn(curve, x)) {
     const Vec2 normal = curve.normal(t);
     const Crossing found{dot(x - curve.point(t), normal), t};
-    if (dot(n, normal) < 0 && (!best || isBetter(found, *best)))
+    if (dot(n, normal) < 0 && (!best || isBetter(found, *best, curve)))
       best = found;
   }
   return best;
@@ -194,13 +196,14 @@ std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& op
   opposite.search(
       [&](const Disc& disc) {
         constexpr double rounding = 1 + 1e-9;
-        return along == Normals::Opposite ||
-               std::abs(cross(n, disc.middle - x)) <= rounding * disc.radius;
+        return along == Normals::Opposite || std::abs(cross(n, disc.middle - x)) <=
+                                                 rounding * disc.radius + ofCoordinates;
       },
       [&](std::size_t k) {
         const Curve& curve = opposite.curves()[k];
         const auto here = across(x, n, curve, along);
-        if (here && isOn(*here) && (!best || isBetter(*here, best->crossing)) &&
+        if (here && isOn(*here, curve) &&
+            (!best || std::abs(here->distance) < std::abs(best->crossing.distance)) &&
             visibility.sees(x, sightLine(n, curve, here->t, along), here->distance))
           best = FacedPoint{static_cast<int>(k), *here};
       });

@@ -3,6 +3,8 @@
 #include "bem/base/Matrix.hpp"
 #include "bem/geometry/CurveTree.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -24,8 +26,15 @@ struct Crossing {
 /// smallest |t|; empty if there is none.
 std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve);
 
-/// Is a crossing on its curve, up to rounding?
-inline bool isOn(const Crossing& crossing) { return std::abs(crossing.t) <= 1 + 1e-11; }
+/// Rounding of places in scaled coordinates, which are of size 1.
+constexpr double ofCoordinates = 1e-14;
+
+/// Is a crossing on a curve, up to rounding?  Without that of coordinates there were gaps between the
+/// elements of finely graded meshes.
+inline bool isOn(const Crossing& crossing, const Curve& curve) {
+  constexpr double ofCurve = 1e-11;
+  return std::abs(crossing.t) <= 1 + std::max(ofCurve, ofCoordinates / curve.half());
+}
 
 /// Likewise what lies opposite to a point x of a side, n its normal there, in the direction
 /// sightLine(n, curve, t).

@@ -47,8 +47,30 @@ double closedPart(const ContactFields& fields, const Element& element) {
                       element.degree);
 }
 
+/// Half the length of an element in which contact ends, or of the larger one of two between which it
+/// ends; else 0.  Contact that reaches the end of its side ends there exactly.
+/// \param closed  closedPart of all elements
+double doubtOfEnd(const Solved& solved, const ContactFields& fields, const Vector& closed,
+                  std::size_t k) {
+  constexpr double all = 2;
+  constexpr double rounding = 1e-9;
+  const auto isWhole = [&](std::size_t i) { return closed[i] > all - rounding; };
+  const auto isOpen = [&](std::size_t i) { return closed[i] < rounding; };
+  const std::vector<Element>& elements = fields.elements();
+  const auto half = [&](std::size_t i) {
+    return solved.units.length * solved.space.mesh()[elements[i].element].half;
+  };
+  if (!isWhole(k) && !isOpen(k))
+    return half(k);
+  if (!elements[k].follower)
+    return 0;
+  const std::size_t next = *elements[k].follower;
+  const bool ends = (isWhole(k) && isOpen(next)) || (isOpen(k) && isWhole(next));
+  return ends ? std::max(half(k), half(next)) : 0;
+}
+
 void addElement(const Solved& solved, const ContactFields& fields, const Element& element,
-                Summary& summary) {
+                double closed, Summary& summary) {
   const int p = element.degree;
   const double length = solved.units.length;
   const double area = solved.units.measure();
@@ -81,7 +103,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
             add(around(solved.units, sum), summary.obstacle);
         },
         stretch);
-  summary.contactLength += length * side.half * closedPart(fields, element);
+  summary.contactLength += length * side.half * closed;
   if (element.shears())
     summary.slipLength +=
         length * side.half *
@@ -116,10 +138,14 @@ void addContact(const Solved& solved, const Of& of) {
   const ContactFields fields(solved);
   const std::vector<char> isInside = awayFromCorners(solved, fields.elements());
   const Vector pressures = fields.continuous();
+  Vector closed;
+  for (const Element& element : fields.elements())
+    closed.push_back(closedPart(fields, element));
   for (std::size_t k = 0; k < isInside.size(); ++k) {
     const Element& element = fields.elements()[k];
     Summary& summary = of(element);
-    addElement(solved, fields, element, summary);
+    addElement(solved, fields, element, closed[k], summary);
+    summary.contactLengthError += doubtOfEnd(solved, fields, closed, k);
     summary.peak.add(fields, pressures, element, isInside[k] != 0);
   }
 }
@@ -316,8 +342,8 @@ Summary sumOf(const std::vector<Summary>& bodies) {
   for (const Summary& body : bodies) {
     for (const auto member :
          {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
-          &Summary::forceTangential, &Summary::contactLength, &Summary::slipLength,
-          &Summary::wornVolume})
+          &Summary::forceTangential, &Summary::contactLength,
+          &Summary::contactLengthError, &Summary::slipLength, &Summary::wornVolume})
       sum.*member += body.*member;
     for (const auto member :
          {&Summary::load, &Summary::inside, &Summary::reaction, &Summary::obstacle})

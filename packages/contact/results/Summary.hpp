@@ -29,10 +29,12 @@ struct Summary {
   Resultant reaction;        ///< of clamps, supports and fixed rigid motions
   RigidMotion motion;        ///< mean of u over the boundary, see RigidModes
   double contactLength = 0;  ///< where λₙ > 0
-  double slipLength = 0;     ///< where |λₜ| reaches its bound
-  PeakPressure peak;         ///< largest λₙ
-  double wornVolume = 0;     ///< ∫ w [length²]
-  double dissipated = 0;     ///< friction's work so far on a path, of one contact
+  /// Half of each element in which contact ends: its end may lie anywhere there.
+  double contactLengthError = 0;
+  double slipLength = 0;  ///< where |λₜ| reaches its bound
+  PeakPressure peak;      ///< largest λₙ
+  double wornVolume = 0;  ///< ∫ w [length²]
+  double dissipated = 0;  ///< friction's work so far on a path, of one contact
 };
 
 /// Reactions are computed from the residual of the discrete equations at constrained unknowns

@@ -54,8 +54,10 @@ def slip_column(files):
 
 
 def mean_slip(contact, name, column):
-    """Of a column along one contact, weighted by length."""
+    """Of a column along one contact where it is closed, weighted by length; of all of an open one."""
     here = samples_of(contact, name)
+    closed = here & (contact["contact"] > 0)
+    here = closed if closed.any() else here
     weights = np.concatenate([lengths(np.cumsum(np.append(0, np.hypot(
         np.diff(contact["x"][a:b]), np.diff(contact["y"][a:b]))))) for a, b in chains(contact)])
     return np.average(contact[column][here], weights=weights[here])
@@ -166,7 +168,7 @@ def draw_path(folder, rows, t, files, title, pictures):
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
         settle(axes[2], force * arm)
-        meant = "mean %s of the contact" % moved.replace("u_t", "slip $u_t$")
+        meant = "mean %s where closed" % moved.replace("u_t", "slip $u_t$")
         axes[2].set_xlabel(label(meant, "length") if turning is None
                            else "twist of the bodies [rad]", labelpad=9)
         axes[2].set_ylabel(label("tangential force", "force") if turning is None

@@ -127,8 +127,10 @@ class Contacts:
                                        ("normal force", "force_normal", "force"),
                                        ("tangential force", "force_tangential", "force")):
             if what != "tangential force" or of[column] or points["bound"].any():
-                yield (what, of[column], quantity,
-                       "both halves; %.4g of the one that is drawn" % (of[column] / 2) if both and of[column] else "")
+                remarks = ["± %.2g" % of[column + "_error"]] if column + "_error" in of else []
+                if both and of[column]:
+                    remarks.append("both halves; %.4g of the one that is drawn" % (of[column] / 2))
+                yield what, of[column], quantity, "; ".join(remarks)
         middle = middle_of(points)
         moment, whose = of["moment"] - middle[0] * of["force_y"] + middle[1] * of["force_x"], ""
         if both:  # that of both is about the line, where it is 0
