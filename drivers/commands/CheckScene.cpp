@@ -142,7 +142,7 @@ std::vector<Value> conditionAt(const contact::Conditions& conditions,
     return {"Contact", "", "",
             contact->second.name.empty() ? value(contact->second.gap) : Value("")};
   if (!conditions.isBoundary(boundary))
-    return {"symmetry", "", "", ""};
+    return {boundary == Symmetry::boundary ? "symmetry" : "axis", "", "", ""};
   const auto load = conditions.neumann.find(boundary);
   const bool held = isSupport || conditions.dirichlet.count(boundary) != 0;
   if (load != conditions.neumann.end())
@@ -158,6 +158,26 @@ std::string contactOf(const Scene& scene, const SideOfBody& side) {
     if (pair.side == side || pair.opposite == side)
       names += (names.empty() ? "" : ", ") + pair.name;
   return names;
+}
+
+/// What acts on a body as a whole, as it is written: "Gravity Y = -9810; Fix = {X}".
+std::string wholesOf(const Scene& scene, const std::string& body) {
+  const Teuchos::ParameterList& all = scene.given;
+  const Teuchos::ParameterList& own = all.sublist("Bodies").sublist(body);
+  std::ostringstream text;
+  for (const char* name : {"Body Loads", "Motion", "Rigid Motions"}) {
+    const bool isForAll = name == std::string("Body Loads") && !own.isSublist(name);
+    const Teuchos::ParameterList& from = isForAll ? all : own;
+    if (!from.isSublist(name))
+      continue;
+    for (const auto& item : from.sublist(name)) {
+      if (item.first == "Reference Point")
+        continue;
+      text << (text.tellp() > 0 ? "; " : "") << item.first << " = ";
+      item.second.leftshift(text, false);
+    }
+  }
+  return text.str();
 }
 
 /// The csv for drawScene: points along the first meshes with conditions, loads and gaps.
@@ -204,6 +224,9 @@ std::string sceneCsv(const Scene& scene) {
             edge.boundary, static_cast<int>(e), {"rigid", "", "", ""},
             contactOf(scene, {true, b, edge.boundary}));
       }
+  for (const SideOfBody& body : scene.everyBody())
+    if (const std::string text = wholesOf(scene, scene.nameOf(body)); !text.empty())
+      row({}, {}, scene.nameOf(body), "", -1, {"note", "", "", ""}, text);
   return csv;
 }
 

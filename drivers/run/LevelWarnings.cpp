@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace epafi::drivers {
 
@@ -168,6 +169,62 @@ void findLarge(const SolvedLevel& level, Warnings& warn) {
   }
 }
 
+/// Motions that Fix holds against loads that contact, which takes a part of them, could carry; what is
+/// open at times needs Fix then.
+void findSharedLoads(const SolvedLevel& level, Warnings& warn) {
+  constexpr double small = 1e-3;
+  const Scene& scene = level.last().spaces.scene();
+  const auto isClamped = [](const contact::Conditions& conditions) {
+    return !conditions.dirichlet.empty() ||
+           std::any_of(conditions.contact.begin(), conditions.contact.end(),
+                       [](const auto& each) { return each.second.isSupport; });
+  };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const contact::Conditions& conditions = scene.bodies[b].conditions;
+    for (const auto& [axis, isFixed, component] :
+         {std::tuple{'X', conditions.fix.x && !scene.isAxisymmetric,
+                     &contact::Resultant::x},
+          {'Y', conditions.fix.y, &contact::Resultant::y}}) {
+      double held = 0;
+      bool isOpen = false;
+      for (const auto& step : level.steps) {
+        double pressed = 0;
+        for (const contact::Summary& summary : step->summaries())
+          pressed = std::max(pressed, summary.forceNormal);
+        isOpen = isOpen || pressed == 0;
+        const contact::Summary& summary = step->summaries()[b];
+        const double force = summary.reaction.*component;
+        const double carried = std::abs(summary.contact.*component);
+        if (isFixed && !isClamped(conditions) && std::abs(force) > std::abs(held) &&
+            std::abs(force) > small * pressed && carried > small * std::abs(force))
+          held = force;
+      }
+      if (held != 0 && !isOpen)
+        warn("Bodies->", scene.bodies[b].name, "->Rigid Motions->Fix: ", axis,
+             " takes a force of ", held,
+             " off what is in contact; Fix is for motions that nothing else resists: "
+             "without ",
+             axis, " contact carries it");
+    }
+  }
+}
+
+/// "; Contacts->fit->Interference < 0 is a gap", of contacts that are drawn apart so.
+std::string negativeInterferences(const Scene& scene) {
+  std::string text;
+  for (const Body& body : scene.bodies)
+    for (const bem::Edge& edge : body.outline->edges()) {
+      const auto found = body.conditions.contact.find(edge.boundary);
+      if (found == body.conditions.contact.end() || found->second.name.empty() ||
+          found->second.ties() || text.find(found->second.path) != std::string::npos)
+        continue;
+      const bem::Vec2 middle = body.outline->physical(edge.curve.point(0));
+      if (found->second.gap({middle.x, middle.y, edge.curve.normal(0)}) > 0)
+        text += "; " + found->second.path + "->Interference < 0 is a gap, > 0 an overlap";
+    }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> warningsOf(const SolvedLevel& level) {
@@ -202,7 +259,8 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
     else
       warn(
           "nothing loads the scene: no traction, force, prescribed displacement or "
-          "overlap; all of it stays as it is");
+          "overlap; all of it stays as it is",
+          negativeInterferences(scene));
     return warn.all();
   }
   if (level.row.report.converged()) {
@@ -211,6 +269,7 @@ std::vector<std::string> warningsOf(const SolvedLevel& level) {
                ? "contact closes between the points of the mesh alone (eta_penetration), "
                  "where no force holds it: take a finer mesh, or Adaptivity->Tolerance"
                : neverCloses);
+    findSharedLoads(level, warn);
     findLostDigits(level, warn);
     findErrorInTime(level, warn);
     if (const std::string missing = missingTo(scene, level.level); !missing.empty())

@@ -217,11 +217,11 @@ void findDeepOverlaps(const Scene& scene, Warnings& warn) {
   for (const ContactPair& pair : scene.contacts) {
     const auto& [depth, place] = deepest[pair.name];
     if (depth > largestInterference(scene, pair))
-      warn(
-          "Contacts->", pair.name, ": '", scene.labelOf(pair.side), "' lies ", depth,
-          " deep in '", scene.labelOf(pair.opposite), "' at (", place.x, ", ", place.y,
-          "), far more than an interference; strains are not small there, and the energy "
-          "grows with the depth's square");
+      warn("Contacts->", pair.name, ": '", scene.labelOf(pair.side), "' lies ", depth,
+           " deep in '", scene.labelOf(pair.opposite), "' at (", place.x, ", ", place.y,
+           "), far more than an interference; unless a body gives way by bending or as a "
+           "ring, strains "
+           "are not small there, and the energy grows with the depth's square");
   }
 }
 

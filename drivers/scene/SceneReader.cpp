@@ -5,6 +5,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
+#include "drivers/scene/Images.hpp"
 #include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/Readers.hpp"
 #include "drivers/scene/Revolution.hpp"
@@ -148,6 +149,7 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
           readConditions(now.sub("Bodies").sub(body.name), *body.outline, symmetry));
       all.back().pins = body.conditions.pins;
       all.back().facing = body.conditions.facing;
+      all.back().images = body.conditions.images;
       const BodyLoadsReader reader(now, body.name);
       all.back().inside = reader.inside(*body.outline, body.material, stress);
       all.back().heat = reader.heat(*body.outline);
@@ -167,6 +169,10 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
 
 void readHistory(ParameterList& used, Scene& scene) {
   scene.history = parseHistory(used.sublist("History"));
+  scene.conditionsAt = conditionsOf(scene);
+  const std::vector<std::set<int>> images = imageCorners(scene);
+  for (std::size_t b = 0; b < images.size(); ++b)
+    scene.bodies[b].conditions.images = images[b];
   scene.conditionsAt = conditionsOf(scene);
   if (!scene.history)
     used.remove("History");

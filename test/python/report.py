@@ -51,6 +51,10 @@ claim(near(slips, 100 * (1 - math.sqrt(0.5)), 0.03), "%g %% slips, exactly 29.3"
 pressed = results(fretting, 1)["safety against slip"]
 claim(math.isinf(pressed.value) and "no tangential force" in pressed.remark,
       "pressed alone nothing could slip: %s" % pressed.remark)
+slides = {"slip_length": 2, "contact_length": 2, "force_tangential": 0}
+(_, value, _, words), = Contacts._slip(slides, {"bound": np.ones(2), "shear": np.array([1, -1])}, np.ones(2))
+claim(math.isnan(value) and words == "no tangential force; all of it slips",
+      "what slips to both sides is at its limit, not safe without one: %s" % words)
 claim("moment" not in found, "no moment about the middle, where there is none")
 
 # a punch under a force beside its middle, at 0.7

@@ -114,6 +114,9 @@ plt.close("all")
 # rigid bodies along a path: a movie, and a collection for ParaView whose files say what they hold
 run(scene("tilting-punch.xml"), "punch")
 draw("punch", ["mesh", "contact", "deformed", "path", "steps", "rigid", "szz"], "--field", "szz")
+words = read(os.path.join(WORK, "punch", "rigid.svg"))
+claim("<!-- motion y -->" in words and "<!-- motion x -->" not in words,
+      "no panel of a motion that is none")
 with open(os.path.join(WORK, "punch", "movie.gif"), "rb") as stream:
     movie = stream.read()
 claim(movie[:4] == b"GIF8" and movie.count(b"\x21\xf9\x04") == 6, "a movie of a frame per step")
@@ -295,6 +298,15 @@ code, text = epafi("check", written("half", [half], more=listed("Geometry", Symm
                    "--plot", file)
 claim(code == 0 and read(file).count("<!-- symmetry -->") == 1 and "Dirichlet" not in read(file),
       "the line of symmetry is in the legend alone")
+
+code, text = epafi("check", scene("indenter.xml"), "--plot", file)
+words = read(file)
+claim(code == 0 and "<!-- axis -->" in words and "symmetry" not in words,
+      "around an axis the legend has the axis")
+for name, told in (("heap", "left post, right post, lintel, table: Gravity X = "), ("shrink-fit", "Fix = {X, Y, Rotation}"),
+                   ("tilting-punch", "punch: Force Y = ")):
+    code, text = epafi("check", scene(name + ".xml"), "--plot", file)
+    claim(code == 0 and told in read(file), "what acts on all of a body is in the scene's picture: " + told)
 
 for name in ("tresca", "disc"):
     file = os.path.join(WORK, name + "-scene.png")

@@ -522,4 +522,58 @@ for law, sliding, jumps in (({"Law": "Coulomb", "Coefficient": "0.3"}, "0.01*t",
     claim(code == 0 and ("slides the other way" in text) == jumps,
           "sliding by %s under %s at the line of symmetry: %s" % (
               sliding, law["Law"], text.splitlines()[-1]))
+
+# Westergaard's wave: p0 = 2 (p π E* A/L)^½.  At a roller it goes on as at a line of symmetry
+PLATE = {"Young's Modulus": 200000, "Poisson's Ratio": 0.3}
+ROLLER = {"Type": "Dirichlet", "Displacement X": 0}
+WAVE = "0.005*(1 - cos(2*pi*x))"
+
+
+def pressed(name, bodies, **more):
+    folder, text = solved(name, saved(name, {"Bodies": bodies, **more}))
+    return rows(folder, "history.csv")[-1]
+
+
+def plate(left, right, low, ends, roller, **conditions):
+    return {"Material": PLATE,
+            "Geometry": {"Vertices": [[left, low], [right, low], [right, low + 1], [left, low + 1]],
+                         "Edges": ["foot", ends[1], "head", ends[0]]},
+            "Boundary Conditions": {"side": roller, **conditions}}
+
+
+def westergaard(moduli):
+    return 2 * math.sqrt(300 * math.pi * 200000 / (1 - 0.3**2) / moduli * 0.005)
+
+
+PRESS = {"Type": "Neumann", "Pressure": 300}
+BOTH = ["side", "side"]
+for name, roller in (("a roller", ROLLER), ("a support", {
+        "Type": "Dirichlet", "Displacement Normal": 0}), ("a roller that is moved", {
+            "Type": "Dirichlet", "Displacement X": 0.001})):
+    found = pressed("wave", {"wave": plate(0, 0.5, 0, BOTH, roller, head=PRESS, foot={
+        "Type": "Contact", "Gap": WAVE})})
+    claim(differ(found["pressure_max"], westergaard(1)) < 3e-3 and not found["pressure_unbounded"],
+          "half a wave, %s at its crest: %.0f, exactly %.0f" % (name, found["pressure_max"], westergaard(1)))
+FOOT = {"Type": "Contact", "Gap": WAVE, "Friction": {"Law": "Coulomb", "Coefficient": 0.3}}
+found = [pressed("stuck", {"wave": plate(0, 0.5, 0, ends, ROLLER, head=PRESS, foot=FOOT)}, **more)
+         for ends, more in ((BOTH, {}), (["symmetry", "side"], {"Geometry": {"Symmetry": "X"}}))]
+claim(differ(*(each["pressure_max"] for each in found)) < 3e-3,
+      "with friction a roller at the crest is a line of symmetry: %s" % [each["pressure_max"] for each in found])
+# of two bodies, whichever is first; then one that goes on beyond the line, a gap with a slope
+BASE = {"foot": {"Type": "Dirichlet", "Displacement Y": 0}}
+JOIN = {"Interference": "-" + WAVE}
+above = {"wave": plate(0, 0.5, 1, BOTH, ROLLER, head=PRESS)}
+below = {"flat": plate(0, 0.5, 0, BOTH, ROLLER, **BASE)}
+for sides in (["wave:foot", "flat:head"], ["flat:head", "wave:foot"]):
+    found = pressed("waves", {**above, **below}, Contacts={"joint": {"Between": sides, **JOIN}})
+    claim(differ(found["pressure_max"], westergaard(2)) < 3e-3 and not found["pressure_unbounded"],
+          "two bodies, %s first: %.0f, exactly %.0f" % (sides[0], found["pressure_max"], westergaard(2)))
+for name, bodies, more in (
+        ("what goes on opposite", {**above, "flat": plate(-0.5, 0.5, 0, ["end", "side"], ROLLER, **BASE)},
+         {"Contacts": {"joint": {"Between": ["wave:foot", "flat:head"]}}}),
+        ("a gap with a slope", {"wave": plate(0, 0.5, 0, BOTH, ROLLER, head=PRESS, foot={
+            "Type": "Contact", "Gap": "0.02*x"})}, {})):
+    found = pressed("beyond the roller", bodies, Adaptivity={"Tolerance": 0.003}, **more)
+    claim(found["pressure_unbounded"] == 1, "a pressure without bound beside a roller, %s: %s" % (
+        name, found["pressure_max"]))
 finish()

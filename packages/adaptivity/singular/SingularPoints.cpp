@@ -30,6 +30,8 @@ bool touches(const bem::Mesh& mesh, int e, const contact::Conditions& conditions
 
 Singularity fromConditions(const bem::Mesh& mesh, int e,
                            const contact::Conditions& conditions) {
+  if (contact::beginsAtImage(mesh, e, conditions))
+    return Singularity::None;
   const int before = mesh[e].previous;
   // where a line of symmetry begins or ends the side meets its image: smoothly at a right angle,
   // as the other face of a crack where it goes on

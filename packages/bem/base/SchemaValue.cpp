@@ -133,7 +133,8 @@ class Conversion {
     const auto& names = row_.allowed;
     for (const std::string& text : value.texts) {
       if (value.isNumber() && !row_.interval.contains(realIn(text)))
-        throw InputError(place_, " = ", text, "; allowed: ", row_.interval.text());
+        throw InputError(place_, " = ", text, "; allowed: ", row_.interval.text(), "; ",
+                         row_.meaning);
       if (!names.empty() && std::find(names.begin(), names.end(), text) == names.end())
         throw InputError(place_, " = '", text, "'", meant(text, names),
                          "; allowed: ", quotedList(names));

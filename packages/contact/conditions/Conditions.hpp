@@ -110,6 +110,10 @@ struct Conditions {
   std::set<std::string> symmetry;
   bool isBoundary(const std::string& name) const { return symmetry.count(name) == 0; }
 
+  /// Corners, by the edge that begins there, where a roller makes the other edge go on as its mirror
+  /// image, with all that acts on it.
+  std::set<int> images{};
+
   /// 1 for each component of the displacement that is prescribed on a boundary, else 0.
   bem::Vec2 given(const std::string& boundary) const {
     const auto found = dirichlet.find(boundary);

@@ -151,6 +151,8 @@ bool goesOn(const Conditions& conditions, const Element& here, bool end) {
   const int next = end ? element.next : element.previous;
   const bem::Curve& curve = element.curve;
   const bem::Curve& other = mesh[next].curve;
+  if (beginsAtImage(mesh, end ? next : here.element, conditions))
+    return true;
   if (!conditions.isBoundary(mesh.boundary(next)))
     return std::abs(dot(curve.tangent(end ? 1 : -1), other.tangent(end ? -1 : 1))) <
            bem::smoothAngle / 2;

@@ -5,7 +5,7 @@
 namespace epafi::contact {
 
 /// By contact element of a body: does its contact go on smoothly at both ends, behind a line of
-/// symmetry as its mirror image?
+/// symmetry or a roller as its mirror image?
 std::vector<char> insideSides(const MultiplierSpace& space, std::size_t body);
 
 /// Coefficients of λ + Σ c_i w_i on the sides of a body, which does the same work as λ on all continuous displacements

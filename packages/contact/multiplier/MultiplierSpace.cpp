@@ -30,6 +30,11 @@ const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                               0.5 * (piece.start.fromStart + piece.end.fromStart));
 }
 
+bool beginsAtImage(const bem::Mesh& mesh, int e, const Conditions& conditions) {
+  const int edge = mesh[e].piece.edge;
+  return mesh[mesh[e].previous].piece.edge != edge && conditions.images.count(edge) > 0;
+}
+
 bem::Normals sightOf(const bem::Mesh& mesh, int e, const Conditions& conditions) {
   const Conditions::Contact* contact = contactOn(mesh, e, conditions);
   const bem::Piece& piece = mesh[e].piece;

@@ -20,6 +20,9 @@ using bem::Vector;
 const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                                      const Conditions& conditions);
 
+/// Begins the element at a corner where the boundary goes on as the image of a roller?
+bool beginsAtImage(const bem::Mesh& mesh, int e, const Conditions& conditions);
+
 /// Along whose normals an element sees what is opposite.
 bem::Normals sightOf(const bem::Mesh& mesh, int e, const Conditions& conditions);
 

@@ -184,13 +184,18 @@ def rigid(rows, t, title, pictures):
     if not bodies:
         return
     shown = largest(rows, bodies, ".force_y")
-    figure, axes = pictures.subplots(2, 3, figsize=(12, 6.5))
-    tell_rest(axes[0, 0], bodies, shown)
     panels = (("motion_x", "force_x"), ("motion_y", "force_y"), ("rotation", "moment"))
     sizes = {item: max(np.abs(rows[name + "." + item]).max() for name in bodies)
              for pair in panels for item in pair}
     moved = max(sizes["motion_x"], sizes["motion_y"])
     pushed = max(sizes["force_x"], sizes["force_y"])
+    # around an axis bodies move and are pushed along it alone
+    if pictures.given is None:
+        panels = [pair for pair in panels
+                  if sizes[pair[0]] > 1e-12 * moved or sizes[pair[1]] > 1e-9 * pushed] or panels
+    figure, axes = pictures.subplots(2, len(panels), figsize=(4 * len(panels), 6.5))
+    axes = np.reshape(axes, (2, -1))
+    tell_rest(axes[0, 0], bodies, shown)
     for column, (motion, force) in enumerate(panels):
         for k, name in enumerate(shown):
             where, what = (np.append(0, rows[name + "." + item]) for item in (motion, force))

@@ -164,8 +164,9 @@ class Contacts:
         if of["force_tangential"] and carried > 1e-6 * held:
             yield ("safety against slip", held / carried, "",
                    "what friction can hold over what it holds; " + told)
-        else:
-            yield "safety against slip", math.inf, "", "no tangential force; " + told
+        else:  # what slips all over holds itself, at its limit
+            yield ("safety against slip", math.inf if share < 1 - 1e-9 else math.nan, "",
+                   "no tangential force; " + told)
 
 
 def largest_stress(fields: str, pictures: Pictures, singular: Optional[Table]) -> Result:

@@ -1,13 +1,15 @@
-"""A scene before it is solved: boundaries with their names and conditions, loads as arrows,
-obstacles where their gap puts them."""
+"""A scene before it is solved: boundaries with their names and conditions, loads as arrows, what acts on whole
+bodies as words, obstacles where their gap puts them."""
 import numpy as np
 from matplotlib.lines import Line2D
 
 from epafi.plot.boundary import on_arc
 from epafi.plot.figures import equal_axes, plain, plt, shape_of
+from epafi.tables import Table
 
 COLOURS = {"Dirichlet": "C1", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey",
-           "symmetry": "C3"}
+           "symmetry": "C3", "axis": "C3"}
+LINES = "symmetry", "axis"  # which the legend names
 
 
 def runs_of(table):
@@ -62,6 +64,22 @@ def write_names(axes, table, names):
                 axes.add_artist(text)
 
 
+def notes_of(table):
+    """What acts on whole bodies, in words by name, and the boundaries."""
+    is_note = table["condition"] == "note"
+    notes = dict(zip(table["body"][is_note], table["contact_name"][is_note]))
+    return notes, Table.of({name: column[~is_note] for name, column in table.columns.items()})
+
+
+def write_notes(axes, notes):
+    """Below the picture, a line for all bodies of which the same is said."""
+    lines = []
+    for words in dict.fromkeys(notes.values()):
+        lines.append("%s: %s" % (", ".join(name for name in notes if notes[name] == words), words))
+    axes.annotate(plain("\n".join(lines)), (0, 0), xycoords="axes fraction", xytext=(0, -38),
+                  textcoords="offset points", fontsize="small", va="top")
+
+
 def draw(table, title, file, looks):
     """Into a file of its own name."""
     with plt.rc_context(looks.style()):
@@ -71,6 +89,7 @@ def draw(table, title, file, looks):
 
 
 def figure_of(table, title, looks):
+    told, table = notes_of(table)
     x, y = table["x"], table["y"]
     extent = np.ptp(x), np.ptp(y)
     size = shape_of(*extent, 7)
@@ -88,7 +107,7 @@ def figure_of(table, title, looks):
         lines = [on_arc(points) for points in np.split(np.column_stack([x[part], y[part]]), nodes[:-1] + 1)]
         axes.plot(*np.concatenate(lines).T, color=colour, lw=2.5, zorder=2)
         axes.plot(x[part][nodes], y[part][nodes], ".", color=colour, ms=5, zorder=3)
-        if kind != "symmetry":  # which the legend names
+        if kind not in LINES:
             names.append((kind == "free", part, colour))
         here = np.isfinite(gap[part])
         if here.any():
@@ -107,6 +126,7 @@ def figure_of(table, title, looks):
     axes.margins(0.15)
     equal_axes(axes, *extent, looks)
     write_names(axes, table, sorted(names, key=lambda name: name[0]))
+    write_notes(axes, told)
     axes.legend([Line2D([], [], color=colour, lw=2) for colour in met.values()], list(met),
                 loc="upper left", bbox_to_anchor=(1, 1))
     if looks.title:
