@@ -1,6 +1,5 @@
 #include "drivers/scene/BodyLoadsReader.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
@@ -79,11 +78,11 @@ contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
   bem::Vector c(powers.size(), 0.0);
   bem::Vector left = values;
   for (int round = 0; round < 2; ++round) {  // one step of iterative refinement
-    bem::Vector more = transposedTimes(rows, left);
+    bem::Vector more = transposedProduct(rows, left);
     factor.solve(more);
     bem::axpy(1, more, c);
     left = values;
-    bem::axpy(-1, multiply(rows, c), left);
+    bem::axpy(-1, product(rows, c), left);
   }
   Coefficients all;
   for (std::size_t k = 0; k < powers.size(); ++k) {

@@ -3,6 +3,7 @@
 #include "bem/fields/BoundaryFields.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/operators/Assembly.hpp"
@@ -280,7 +281,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
                                           static_cast<bem::Index>(j)) *
                     psi[i];
     Vector gap = bem::multiplySymmetric(operators.singleLayer, psi);
-    const Vector ku = bem::multiply(operators.doubleLayer, u);
+    const Vector ku = bem::product(operators.doubleLayer, u);
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] -= ku[i];
 

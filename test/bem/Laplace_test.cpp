@@ -1,6 +1,7 @@
 // Laplace's V, K and W against 33 digits, identities on closed boundaries, Cauchy's integral.
 #include "Largest.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/fields/CauchyIntegral.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/QuadOperators.hpp"
@@ -37,7 +38,7 @@ TEUCHOS_UNIT_TEST(Laplace, constantsHaveNoFlux) {
     const bem::Operators operators = bem::assembleOperators(space, *bem::laplaceKernel());
     const bem::Matrix constant = space.rigidMotions();
     const Vector one(constant.column(0), constant.column(0) + constant.rows());
-    TEST_COMPARE(largest(bem::multiply(operators.doubleLayer, one)), <,
+    TEST_COMPARE(largest(bem::product(operators.doubleLayer, one)), <,
                  1e-13 * largest(operators.doubleLayer));
     TEST_COMPARE(largest(bem::multiplySymmetric(operators.hypersingular, one)), <,
                  1e-13 * largest(operators.hypersingular));

@@ -3,6 +3,7 @@
 #include "Largest.hpp"
 #include "Message.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/operators/Assembly.hpp"
@@ -28,7 +29,7 @@ bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
 /// (K + 1/2) u - V t, which vanishes for the Cauchy data of a solution.
 double calderonResidual(const bem::Operators& operators, const Vector& u,
                         const Vector& t) {
-  return test::largestDifference(bem::multiply(operators.doubleLayer, u),
+  return test::largestDifference(bem::product(operators.doubleLayer, u),
                                  bem::multiplySymmetric(operators.singleLayer, t));
 }
 
@@ -85,7 +86,7 @@ TEUCHOS_UNIT_TEST(Operators, annihilateRigidMotions) {
       for (int k = 0; k < 3; ++k) {
         const Vector r(motions.column(k), motions.column(k) + motions.rows());
         out << sample.name << ", nu = " << nu << ": ";
-        TEST_COMPARE(largest(bem::multiply(operators.doubleLayer, r)), <, 1e-14);
+        TEST_COMPARE(largest(bem::product(operators.doubleLayer, r)), <, 1e-14);
         TEST_COMPARE(largest(bem::multiplySymmetric(operators.hypersingular, r)), <,
                      1e-14 * largest(operators.hypersingular));
       }
@@ -114,7 +115,7 @@ double pointForceError(const bem::Mesh& mesh, double nu) {
   const bem::Space space(mesh);
   const ExactField field = pointForce(lameOf(nu), {0.8, 0.5}, {0.6, -0.8});
   bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
-  const Vector right = bem::multiply(operators.doubleLayer, displacementOf(space, field));
+  const Vector right = bem::product(operators.doubleLayer, displacementOf(space, field));
   const bem::CholeskyFactor factor(std::move(operators.singleLayer), "V");
   return tractionError(space, factor.solve(right), field);
 }

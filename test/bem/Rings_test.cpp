@@ -1,6 +1,7 @@
 // Solids of revolution: entries against 33 digits, and identities of whole bodies.
 #include "Largest.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 #include "bem/fields/Interior.hpp"
@@ -165,7 +166,7 @@ TEUCHOS_UNIT_TEST(Rings, knowUniformStressAndTheRigidMotion) {
       const bem::Operators operators = bem::assembleOperators(space, lame);
       out << sample.name << ", " << space.densities() << ", nu = " << nu << ": ";
       const Vector up = space.interpolate([](Vec2) { return Vec2{0, 1}; });
-      TEST_COMPARE(test::largest(bem::multiply(operators.doubleLayer, up)), <, 1e-13);
+      TEST_COMPARE(test::largest(bem::product(operators.doubleLayer, up)), <, 1e-13);
       TEST_COMPARE(test::largest(bem::multiplySymmetric(operators.hypersingular, up)), <,
                    1e-13);
       // stress (s_r, s_r, s_z) of u = (r, 2 z)/10
@@ -179,7 +180,7 @@ TEUCHOS_UNIT_TEST(Rings, knowUniformStressAndTheRigidMotion) {
       });
       const Vector t = tractionOf(space, radial, axial);
       TEST_COMPARE(
-          test::largestDifference(bem::multiply(operators.doubleLayer, u),
+          test::largestDifference(bem::product(operators.doubleLayer, u),
                                   bem::multiplySymmetric(operators.singleLayer, t)),
           <, 1e-13 * std::max(1.0, size));
       // W u = (1/2 - K') t = <t, u> - (K + 1/2)' t

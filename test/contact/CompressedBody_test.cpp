@@ -262,7 +262,7 @@ Vector solved(const contact::Flexibility::Operator::Factor& factor,
   Vector b(bem::at(problem.size()));
   for (const Index i : systemOf(problem, n).rows)
     b[bem::at(i)] = 1;
-  return columnOf(factor.solve(bem::asColumn(b)), 0);
+  return columnOf(factor.solve(bem::ConstMatrixView(b).copy()), 0);
 }
 
 /// Two points of Newton's may be solved with in turns, and what breaks down leaves nothing behind.

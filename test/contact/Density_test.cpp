@@ -4,6 +4,7 @@
 #include "Largest.hpp"
 #include "Rectangle.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/space/DisplacementField.hpp"
@@ -152,7 +153,7 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
     TEST_FLOATING_EQUALITY(
         body.results(state, u, body.contactForce(state.multiplier)).strainEnergy, energy,
         1e-10);
-    const Vector ku = bem::multiply(operators.doubleLayer, u);
+    const Vector ku = bem::product(operators.doubleLayer, u);
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       gaps[i] = ku[i] - gaps[i];
       for (std::size_t j = 0; j < forces.size(); ++j)
@@ -172,7 +173,7 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
       turn += cross(mesh.scaledPoint(e, t) - centroid, mean);
     };
 
-    Vector residual = bem::multiply(numbers.flexibility.entries(), state.multiplier);
+    Vector residual = bem::product(numbers.flexibility.entries(), state.multiplier);
     bem::axpy(-1, numbers.offset, residual);  // -r, and then r by the fields
     const bem::DisplacementField displacement(space, u);
     for (const Point& point : pointsOf(c, mesh, scene.multiplier)) {

@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, amplificationIsReachedAtTheEndsAndNowhereExce
     const double claimed = bernstein.amplification(q);
     for (int k = -16; k <= 16; ++k) {
       bem::Vector dual = bernstein.values(q, k / 16.0);
-      bem::choleskySolve(mass, dual.data());
+      bem::choleskySolve(mass, bem::MatrixView(dual));
       double largest = 0;
       for (std::size_t i = 0; i < dual.size(); ++i)
         largest += std::abs(dual[i]) * integrals[i];

@@ -1,4 +1,4 @@
-#include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "drivers/process/Threads.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(BlasCore, takesTheUsersKernelsAndShortWaitsWhileRunning) {
   constexpr bem::Index n = 1000;
   bem::Matrix ones(n, n);
   std::fill_n(ones.data(), ones.stride() * n, 1.0);
-  const bem::Matrix product = bem::addTransposeTimes(bem::Matrix(n, n), ones, ones);
+  const bem::Matrix product = bem::transposedProduct(ones, ones);
   for (const bem::Index i : {0, 500, 999})
     TEST_EQUALITY(product(i, n - 1 - i), static_cast<double>(n));
   setThreads(before);

@@ -366,7 +366,7 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
   // fields of all states are kept: for so many numbers as eight states of a large mesh have
   constexpr std::size_t fewest = 8;
   constexpr std::size_t most = 32;
-  constexpr std::size_t elements = 8192;
+  constexpr std::size_t elements = 2048;
   const auto size = bem::at(states.front().solved.space.mesh().size());
   const std::size_t atOnce = std::clamp(fewest * elements / size, fewest, most);
   std::vector<Indicators> result;

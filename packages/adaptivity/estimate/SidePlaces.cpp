@@ -12,11 +12,10 @@ contact::ContactPlace KnownPlaces::at(const contact::Solved& solved,
                                       const Element& element, double t) {
   constexpr std::size_t most = 256;  // later ones are where a single state has a kink
   const auto found = known_.find(t);
-  const Place here =
-      found != known_.end()
-          ? found->second
-          : Place{element.mesh->physicalPoint(element.element, t),
-                  solved.problem.opposite().at(element_, t)};
+  const Place here = found != known_.end()
+                         ? found->second
+                         : Place{element.mesh->physicalPoint(element.element, t),
+                                 solved.problem.opposite().at(element_, t)};
   if (found == known_.end() && known_.size() < most)
     known_.emplace(t, here);
   contact::ContactPlace place{solved, element, t, here.point, here.opposite};

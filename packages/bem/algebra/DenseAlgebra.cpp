@@ -1,6 +1,7 @@
 #include "bem/algebra/DenseAlgebra.hpp"
 
 #include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/BlasThreads.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
@@ -54,14 +55,9 @@ Matrix pack(Matrix lower) {
 
 /// L in the lower triangle.
 Matrix factorised(Matrix lower, const char* name) {
-  const int n = asInt(lower.rows());
-  int info = 0;
-  const ThreadsForFlops threads(size(n) * size(n) * size(n) / 3);
-  if (n > 0)
-    Lapack().POTRF('L', n, lower.data(), asInt(lower.stride()), &info);
-  if (info != 0)
+  if (const int row = cholesky(lower); row != 0)
     throw NumericalError(name, " is not positive definite: Cholesky's factorisation ",
-                         "breaks down in row ", info, " of ", n);
+                         "breaks down in row ", row, " of ", lower.rows());
   return lower;
 }
 
@@ -138,35 +134,6 @@ Matrix addOuter(Matrix c, const Matrix& x, double scale) {
     Blas().SYRK(LOWER_TRI, NO_TRANS, asInt(c.rows()), asInt(x.columns()), scale, x.data(),
                 asInt(x.stride()), 1, c.data(), asInt(c.stride()));
   return c;
-}
-
-Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) {
-  const ThreadsForFlops threads(2 * size(x.rows()) * size(x.columns()) *
-                                size(y.columns()));
-  if (!x.empty() && !y.empty())
-    Blas().GEMM(TRANS, NO_TRANS, asInt(x.columns()), asInt(y.columns()), asInt(x.rows()),
-                1, x.data(), asInt(x.stride()), y.data(), asInt(y.stride()), 1, c.data(),
-                asInt(c.stride()));
-  return c;
-}
-
-Vector multiply(const Matrix& a, const Vector& x) {
-  Vector y(at(a.rows()));
-  const ThreadsForFlops threads(2 * size(a.rows()) * size(a.columns()));
-  if (!a.empty())
-    Blas().GEMV(NO_TRANS, asInt(a.rows()), asInt(a.columns()), 1, a.data(),
-                asInt(a.stride()), x.data(), 1, 0, y.data(), 1);
-  return y;
-}
-
-Vector transposedTimes(const Matrix& a, const Vector& x) {
-  Vector y(at(a.columns()));
-  const ThreadsForFlops threads(2 * size(a.rows()) * size(a.columns()));
-  if (!a.empty())
-    Blas().GEMM(TRANS, NO_TRANS, asInt(a.columns()), 1, asInt(a.rows()), 1, a.data(),
-                asInt(a.stride()), x.data(), asInt(a.rows()), 0, y.data(),
-                asInt(a.columns()));
-  return y;
 }
 
 Vector multiplySymmetric(const Matrix& lower, const Vector& x) {

@@ -4,8 +4,8 @@
 
 namespace epafi::bem {
 
-// Dense algebra for matrices of a body, by LAPACK and BLAS with blasThreadsFor() threads.  A
-// symmetric matrix is given by its lower triangle; entries above the diagonal are neither read
+// Symmetric matrices of a body, by LAPACK and BLAS with blasThreadsFor() threads (products of others:
+// Products; of a contact boundary: SmallAlgebra).  A symmetric matrix is given by its lower triangle; entries above the diagonal are neither read
 // nor preserved.
 
 /// The factor L of a symmetric positive definite matrix A = L Lᵀ, in LAPACK's rectangular full
@@ -39,13 +39,6 @@ Matrix addGram(Matrix lower, const Matrix& y);
 
 /// C + scale X Xᵀ, the lower triangle.
 Matrix addOuter(Matrix lower, const Matrix& x, double scale);
-
-/// C + Xᵀ Y
-Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y);
-
-/// A x, and Aᵀ x
-Vector multiply(const Matrix& a, const Vector& x);
-Vector transposedTimes(const Matrix& a, const Vector& x);
 
 /// A x of a symmetric matrix.
 Vector multiplySymmetric(const Matrix& lower, const Vector& x);

@@ -83,25 +83,18 @@ class FrontalFactor::Front {
     Index done = 0;
     while (done < complete_ && takePivot(done))
       ++done;
-    Stage stage{rows_, columns_, columnsBetween(entries_, 0, done),
-                rowsBetween(columnsBetween(entries_, done, size()), 0, done)};
+    Stage stage{rows_, columns_, columnsBetween(entries_, 0, done).copy(),
+                rowsBetween(columnsBetween(entries_, done, size()), 0, done).copy()};
     // the panel has been updated with each pivot, what follows it has not
     for (Index j = complete_ - done; j < stage.upper.columns(); ++j)
       for (Index k = 0; k < done; ++k)
         for (Index i = k + 1; i < done; ++i)
           stage.upper(i, j) -= stage.lower(i, k) * stage.upper(k, j);
-    Matrix rest = rowsBetween(columnsBetween(entries_, complete_, size()), done, size());
-    addProduct(-1, rowsBetween(stage.lower, done, size()),
-               columnsBetween(stage.upper, complete_ - done, stage.upper.columns()),
-               rest);
-    const Matrix waiting =
-        rowsBetween(columnsBetween(entries_, done, complete_), done, size());
-    Matrix smaller = Matrix::unset(size() - done, size() - done);
-    for (Index j = 0; j < smaller.columns(); ++j)
-      std::copy_n(
-          j < waiting.columns() ? waiting.column(j) : rest.column(j - waiting.columns()),
-          smaller.rows(), smaller.column(j));
-    entries_ = std::move(smaller);
+    addProduct(
+        -1, rowsBetween(stage.lower, done, size()),
+        columnsBetween(stage.upper, complete_ - done, stage.upper.columns()),
+        MatrixView(entries_).columnsBetween(complete_, size()).rowsBetween(done, size()));
+    entries_ = columnsBetween(rowsBetween(entries_, done, size()), done, size()).copy();
     rows_.erase(rows_.begin(), rows_.begin() + done);
     columns_.erase(columns_.begin(), columns_.begin() + done);
     return stage;

@@ -50,7 +50,8 @@ LeastSquares leastSquares(const std::vector<Vector>& columns, Vector b,
   Matrix a(static_cast<Index>(b.size()), static_cast<Index>(columns.size()));
   for (Index j = 0; j < a.columns(); ++j)
     std::copy(columns[at(j)].begin(), columns[at(j)].end(), a.column(j));
-  const SeveralLeastSquares all = leastSquares(std::move(a), asColumn(b), dependent);
+  const SeveralLeastSquares all =
+      leastSquares(std::move(a), ConstMatrixView(b).copy(), dependent);
   return {columnOf(all.x, 0), all.rank, all.rests.front()};
 }
 

@@ -16,10 +16,10 @@ namespace {
 
 using Lapack = Teuchos::LAPACK<int, double>;
 
-void scaleRows(const Vector& scales, double* x, Index columns, Index stride) {
-  for (Index j = 0; j < columns; ++j)
+void scaleRows(const Vector& scales, MatrixView x) {
+  for (Index j = 0; j < x.columns(); ++j)
     for (std::size_t i = 0; i < scales.size(); ++i)
-      x[j * stride + static_cast<Index>(i)] *= scales[i];
+      x(static_cast<Index>(i), j) *= scales[i];
 }
 
 /// Of A X, or of a factorisation with as many columns.
@@ -53,7 +53,7 @@ LuFactor LuFactor::ofScaledRows(Matrix a, const char* name) {
       scales[at(i)] = std::max(scales[at(i)], std::abs(a(i, j)));
   for (double& scale : scales)
     scale = scale > 0 ? 1 / scale : 1;
-  scaleRows(scales, a.data(), a.columns(), a.stride());
+  scaleRows(scales, a);
   LuFactor factor(std::move(a));
   factor.scales_ = std::move(scales);
   if (!factor.isRegular())
@@ -74,18 +74,19 @@ double LuFactor::reciprocalCondition() const {
   return info == 0 ? reciprocal : 0;
 }
 
-void LuFactor::solve(double* x, Index columns, Index stride) const {
-  assert(isRegular());
+void LuFactor::solve(MatrixView x) const {
+  assert(isRegular() && x.rows() == lu_.rows());
   if (lu_.empty())
     return;
-  scaleRows(scales_, x, columns, stride);
-  const BlasThreads threads(threadsOf(lu_, columns));  // where byColumns has one for all
-  byColumns(columns, workOfProduct(lu_.rows(), lu_.rows(), columns),
+  scaleRows(scales_, x);
+  // where byColumns has one for all
+  const BlasThreads threads(threadsOf(lu_, x.columns()));
+  byColumns(x.columns(), workOfProduct(lu_.rows(), lu_.rows(), x.columns()),
             [&](Index first, Index count) {
               int info = 0;
               Lapack().GETRS('N', asInt(lu_.rows()), asInt(count), lu_.data(),
-                             asInt(lu_.stride()), pivots_.data(), x + first * stride,
-                             asInt(stride), &info);
+                             asInt(lu_.stride()), pivots_.data(), x.column(first),
+                             asInt(x.stride()), &info);
             });
 }
 

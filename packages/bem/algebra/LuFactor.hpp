@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
+#include "bem/base/MatrixView.hpp"
 
-#include <cassert>
 #include <vector>
 
 namespace epafi::bem {
@@ -24,18 +23,10 @@ class LuFactor {
   double reciprocalCondition() const;
 
   /// x := A⁻¹ x, column by column.  \pre isRegular(); x has as many rows as A
-  void solve(Matrix& x) const {
-    assert(x.rows() == lu_.rows());
-    solve(x.data(), x.columns(), x.stride());
-  }
-  void solve(Vector& x) const {
-    assert(x.size() == at(lu_.rows()));
-    solve(x.data(), 1, lu_.rows());
-  }
+  void solve(MatrixView x) const;
+  void solve(Vector& x) const { solve(MatrixView(x)); }
 
  private:
-  void solve(double* x, Index columns, Index stride) const;
-
   Matrix lu_;
   Vector scales_;  ///< row scaling; empty: none
   std::vector<int> pivots_;

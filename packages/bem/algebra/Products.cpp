@@ -53,4 +53,16 @@ Matrix transposedProduct(ConstMatrixView a, ConstMatrixView b) {
   return productOf(Teuchos::TRANS, a.columns(), a, b);
 }
 
+Vector product(ConstMatrixView a, const Vector& x) {
+  Vector y(at(a.rows()));
+  multiply(Teuchos::NO_TRANS, 1, a, ConstMatrixView(x), 0, MatrixView(y));
+  return y;
+}
+
+Vector transposedProduct(ConstMatrixView a, const Vector& x) {
+  Vector y(at(a.columns()));
+  multiply(Teuchos::TRANS, 1, a, ConstMatrixView(x), 0, MatrixView(y));
+  return y;
+}
+
 }  // namespace epafi::bem

@@ -16,15 +16,17 @@ void addTransposedProduct(double s, ConstMatrixView a, ConstMatrixView b, Matrix
 /// A B, and Aᵀ B
 Matrix product(ConstMatrixView a, ConstMatrixView b);
 Matrix transposedProduct(ConstMatrixView a, ConstMatrixView b);
+Vector product(ConstMatrixView a, const Vector& x);
+Vector transposedProduct(ConstMatrixView a, const Vector& x);
 
 /// B += A
-inline void addTo(Matrix& b, const Matrix& a) {
+inline void addTo(MatrixView b, ConstMatrixView a) {
   for (Index j = 0; j < a.columns(); ++j)
     for (Index i = 0; i < a.rows(); ++i)
       b(i, j) += a(i, j);
 }
 
-inline Matrix transposed(const Matrix& a) {
+inline Matrix transposed(ConstMatrixView a) {
   Matrix result = Matrix::unset(a.columns(), a.rows());
   for (Index j = 0; j < a.columns(); ++j)
     for (Index i = 0; i < a.rows(); ++i)
@@ -32,36 +34,24 @@ inline Matrix transposed(const Matrix& a) {
   return result;
 }
 
-inline Matrix rowsOf(const Matrix& x, const std::vector<Index>& rows) {
+inline Matrix rowsOf(ConstMatrixView x, const std::vector<Index>& rows) {
   Matrix result = Matrix::unset(static_cast<Index>(rows.size()), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     for (std::size_t i = 0; i < rows.size(); ++i)
       result(static_cast<Index>(i), j) = x(rows[i], j);
   return result;
 }
-inline void putRows(const Matrix& from, const std::vector<Index>& rows, Matrix& x) {
+inline void putRows(ConstMatrixView from, const std::vector<Index>& rows, MatrixView x) {
   for (Index j = 0; j < x.columns(); ++j)
     for (std::size_t i = 0; i < rows.size(); ++i)
       x(rows[i], j) = from(static_cast<Index>(i), j);
 }
-inline Matrix rowsBetween(const Matrix& x, Index first, Index last) {
-  Matrix result = Matrix::unset(last - first, x.columns());
-  for (Index j = 0; j < x.columns(); ++j)
-    std::copy(x.column(j) + first, x.column(j) + last, result.column(j));
-  return result;
-}
-inline Matrix stacked(const Matrix& a, const Matrix& b) {
+inline Matrix stacked(ConstMatrixView a, ConstMatrixView b) {
   Matrix result = Matrix::unset(a.rows() + b.rows(), a.columns());
   for (Index j = 0; j < a.columns(); ++j) {
     std::copy_n(a.column(j), a.rows(), result.column(j));
     std::copy_n(b.column(j), b.rows(), result.column(j) + a.rows());
   }
-  return result;
-}
-inline Matrix columnsBetween(const Matrix& a, Index first, Index last) {
-  Matrix result = Matrix::unset(a.rows(), last - first);
-  for (Index j = first; j < last; ++j)
-    std::copy_n(a.column(j), a.rows(), result.column(j - first));
   return result;
 }
 

@@ -68,12 +68,6 @@ int rank(const Svd& svd, double threshold) {
       std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
 }
 
-Matrix asColumn(const Vector& v) {
-  Matrix column(static_cast<Index>(v.size()), 1);
-  std::copy(v.begin(), v.end(), column.data());
-  return column;
-}
-
 std::vector<Index> pivotedTriangle(Matrix& a) {
   const int n = asInt(a.columns());
   std::vector<int> pivots(a.columns());
@@ -99,17 +93,13 @@ int cholesky(Matrix& a) {
   return info;
 }
 
-void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride) {
+void choleskySolve(const Matrix& factor, MatrixView b) {
   int info = 0;
   const BlasThreads threads(
-      blasThreadsFor(workOfProduct(factor.rows(), factor.rows(), columns)));
-  if (factor.rows() > 0 && columns > 0)
-    Lapack().POTRS('L', asInt(factor.rows()), asInt(columns), factor.data(),
-                   asInt(factor.stride()), b, asInt(stride), &info);
-}
-
-void choleskySolve(const Matrix& factor, double* b) {
-  choleskySolve(factor, b, 1, factor.rows());
+      blasThreadsFor(workOfProduct(factor.rows(), factor.rows(), b.columns())));
+  if (!b.empty())
+    Lapack().POTRS('L', asInt(factor.rows()), asInt(b.columns()), factor.data(),
+                   asInt(factor.stride()), b.data(), asInt(b.stride()), &info);
 }
 
 }  // namespace epafi::bem

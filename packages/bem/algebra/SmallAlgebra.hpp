@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
+#include "bem/base/MatrixView.hpp"
 
 namespace epafi::bem {
 
@@ -24,9 +24,8 @@ Vector columnOf(const Matrix& a, Index j);
 /// of the first leading minor that is not positive.
 [[nodiscard]] int cholesky(Matrix& a);
 
-/// b := (L Lᵀ)⁻¹ b for a vector or for several columns.
-void choleskySolve(const Matrix& factor, double* b);
-void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride);
+/// B := (L Lᵀ)⁻¹ B
+void choleskySolve(const Matrix& factor, MatrixView b);
 
 /// Replaces the upper triangle of A by R of A P = Q R, |diagonal| decreasing.  Returns for each
 /// column of R the column of A.
@@ -42,8 +41,5 @@ struct Svd {
 Svd singularValues(Matrix a);
 /// Number of singular values above a threshold.
 int rank(const Svd& svd, double threshold);
-
-/// A vector as a matrix with one column.
-Matrix asColumn(const Vector& v);
 
 }  // namespace epafi::bem

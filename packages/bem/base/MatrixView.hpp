@@ -2,6 +2,7 @@
 
 #include "bem/base/Matrix.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <type_traits>
 
@@ -16,6 +17,10 @@ class ViewOf {
 
   // NOLINTNEXTLINE(google-explicit-constructor): a matrix is where a view is asked for
   ViewOf(Owner& all) : ViewOf(all.data(), all.rows(), all.columns(), all.stride()) {}
+  /// A vector as a matrix with one column.
+  using Entries = std::conditional_t<std::is_const_v<Number>, const Vector, Vector>;
+  explicit ViewOf(Entries& v)
+      : ViewOf(v.data(), static_cast<Index>(v.size()), 1, static_cast<Index>(v.size())) {}
   ViewOf(Number* data, Index rows, Index columns, Index stride)
       : data_(data), rows_(rows), columns_(columns), stride_(stride) {}
   /// A view that does not write.
@@ -31,6 +36,13 @@ class ViewOf {
   Number& operator()(Index i, Index j) const {
     assert(0 <= i && i < rows_ && 0 <= j && j < columns_);
     return data_[i + j * stride_];
+  }
+
+  Matrix copy() const {
+    Matrix result = Matrix::unset(rows_, columns_);
+    for (Index j = 0; j < columns_; ++j)
+      std::copy_n(column(j), rows_, result.column(j));
+    return result;
   }
 
   /// Rows, or columns, first ... last - 1.
@@ -51,5 +63,12 @@ class ViewOf {
 };
 using MatrixView = ViewOf<double>;
 using ConstMatrixView = ViewOf<const double>;
+
+inline ConstMatrixView rowsBetween(ConstMatrixView a, Index first, Index last) {
+  return a.rowsBetween(first, last);
+}
+inline ConstMatrixView columnsBetween(ConstMatrixView a, Index first, Index last) {
+  return a.columnsBetween(first, last);
+}
 
 }  // namespace epafi::bem

@@ -136,7 +136,7 @@ Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
     system(i, i) += 1;
   Matrix answers = product(other, block(!isFirst, isFirst));
   LuFactor::ofScaledRows(std::move(system), compressedSystem).solve(answers);
-  Matrix result = block(isFirst, isFirst);
+  Matrix result = block(isFirst, isFirst).copy();
   addProduct(-1, block(isFirst, !isFirst), answers, result);
   return result;
 }

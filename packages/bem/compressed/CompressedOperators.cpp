@@ -250,8 +250,8 @@ Matrix CompressedOperators::times(const Matrix& x) const {
     }
     const std::size_t first = tree()[c].children[0];
     const std::size_t second = tree()[c].children[1];
-    in[first] = rowsBetween(all, 0, out[first].rows());
-    in[second] = rowsBetween(all, out[first].rows(), all.rows());
+    in[first] = rowsBetween(all, 0, out[first].rows()).copy();
+    in[second] = rowsBetween(all, out[first].rows(), all.rows()).copy();
     addProduct(1, own.block, out[second], in[first]);
     addTransposedProduct(1, own.block, out[first], in[second]);
   };

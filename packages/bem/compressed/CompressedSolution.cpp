@@ -48,8 +48,8 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
     if (c == top_ && top_ != 0)
       field = product(*whole_, node(c).expanded(inner[c]));
     const Index split = part.block.rows();
-    in[tree[c].children[0]] = rowsBetween(field, 0, split);
-    in[tree[c].children[1]] = rowsBetween(field, split, field.rows());
+    in[tree[c].children[0]] = rowsBetween(field, 0, split).copy();
+    in[tree[c].children[1]] = rowsBetween(field, split, field.rows()).copy();
   };
   const double check = subtrees.isAlone() ? 0 : checkOf(b);
   const auto work = [&](int c) { return operators_->part(c).sweepWork(columns); };

@@ -54,13 +54,12 @@ Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index f
 /// \param subtractLower, subtractUpper (x, y): y -= L x, y -= U x
 template <class Lower, class Upper>
 void solveParent(const LuFactor& schur, Index split, const Lower& subtractLower,
-                 const Upper& subtractUpper, Matrix& x) {
-  Matrix first = rowsBetween(x, 0, split);
-  Matrix second = rowsBetween(x, split, x.rows());
+                 const Upper& subtractUpper, MatrixView x) {
+  const MatrixView first = x.rowsBetween(0, split);
+  const MatrixView second = x.rowsBetween(split, x.rows());
   subtractLower(first, second);
   schur.solve(second);
   subtractUpper(second, first);
-  x = stacked(first, second);
 }
 
 }  // namespace
@@ -139,8 +138,9 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, Child first, Child
   Matrix answers =
       stacked(responseToWeights(e1, t, 0), responseToWeights(e2, t, e1.rows()));
   solveParent(
-      lu_, e1.rows(), [&](const Matrix& x, Matrix& y) { addProduct(-1, lower, x, y); },
-      [&](const Matrix& x, Matrix& y) { addProduct(-1, upper, x, y); }, answers);
+      lu_, e1.rows(),
+      [&](ConstMatrixView x, MatrixView y) { addProduct(-1, lower, x, y); },
+      [&](ConstMatrixView x, MatrixView y) { addProduct(-1, upper, x, y); }, answers);
   response.matrix = rowsOf(outgoing(part, answers), response.places);
 }
 
@@ -167,10 +167,10 @@ void EliminatedCluster::solve(const ClusterPart& part, Matrix& x) const {
   const Matrix& s = block(part);
   solveParent(
       lu_, first_->matrix.rows(),
-      [&](const Matrix& from, Matrix& to) {
+      [&](ConstMatrixView from, MatrixView to) {
         addProduct(-1, second_->matrix, transposedProduct(s, from), to);
       },
-      [&](const Matrix& from, Matrix& to) {
+      [&](ConstMatrixView from, MatrixView to) {
         addProduct(-1, first_->matrix, product(s, from), to);
       },
       x);
@@ -189,10 +189,10 @@ void EliminatedCluster::solve(const ClusterPart& part, Matrix& field, Matrix& x)
   }
   const Matrix& s = block(part);
   const Index split = first_->matrix.rows();
-  Matrix first = rowsBetween(outside, 0, split);
-  Matrix second = rowsBetween(outside, split, outside.rows());
-  Matrix y1 = rowsBetween(x, 0, split);
-  Matrix y2 = rowsBetween(x, split, x.rows());
+  const MatrixView first = MatrixView(outside).rowsBetween(0, split);
+  const MatrixView second = MatrixView(outside).rowsBetween(split, outside.rows());
+  const MatrixView y1 = MatrixView(x).rowsBetween(0, split);
+  const MatrixView y2 = MatrixView(x).rowsBetween(split, x.rows());
   Matrix alone = y1.copy();
   addProduct(-1, first_->matrix, first, alone);
   Matrix seen = second.copy();
@@ -202,9 +202,8 @@ void EliminatedCluster::solve(const ClusterPart& part, Matrix& field, Matrix& x)
   addProduct(1, s, y2, first);
   addProduct(-1, first_->matrix, first, y1);
   addTransposedProduct(1, s, y1, second);
-  x = stacked(y1, y2);
   field = Matrix(field.rows(), field.columns());
-  putRows(stacked(first, second), own_.kept, field);
+  putRows(outside, own_.kept, field);
 }
 
 Matrix EliminatedCluster::reduced(const Matrix& x) const { return rowsOf(x, own_.kept); }

@@ -1,6 +1,7 @@
 #include "bem/operators/ExactRotation.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ Operators withExactRotation(Operators operators, const Space& space) {
       hypersingular(i, j) -=
           q[at(i)] * (w[at(j)] - square * q[at(j)]) + w[at(i)] * q[at(j)];
   Matrix& doubleLayer = operators.doubleLayer;
-  const Vector k = multiply(doubleLayer, r);
+  const Vector k = product(doubleLayer, r);
   for (Index j = 0; j < doubleLayer.columns(); ++j)
     for (Index i = 0; i < doubleLayer.rows(); ++i)
       doubleLayer(i, j) -= k[at(i)] * q[at(j)];

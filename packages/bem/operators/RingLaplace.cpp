@@ -1,6 +1,6 @@
 #include "bem/operators/RingLaplace.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/Kernel.hpp"
 #include "bem/operators/RingBlocks.hpp"
@@ -75,14 +75,14 @@ void RingLaplace::holdConstants() {
 Vector RingLaplace::solve(Vector data) const {
   for (const Index i : unknown_)
     data[at(i)] = 0;
-  const Vector given = multiply(all_, data);
+  const Vector given = product(all_, data);
   Vector right;
   for (const Index i : unknown_)
     right.push_back(-given[at(i)]);
   factor_.solve(right);
   for (std::size_t k = 0; k < right.size(); ++k)
     data[at(unknown_[k])] = right[k];
-  const Vector missed = freeSurfaces_.empty() ? Vector() : multiply(all_, data);
+  const Vector missed = freeSurfaces_.empty() ? Vector() : product(all_, data);
   for (const FreeSurface& surface : freeSurfaces_)
     surface.addConstant(missed, data);
   return data;

@@ -97,8 +97,7 @@ SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& com
   const auto count = static_cast<Index>(compliance.densities.size());
   const Matrix t = factor_->inverseOfLast(count);
   Matrix displacements =
-      addTransposeTimes(Matrix(solvedDoubleLayer_.columns(), count),
-                        rowsBetween(solvedDoubleLayer_, solvedDoubleLayer_.rows() - count,
+      transposedProduct(rowsBetween(solvedDoubleLayer_, solvedDoubleLayer_.rows() - count,
                                     solvedDoubleLayer_.rows()),
                         t);
   Matrix gram = addGram(Matrix(count, count), t);
@@ -116,10 +115,10 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   solvedDoubleLayer_ =
       count > 0 ? solver.solve(std::move(v), besideUnits(k, compliance.densities))
                 : solver.solve(std::move(v), k);
-  units_ = columnsBetween(solvedDoubleLayer_, k.columns(), k.columns() + count);
+  units_ = columnsBetween(solvedDoubleLayer_, k.columns(), k.columns() + count).copy();
   solvedDoubleLayer_.shrink(k.columns());
-  stiffness_ = LowerTriangle(
-      addTransposeTimes(std::move(operators.hypersingular), k, solvedDoubleLayer_));
+  addTransposedProduct(1, k, solvedDoubleLayer_, operators.hypersingular);
+  stiffness_ = LowerTriangle(std::move(operators.hypersingular));
   if (count == 0)
     return;
   Matrix density = rowsOf(units_, compliance.densities);
@@ -127,14 +126,13 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
     for (Index i = 0; i < j; ++i)
       density(i, j) = density(j, i) = 0.5 * (density(i, j) + density(j, i));
   response_ = std::make_shared<ComplianceResponse>(ComplianceResponse{
-      compliance.densities, addTransposeTimes(Matrix(k.columns(), count), k, units_),
-      std::move(density)});
+      compliance.densities, transposedProduct(k, units_), std::move(density)});
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const { return stiffness_.times(u); }
 
 Vector SteklovPoincare::density(const Vector& u) const {
-  Vector psi = multiply(solvedDoubleLayer_, u);
+  Vector psi = product(solvedDoubleLayer_, u);
   return factor_ ? unordered(factor_->backward(psi)) : psi;
 }
 
@@ -163,7 +161,7 @@ Vector SteklovPoincare::densityOf(const Vector& b) const {
     throw InputError(
         "Solver->Linear->Method = Belos cannot have body loads on a body with Poisson's "
         "Ratio = 1/2 and a line without contact; Dense and Compressed can");
-  return known.empty() ? rest : multiply(units_, known);
+  return known.empty() ? rest : product(units_, known);
 }
 
 Vector SteklovPoincare::ordered(const Vector& b) const {
@@ -186,7 +184,8 @@ Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
   if (factor_)
     b = factor_->forward(order_.empty() ? std::move(b)
                                         : rowsInOrder(std::move(b), order_));
-  return addTransposeTimes(std::move(c), solvedDoubleLayer_, b);
+  addTransposedProduct(1, solvedDoubleLayer_, b, c);
+  return c;
 }
 
 }  // namespace epafi::bem

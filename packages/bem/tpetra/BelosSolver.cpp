@@ -46,8 +46,8 @@ class OwnBlocks final : public Operator {
     for (std::size_t j = 0; j < in.extent(1); ++j)
       for (std::size_t i = 0; i < in.extent(0); ++i)
         out(i, j) = in(i, j);
-    choleskySolve(factor_, out.data(), static_cast<Index>(out.extent(1)),
-                  static_cast<Index>(out.stride(1)));
+    choleskySolve(factor_, {out.data(), factor_.rows(), static_cast<Index>(out.extent(1)),
+                            static_cast<Index>(out.stride(1))});
   }
 
  private:

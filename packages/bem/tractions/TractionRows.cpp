@@ -355,8 +355,9 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
   TractionRows tractions = kernelRows(space, lame, elements, moments, form);
   const Index displacements = space.displacements();
   const Matrix& all = tractions.rows;
-  tractions.rows = stiffness.addAdjointDensity(
-      rowsBetween(all, 0, displacements), rowsBetween(all, displacements, all.rows()));
+  tractions.rows =
+      stiffness.addAdjointDensity(rowsBetween(all, 0, displacements).copy(),
+                                  rowsBetween(all, displacements, all.rows()).copy());
   return std::make_shared<const TractionRows>(std::move(tractions));
 }
 

@@ -172,7 +172,7 @@ Matrix DenseBody::makeSprings() const {
       basis.push_back(bem::times(1 / std::sqrt(square), q));
   }
   for (const Vector& q : basis) {
-    const Vector along = multiply(springs, q);
+    const Vector along = bem::product(springs, q);
     for (Index k = 0; k < springs.columns(); ++k)
       for (Index i = 0; i < springs.rows(); ++i)
         springs(i, k) -= along[at(i)] * q[at(k)];
@@ -184,7 +184,7 @@ Vector DenseBody::beddingForce(const Vector& x) const {
   Vector own;
   for (std::size_t k = 0; k < bedding_.rows.size(); ++k)
     own.push_back(std::sqrt(bedding_.stiffness[k]) * x[at(bedding_.rows[k])]);
-  return multiply(springs_, own);
+  return bem::product(springs_, own);
 }
 
 // A panel of X at a time, which saves memory
@@ -223,19 +223,19 @@ Vector DenseBody::density(const Vector& u, const Vector& w) const {
 }
 
 Vector DenseBody::tractionsOf(const Vector& u) const {
-  return transposedTimes(*columns_, u);
+  return bem::transposedProduct(*columns_, u);
 }
 
-Vector DenseBody::forcesOf(const Vector& w) const { return multiply(*columns_, w); }
+Vector DenseBody::forcesOf(const Vector& w) const { return bem::product(*columns_, w); }
 
 Vector DenseBody::responsesTo(const Vector& w) const {
-  return transposedTimes(response_->density, w);
+  return bem::transposedProduct(response_->density, w);
 }
 
 std::pair<Vector, Vector> DenseBody::answerTo(const Vector& g) const {
   return {stiffness_.densityOf(g),
           columnOf(stiffness_.addAdjointDensity(Matrix(space_.displacements(), 1),
-                                                bem::asColumn(g)),
+                                                bem::ConstMatrixView(g).copy()),
                    0)};
 }
 

@@ -63,8 +63,10 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
         functionals(j, k) -= pairing(k, l) * functionals(j, l);
   if (free == 0)
     return functionals;
-  const bem::LuFactor factor(bem::rowsBetween(
-      bem::columnsBetween(pairing, fixed, fixed + free), fixed, fixed + free));
+  const bem::LuFactor factor(
+      bem::rowsBetween(bem::columnsBetween(pairing, fixed, fixed + free), fixed,
+                       fixed + free)
+          .copy());
   if (!factor.isRegular())
     throw bem::NumericalError(
         "the free rigid motions cannot be told apart on this boundary");

@@ -62,8 +62,9 @@ Vector CompressedBody::solve(const Vector& force) const {
       bem::axpy(-dot(columnOf(seen, k), x), columnOf(taken, k), x);
     return x;
   };
-  const Matrix x = factor_->solve(
-      placed(bem::asColumn(without(holding_->allowed, holding_->functionals, force))));
+  const Matrix x = factor_->solve(placed(
+      bem::ConstMatrixView(without(holding_->allowed, holding_->functionals, force))
+          .copy()));
   solved_.assign(x.data() + range_.densities, x.data() + range_.last);
   return without(holding_->functionals, holding_->allowed, forcesIn(x));
 }
@@ -158,7 +159,8 @@ const CompressedBody::LeftOfMotions& CompressedBody::leftOfMotions() const {
   if (leftOfMotions_ == nullptr) {
     const Matrix& modes = holding_->modes.motions;
     Matrix left =
-        bem::rowsBetween(operators_->times(placed(modes)), range_.densities, range_.last);
+        bem::rowsBetween(operators_->times(placed(modes)), range_.densities, range_.last)
+            .copy();
     Matrix right(operators_->size(), modes.columns());
     for (Index k = 0; k < left.columns(); ++k)
       for (Index i = 0; i < left.rows(); ++i)
@@ -193,7 +195,7 @@ void CompressedBody::takeMotions(const Rest& rest, Vector& psi, Matrix& images) 
     sizes.push_back(dot(bem::columnOf(all.left, k), rest.entries));
   if (sizes.empty())
     return;
-  bem::choleskySolve(all.factor, sizes.data());
+  bem::choleskySolve(all.factor, bem::MatrixView(sizes));
   for (Index k = 0; k < all.left.columns(); ++k) {
     for (Index i = 0; i < images.rows(); ++i)
       images(i, 1) += sizes[at(k)] * all.images(i, k);

@@ -88,7 +88,7 @@ Vector CompressedFlexibility::apply(const double* x) const {
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
-  const Matrix columns = timesColumns(bem::asColumn(x));
+  const Matrix columns = timesColumns(bem::ConstMatrixView(x).copy());
   return Vector(columns.column(0), columns.column(0) + size());
 }
 
@@ -272,15 +272,15 @@ CompressedFlexibility::Reduced::Reduced(const CompressedFlexibility& whole, Syst
       columns(row, j) =
           j < corrected ? terms.u(row, j) : system_.motions(row, j - corrected);
   columns = solveSprung(std::move(columns));
-  answers_ = bem::columnsBetween(columns, corrected, corrected + motions);
+  answers_ = bem::columnsBetween(columns, corrected, corrected + motions).copy();
   columns.shrink(corrected);
   makeCorrection(std::move(columns));
   makeBorder();
 }
 
 Matrix CompressedFlexibility::Reduced::solve(Matrix b) const {
-  Matrix x = coefficients(bem::rowsBetween(b, 0, whole_.size()));
-  Matrix sizes = bem::rowsBetween(b, whole_.size(), b.rows());
+  Matrix x = coefficients(bem::rowsBetween(b, 0, whole_.size()).copy());
+  Matrix sizes = bem::rowsBetween(b, whole_.size(), b.rows()).copy();
   addTransposedProduct(-1, system_.motions, x, sizes);
   border_.solve(sizes);
   addProduct(1, answers_, sizes, x);

@@ -206,7 +206,7 @@ bool balancesAtOnce(const Problem& problem) {
   if (bem::cholesky(gram) != 0)
     return false;
   Vector sizes = load;
-  bem::choleskySolve(gram, sizes.data());
+  bem::choleskySolve(gram, bem::MatrixView(sizes));
   Vector forces(rows.size());
   Vector rest = load;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -82,7 +82,8 @@ Split splitBy(Matrix a, double wellHeld) {
   const double largest = svd.s.empty() ? 0 : svd.s.front();
   const Index rank = bem::rank(svd, heldThreshold * largest);
   const Matrix v = bem::transposed(svd.vt);
-  Split split{bem::columnsBetween(v, 0, rank), bem::columnsBetween(v, rank, k)};
+  Split split{bem::columnsBetween(v, 0, rank).copy(),
+              bem::columnsBetween(v, rank, k).copy()};
   // well held: the unit vectors
   if (rank == k && svd.s.back() > wellHeld * largest)
     return {unitMatrix(k), std::move(split.loose)};
@@ -180,9 +181,9 @@ Vector NewtonSystem::byFactor(const Vector& b) const {
   Vector right = knownChanges(b);
   for (const Index i : inactive_)
     right[at(i)] = b[at(i)] / rows_.weights[at(i)];
-  const Vector balances = transposedTimes(held_, balance(b));
+  const Vector balances = transposedProduct(held_, balance(b));
   right.insert(right.end(), balances.begin(), balances.end());
-  const Matrix solution = factor_->solve(bem::asColumn(right));
+  const Matrix solution = factor_->solve(bem::ConstMatrixView(right).copy());
   const double* sizes = solution.column(0) + problem_.size();
   Vector d(solution.column(0), sizes);
   for (Index m = 0; m < held_.rows(); ++m) {

@@ -45,7 +45,7 @@ class Dense final : public Flexibility::Operator::Factor {
           info, " of ", first_,
           "); two multiplier coefficients may act on the same displacement"));
     answers_ = std::move(b);
-    choleskySolve(factor_, answers_.data(), answers_.columns(), answers_.stride());
+    choleskySolve(factor_, answers_);
     bem::addProduct(-1, lower_, answers_, e);
     schur_ = bem::LuFactor(std::move(e));
     const double condition = schur_.reciprocalCondition();
@@ -61,14 +61,13 @@ class Dense final : public Flexibility::Operator::Factor {
     Matrix x(count() + motions(), b.columns());
     for (Index c = 0; c < b.columns(); ++c)
       reduce(b.column(c), x.column(c));
-    Matrix y = bem::rowsBetween(x, first_, x.rows());
-    x = bem::rowsBetween(x, 0, first_);
-    addBalances(y, x);
-    choleskySolve(factor_, x.data(), x.columns(), x.stride());
-    bem::addProduct(-1, lower_, x, y);
+    const bem::MatrixView known = bem::MatrixView(x).rowsBetween(0, first_);
+    const bem::MatrixView y = bem::MatrixView(x).rowsBetween(first_, x.rows());
+    addBalances(y, known);
+    choleskySolve(factor_, known);
+    bem::addProduct(-1, lower_, known, y);
     schur_.solve(y);
-    bem::addProduct(-1, answers_, y, x);
-    x = bem::stacked(x, y);
+    bem::addProduct(-1, answers_, y, known);
     for (Index c = 0; c < b.columns(); ++c) {
       double* to = b.column(c);
       for (Index p = 0; p < count(); ++p)
@@ -156,7 +155,7 @@ class Dense final : public Flexibility::Operator::Factor {
   }
 
   /// Adds Ĝ times the balances, the last rows of y, to x.
-  void addBalances(const Matrix& y, Matrix& x) const {
+  void addBalances(bem::ConstMatrixView y, bem::MatrixView x) const {
     for (Index c = 0; c < x.columns(); ++c)
       for (Index k = 0; k < motions(); ++k)
         for (Index p = 0; p < first_; ++p)

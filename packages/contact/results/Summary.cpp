@@ -1,6 +1,6 @@
 #include "contact/results/Summary.hpp"
 
-#include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
@@ -200,7 +200,7 @@ RigidMotion meanMotion(const Solved& solved) {
 
 /// Work of a load on the rigid motions, fᵀ v.
 std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
-  const Vector work = transposedTimes(solved.problem.holding().modes.motions, load);
+  const Vector work = transposedProduct(solved.problem.holding().modes.motions, load);
   return {work[0], work[1], work[2]};
 }
 

@@ -105,7 +105,7 @@ class Bed {
       hessian(k, k) += free * largest;
     if (bem::cholesky(hessian) != 0)
       return {};
-    bem::choleskySolve(hessian, step.data());
+    bem::choleskySolve(hessian, bem::MatrixView(step));
     return step;
   }
 
