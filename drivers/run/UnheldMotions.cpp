@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace epafi::drivers {
 
@@ -217,7 +216,7 @@ std::string unresisted(const BodySpaces& spaces,
 /// system that needs no operators.  Refers to the spaces.
 class FreeBalance {
  public:
-  /// \param conditions  at any time, by body
+  /// \param conditions  at any time, by body, of which the kinds count
   FreeBalance(const BodySpaces& spaces,
               const std::vector<contact::Conditions>& conditions, double t)
       : spaces_(spaces),
@@ -238,6 +237,8 @@ class FreeBalance {
   }
 
   const FreeMotions& free() const { return free_; }
+  /// Is anything free?  At all times or never.
+  bool hasFree() const { return !columns_.empty() || drives_.freeMotions() > 0; }
 
   /// Without D and d0.
   contact::Problem at(const std::vector<contact::Conditions>& conditions,
@@ -295,18 +296,14 @@ std::string unresisted(const BodySpaces& spaces, const contact::ContactSystem& s
 
 std::vector<double> unbalanced(const BodySpaces& spaces,
                                const std::vector<double>& times) {
-  std::optional<FreeBalance> balance;
   std::vector<double> result;
-  for (const double t : times) {
-    const std::vector<contact::Conditions> conditions = spaces.conditionsAt(t);
-    if (!balance)
-      balance.emplace(spaces, conditions, t);
-    const contact::Problem numbers = balance->at(conditions, t);
-    if (numbers.rigidMotions() == 0)  // nor at any other time
-      break;
-    if (!contact::unresistedMotion(numbers).amplitudes.empty())
+  const double any = times.front();
+  const FreeBalance balance(spaces, spaces.scene().conditionsAt(any), any);
+  for (const double t : times)
+    if (balance.hasFree() &&
+        !contact::unresistedMotion(balance.at(spaces.conditionsAt(t), t))
+             .amplitudes.empty())
       result.push_back(t);
-  }
   return result;
 }
 

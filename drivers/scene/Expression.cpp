@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <muParser.h>
 #include <mutex>
+#include <optional>
 #include <regex>
 #include <vector>
 
@@ -233,6 +235,16 @@ class Parser {
   mu::Parser parser_;
 };
 
+/// Of a text that is one and nothing else, which needs no parser: a path reads all of them at each step.
+std::optional<double> number(const std::string& text) {
+  if (text.find_first_not_of("0123456789.eE+-") != std::string::npos)
+    return std::nullopt;  // a name or an expression
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [behind, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && behind == end ? std::optional(value) : std::nullopt;
+}
+
 /// An expression, with one parser per thread that evaluates it at the same time.
 class Expression {
  public:
@@ -241,6 +253,9 @@ class Expression {
       source_.fail("is empty");
     if (loneEqualSign(source_.text) != std::string::npos)
       source_.fail("assigns with '='; nothing can be assigned, equality is '=='");
+    constant_ = number(source_.text);
+    if (constant_)
+      return;
     const double value =
         evaluate({}, 0);  // checks the syntax; the value at the origin may be undefined
     if (idle_.front()->isConstant())

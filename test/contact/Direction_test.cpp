@@ -163,7 +163,8 @@ TEUCHOS_UNIT_TEST(Direction, KnowsHowTheBoundaryGoesOn) {
   TEST_EQUALITY_CONST(all[1].before.curvature, corner);
   TEST_EQUALITY_CONST(all[2].after.curvature, 0);
   TEST_EQUALITY_CONST(all[3].after.curvature, corner);
-  const SideShape shape = contact::shapeAt(pad.edge(1).curve, all[1], 0.5);
+  const bem::Curve& right = pad.edge(1).curve;
+  const SideShape shape = contact::shapeAt(right, right.normal(0.5), all[1], 0.5);
   TEST_FLOATING_EQUALITY(shape.beyond.before.length, 2.75 / unit, 1e-14);
   TEST_FLOATING_EQUALITY(shape.beyond.after.length, 0.25 / unit, 1e-14);
 }

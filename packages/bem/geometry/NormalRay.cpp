@@ -35,7 +35,7 @@ bool isBetter(const Crossing& a, const Crossing& b, const Curve& curve) {
                         : std::abs(a.t) < std::abs(b.t);
 }
 
-/// Calls visit(crossing, n · n(t)) for those of the line x + s n with the full line or circle of a
+/// Calls visit(s, n · n(t)) for the crossings of the line x + s n with the full line or circle of a
 /// curve of curvature κ, normal m and middle y₀.  With w = x - y₀ they are
 ///
 ///   n · n(t) = o = ±√(1 - k²),  k = n × m + κ n × w,   κ s = o - h,  h = n · m + κ n · w,
@@ -58,8 +58,12 @@ void forEachCrossing(Vec2 x, Vec2 n, const Curve& curve, const Visit& visit) {
     if (curve.isStraight() && outward != h)
       continue;
     const double s = outward * h > 0 ? -g / (outward + h) : (outward - h) / curvature;
-    visit(Crossing{s, curve.seen(x + s * n).z.real()}, outward);
+    visit(s, outward);
   }
+}
+
+Crossing crossingAt(Vec2 x, Vec2 n, double s, const Curve& curve) {
+  return {s, curve.seen(x + s * n).z.real()};
 }
 
 /// Where normals of the side touch an arc.
@@ -115,9 +119,9 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
                along <= last + radius;
       },
       [&](std::size_t k) {
-        forEachCrossing(x, n, curves.curves()[k], [&](const Crossing& here, double) {
-          found = found || (isOn(here, curves.curves()[k]) && here.distance > first &&
-                            here.distance < last);
+        const Curve& curve = curves.curves()[k];
+        forEachCrossing(x, n, curve, [&](double s, double) {
+          found = found || (s > first && s < last && isOn(crossingAt(x, n, s, curve), curve));
         });
       });
   return found;
@@ -127,8 +131,11 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
 
 std::optional<Crossing> crossing(Vec2 x, Vec2 n, const Curve& curve) {
   std::optional<Crossing> best;
-  forEachCrossing(x, n, curve, [&](const Crossing& found, double outward) {
-    if (outward < 0 && (!best || isBetter(found, *best, curve)))
+  forEachCrossing(x, n, curve, [&](double s, double outward) {
+    if (outward >= 0)
+      return;
+    const Crossing found = crossingAt(x, n, s, curve);
+    if (!best || isBetter(found, *best, curve))
       best = found;
   });
   return best;

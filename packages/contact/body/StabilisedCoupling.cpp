@@ -27,226 +27,180 @@ void addForce(Vec2 force, const double* values, double* rows, Index size) {
   }
 }
 
-/// What one contact element has of G and M, coefficients in a row.  G's rows: with Form Density
-/// Legendre polynomials, the densities', where S u is evaluated orthonormal ones, else none.
-class ElementCoupling {
+/// What one element of the stabilisation has of G and M: a contact element by its own coefficients; with
+/// Form Density one that sides of other bodies see by theirs, -λ∘P⁻¹ ds_A/ds_f in λ's place.  G's rows: with
+/// Form Density Legendre polynomials, the densities', where S u is evaluated orthonormal ones, else none.
+class StabilisedElement {
  public:
-  ElementCoupling(const MultiplierBasis& basis, const Opposite& opposite,
-                  const Stabilization& stabilization, const ContactElement& contact)
-      : basis_(basis),
-        opposite_(opposite),
-        byDensity_(stabilization.byDensity()),
-        byTractions_(stabilization.tractions().has_value()),
-        contact_(contact),
-        element_(contact.geometry()),
-        parts_(rows(), size()),
-        mass_(size(), size()) {}
+  /// \param own  the contact element; null: others see it
+  StabilisedElement(const MultiplierSpace& multiplier, std::size_t body,
+                    const Coupling& coupling, int number, const ContactElement* own)
+      : basis_(multiplier.basis()),
+        mesh_(multiplier.mesh(body)),
+        number_(number),
+        element_(mesh_[number]),
+        isOwn_(own != nullptr),
+        byDensity_(coupling.stabilization.byDensity()),
+        byTractions_(coupling.stabilization.tractions().has_value()) {
+    if (!isOwn_)
+      sides_ = coupling.opposite->seen(static_cast<int>(body), number);
+    else
+      for (const Stretch& stretch : stretches(*coupling.opposite, *own))
+        sides_.push_back({own, stretch, -1});
+  }
 
-  void addTo(double gamma, Index firstRow, Coupling& coupling) {
-    integrate();
-    for (int i = 0; i < size(); ++i) {
-      const Index number = contact_.numberOf(i);
-      for (int k = 0; k < size(); ++k)
-        if (mass_(i, k) != 0)
-          coupling.mass.push_back({number, contact_.numberOf(k), gamma * mass_(i, k)});
-      for (Index row = 0; row < rows(); ++row)
-        coupling.weights.push_back(
-            {firstRow + row, number, gamma * normOf(row) * parts_(row, i)});
+  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
+    for (auto first = sides_.begin(); first != sides_.end();) {
+      const ContactElement& side = *first->by;
+      const auto last = std::find_if(
+          first, sides_.end(), [&](const auto& other) { return other.by != &side; });
+      const auto [parts, mass] = integrals({first, last});
+      for (int i = 0; i < side.coefficients(); ++i) {
+        if (isLeftOut(side, i))
+          continue;
+        const Index number = side.numberOf(i);
+        for (int k = 0; k < side.coefficients(); ++k)
+          if (mass(i, k) != 0 && !isLeftOut(side, k))
+            coupling.mass.push_back({number, side.numberOf(k), gamma * mass(i, k)});
+        for (Index row = 0; row < rows(); ++row)
+          coupling.weights.push_back(
+              {firstRow + row, number, gamma * normOf(row) * parts(row, i)});
+      }
+      first = last;
     }
   }
 
   /// A traction in λ's place.
   void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
                   const std::vector<BoundaryTraction>& tested,
-                  Loads::InResidual& moments) {
-    if (!isWhole())
-      integrate();
+                  Loads::InResidual& moments) const {
     Vector parts(at(rows()));
     Matrix testedParts(rows(), static_cast<Index>(tested.size()));
-    forEachPoint(
-        [&](const Opposite::Point&) -> const auto& {
-          return bem::gaussForGiven(element_.degree);
-        },
-        [&](const SidePoint& point) {
-          const auto legendre = orthonormal(point.t);
-          const double weight = point.stabilising();
-          const Vec2 force = weight * traction(contact_.element, point.t);
-          addForce(force, legendre.data(), parts.data(), rows());
-          for (std::size_t k = 0; k < tested.size(); ++k) {
-            const Vec2 r = tested[k](contact_.element, point.t);
-            addForce(weight * r, legendre.data(),
-                     testedParts.column(static_cast<Index>(k)), rows());
-            if (isWhole())
-              moments.means[k] += gamma * dot(force, r);
-          }
-          for (int i = 0; i < size() && isWhole(); ++i)
-            moments.terms[at(contact_.numberOf(i))] -=
-                gamma * point.chiOf(i) * dot(force, point.directionOf(i).unit);
-        });
-    const auto timesParts = [&](const double* column) {
-      return gamma * std::inner_product(parts.begin(), parts.end(), column, 0.0);
+    const auto addOn = [&](double t, double weight, Vec2 force) {
+      const auto functions = functionsAt(t);
+      addForce(force, functions.data(), parts.data(), rows());
+      for (std::size_t k = 0; k < tested.size(); ++k)
+        if (const Vec2 r = tested[k](number_, t); isWhole())
+          moments.means[k] += dot(force, r);
+        else
+          addForce(weight * r, functions.data(),
+                   testedParts.column(static_cast<Index>(k)), rows());
     };
-    for (int i = 0; i < size() && !isWhole(); ++i)
-      moments.terms[at(contact_.numberOf(i))] -= timesParts(parts_.column(i));
-    for (Index k = 0; k < testedParts.columns() && !isWhole(); ++k)
-      moments.means[at(k)] += timesParts(testedParts.column(k));
+    for (const Opposite::Seen& seen : sides_)
+      forEachPoint(seen, bem::gaussForGiven(seen.by->degree),
+                   [&](const SidePoint& point, double t, double weight) {
+                     const Vec2 force = gamma * weight * traction(number_, t);
+                     if (isOwn_)
+                       addOn(t, weight, force);
+                     for (int i = 0; isWhole() && i < seen.by->coefficients(); ++i)
+                       if (!isLeftOut(*seen.by, i))
+                         moments.terms[at(seen.by->numberOf(i))] -=
+                             sign() * point.chiOf(i) *
+                             dot(force, point.directionOf(i).unit);
+                   });
+    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
+    for (int q = 0; !isOwn_ && q < rule.size(); ++q) {
+      const double weight = mesh_.measure(number_, 0) * rule.weights[at(q)];
+      const double t = rule.points[at(q)];
+      addOn(t, weight, gamma * weight * traction(number_, t));
+    }
     for (Index row = 0; row < rows(); ++row)
-      moments.weights[at(firstRow + row)] = gamma * normOf(row) * parts[at(row)];
+      moments.weights[at(firstRow + row)] = normOf(row) * parts[at(row)];
+    if (isWhole())
+      return;
+    const auto timesParts = [&](const double* column) {
+      return std::inner_product(parts.begin(), parts.end(), column, 0.0);
+    };
+    const ContactElement& side = *sides_.front().by;
+    const Matrix ofSide = integrals(sides_).first;
+    for (int i = 0; i < side.coefficients(); ++i)
+      moments.terms[at(side.numberOf(i))] -= timesParts(ofSide.column(i));
+    for (Index k = 0; k < testedParts.columns(); ++k)
+      moments.means[at(k)] += timesParts(testedParts.column(k));
   }
 
  private:
-  int size() const { return contact_.coefficients(); }
-  /// The rows of the element's tractions, or its densities.
+  double sign() const { return isOwn_ ? 1 : -1; }
   Index rows() const {
     return 2 * (byDensity_ ? element_.densities : byTractions_ ? element_.degree + 1 : 0);
   }
+  /// Ends that carry nothing are left out of what others see.
+  bool isLeftOut(const ContactElement& side, int i) const {
+    return !isOwn_ && side.of(i).holdsNothing(side.functionOf(i));
+  }
 
-  /// Legendre polynomials on the element, orthonormal, and what one of them is multiplied by to
-  /// be that of G's row.
-  std::array<double, bem::largestDegree + 2> orthonormal(double t) const {
+  /// At a point of the element Legendre polynomials, orthonormal on contact elements, and what one of them is
+  /// multiplied by to be that of G's row.
+  std::array<double, bem::largestDegree + 2> functionsAt(double t) const {
     std::array<double, bem::largestDegree + 2> legendre{};
     const auto count = static_cast<int>(rows() / 2);
     bem::legendreValues(count - 1, t, legendre.data());
-    for (int l = 0; l < count; ++l)
+    for (int l = 0; isOwn_ && l < count; ++l)
       legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element_.half));
     return legendre;
   }
+
   double normOf(Index row) const {
     const Index degree = row / 2;
     const auto l = static_cast<double>(degree);
-    return byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
+    return isOwn_ && byDensity_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
   }
 
   /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
   /// the product of what they take.
   bool isWhole() const { return !byTractions_ || element_.curve.pointsOfTurning() == 0; }
 
-  template <class RuleOf, class Visit>
-  void forEachPoint(const RuleOf& ruleOf, const Visit& visit) const {
-    for (const Stretch& stretch : stretches(opposite_, contact_))
-      forEachPointOf(contact_, basis_, ruleOf(opposite_.at(contact_, stretch.middle)),
-                     visit, stretch);
-  }
-
-  void integrate() {
-    forEachPoint(
-        [&](const Opposite::Point& middle) -> const auto& {
-          return ruleOfForces(contact_, middle);
-        },
-        [&](const SidePoint& point) { add(point); });
-    if (!isWhole())
-      mass_ = bem::transposedProduct(parts_, parts_);
-  }
-
-  void add(const SidePoint& point) {
-    const auto legendre = orthonormal(point.t);
-    const double weight = point.stabilising();
-    for (int i = 0; i < size(); ++i) {
-      const double value = weight * point.chiOf(i);
-      addForce(value * point.directionOf(i).unit, legendre.data(), parts_.column(i),
-               rows());
-      for (int k = 0; k < size(); ++k)
-        if (contact_.isTangential(k) == contact_.isTangential(i))
-          mass_(i, k) += value * point.chiOf(k);
-    }
-  }
-
-  const MultiplierBasis& basis_;
-  const Opposite& opposite_;
-  bool byDensity_;
-  bool byTractions_;
-  const ContactElement& contact_;
-  const bem::Element& element_;
-  Matrix parts_;  ///< ∫ χ_i d·P_l, P_l orthonormal: their components x coefficients
-  Matrix mass_;   ///< ∫ χ_i χ_k of one direction, or of their parts
-};
-
-/// What sides of other bodies have of G and M on an element that they see, with Form Density.
-class FacingCoupling {
- public:
-  FacingCoupling(const MultiplierSpace& multiplier, const Opposite& opposite,
-                 std::size_t body, int number)
-      : basis_(multiplier.basis()),
-        mesh_(multiplier.mesh(body)),
-        number_(number),
-        element_(mesh_[number]),
-        seen_(opposite.seen(static_cast<int>(body), number)) {}
-
-  void addTo(double gamma, Index firstRow, Coupling& coupling) const {
-    for (const Opposite::Seen& seen : seen_) {
-      const ContactElement& side = *seen.by;
-      const int size = side.coefficients();
-      Matrix parts(rows(), size);
-      Matrix mass(size, size);
-      const Opposite::Point middle = seen.stretch.opposite->at(side, seen.stretch.middle);
+  /// visit(point, parameter on the element, weight)
+  template <class Visit>
+  void forEachPoint(const Opposite::Seen& seen, const bem::Rule& rule,
+                    const Visit& visit) const {
+    if (isOwn_)
       forEachPointOf(
-          seen, basis_, ruleOfForces(side, middle), [&](const SidePoint& point) {
-            const auto legendre = legendreAt(point.opposite.t);
-            const double weight = point.stabilisingOpposite(mesh_);
-            for (int i = 0; i < size; ++i) {
-              const double value = weight * point.chiOf(i);
-              addForce(-value * point.directionOf(i).unit, legendre.data(),
-                       parts.column(i), rows());
-              for (int k = 0; k < size; ++k)
-                if (side.isTangential(k) == side.isTangential(i))
-                  mass(i, k) += value * point.opposite.stretching * point.chiOf(k);
-            }
-          });
-      for (int i = 0; i < size; ++i) {
-        if (holdsNothing(side, i))
-          continue;
-        for (Index row = 0; row < rows(); ++row)
-          coupling.weights.push_back(
-              {firstRow + row, side.numberOf(i), gamma * parts(row, i)});
-        for (int k = 0; k < size; ++k)
-          if (mass(i, k) != 0 && !holdsNothing(side, k))
-            coupling.mass.push_back(
-                {side.numberOf(i), side.numberOf(k), gamma * mass(i, k)});
-      }
-    }
+          *seen.by, basis_, rule,
+          [&](const SidePoint& point) { visit(point, point.t, point.stabilising()); },
+          seen.stretch);
+    else
+      forEachPointOf(seen, basis_, rule, [&](const SidePoint& point) {
+        visit(point, point.opposite.t, point.stabilisingOpposite(mesh_));
+      });
   }
 
-  /// A traction t in the residual t + ψ - λ∘P⁻¹ ds_A/ds_f.
-  void addMoments(double gamma, Index firstRow, const BoundaryTraction& traction,
-                  const std::vector<BoundaryTraction>& tested,
-                  Loads::InResidual& moments) const {
-    const bem::Rule& rule = bem::gaussForGiven(element_.degree);
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[at(q)];
-      const Vec2 force =
-          gamma * mesh_.measure(number_, 0) * rule.weights[at(q)] * traction(number_, t);
-      addForce(force, legendreAt(t).data(), moments.weights.data() + firstRow, rows());
-      for (std::size_t k = 0; k < tested.size(); ++k)
-        moments.means[k] += dot(force, tested[k](number_, t));
+  /// ∫ χ_i d·P_l, components x coefficients, and ∫ χ_i χ_k of one direction, or of the former, on
+  /// parts of one side.
+  std::pair<Matrix, Matrix> integrals(const std::vector<Opposite::Seen>& side) const {
+    const ContactElement& by = *side.front().by;
+    const int size = by.coefficients();
+    Matrix parts(rows(), size);
+    Matrix mass(size, size);
+    for (const Opposite::Seen& seen : side) {
+      const Opposite::Point middle = seen.stretch.opposite->at(by, seen.stretch.middle);
+      forEachPoint(seen, ruleOfForces(by, middle),
+                   [&](const SidePoint& point, double t, double weight) {
+                     const auto functions = functionsAt(t);
+                     const double lengthening = isOwn_ ? 1 : point.opposite.stretching;
+                     for (int i = 0; i < size; ++i) {
+                       const double value = weight * point.chiOf(i);
+                       addForce(sign() * value * point.directionOf(i).unit,
+                                functions.data(), parts.column(i), rows());
+                       for (int k = 0; k < size; ++k)
+                         if (by.isTangential(k) == by.isTangential(i))
+                           mass(i, k) += value * lengthening * point.chiOf(k);
+                     }
+                   });
     }
-    for (const Opposite::Seen& seen : seen_)
-      forEachPointOf(seen, basis_, bem::gaussForGiven(seen.by->degree),
-                     [&](const SidePoint& point) {
-                       const Vec2 force = gamma * point.stabilisingOpposite(mesh_) *
-                                          traction(number_, point.opposite.t);
-                       point.forEachCoefficient(
-                           [&](Index i, double chi, const Direction& direction) {
-                             moments.terms[at(i)] += chi * dot(force, direction.unit);
-                           });
-                     });
-  }
-
- private:
-  Index rows() const { return 2 * static_cast<Index>(element_.densities); }
-  std::array<double, bem::largestDegree + 2> legendreAt(double t) const {
-    std::array<double, bem::largestDegree + 2> legendre{};
-    bem::legendreValues(element_.densities - 1, t, legendre.data());
-    return legendre;
-  }
-  static bool holdsNothing(const ContactElement& side, int i) {
-    return side.of(i).holdsNothing(side.functionOf(i));
+    if (!isWhole())
+      mass = bem::transposedProduct(parts, parts);
+    return {std::move(parts), std::move(mass)};
   }
 
   const MultiplierBasis& basis_;
   const bem::Mesh& mesh_;
   int number_;
   const bem::Element& element_;
-  std::vector<Opposite::Seen> seen_;
+  bool isOwn_;
+  bool byDensity_;
+  bool byTractions_;
+  std::vector<Opposite::Seen> sides_;  ///< parts of one side after the other
 };
 
 /// The space and the stiffness, made by Conditions::facing, precede what lies opposite.
@@ -296,12 +250,8 @@ Coupling stabilised(Coupling plain, const bem::Space& space,
     coupling.gamma.push_back(gamma);
     if (gamma == 0)
       continue;
-    if (k < contacts.size())
-      ElementCoupling(multiplier.basis(), *coupling.opposite, stabilization, contacts[k])
-          .addTo(gamma, first, coupling);
-    else
-      FacingCoupling(multiplier, *coupling.opposite, body, e)
-          .addTo(gamma, first, coupling);
+    const ContactElement* own = k < contacts.size() ? &contacts[k] : nullptr;
+    StabilisedElement(multiplier, body, coupling, e, own).addTo(gamma, first, coupling);
   }
   return coupling;
 }
@@ -316,15 +266,9 @@ Loads::InResidual tractionMoments(const MultiplierSpace& multiplier, std::size_t
   moments.means.assign(tested.size(), 0.0);
   const std::vector<ContactElement>& contacts = multiplier.elements(body);
   for (std::size_t k = 0; k < coupling.elements.size(); ++k) {
-    const double gamma = coupling.gamma[k];
-    if (gamma == 0)
-      continue;
-    if (k < contacts.size())
-      ElementCoupling(multiplier.basis(), *coupling.opposite, coupling.stabilization,
-                      contacts[k])
-          .addMoments(gamma, coupling.start[k], traction, tested, moments);
-    else
-      FacingCoupling(multiplier, *coupling.opposite, body, coupling.elements[k])
+    const ContactElement* own = k < contacts.size() ? &contacts[k] : nullptr;
+    if (const double gamma = coupling.gamma[k]; gamma != 0)
+      StabilisedElement(multiplier, body, coupling, coupling.elements[k], own)
           .addMoments(gamma, coupling.start[k], traction, tested, moments);
   }
   return moments;

@@ -85,15 +85,22 @@ std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
   double size = 0;
   for (const Complex y : line)
     size = std::max(size, 0.5 * std::abs(y - line.front()));
-  // distance from the boundary; 0: outside the hole
-  const auto depthOf = [&](Complex z) {
-    double turns = 0;
-    for (std::size_t k = 0; k < line.size(); ++k)
-      turns += std::arg((line[(k + 1) % line.size()] - z) / (line[k] - z));
-    double depth = std::abs(turns) < 1 ? 0 : size;
+  const auto distance = [&](Complex z) {
+    double least = size;
     for (const bem::Curve* curve : curves)
-      depth = std::min(depth, curve->distance(asVector(z)));
-    return depth;
+      least = std::min(least, curve->distance(asVector(z)));
+    return least;
+  };
+  // does a ray to the right leave the hole?
+  const auto isIn = [&](Complex z) {
+    bool isOdd = false;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const Complex a = line[k] - z;
+      const Complex b = line[(k + 1) % line.size()] - z;
+      if ((a.imag() > 0) != (b.imag() > 0))
+        isOdd ^= (a.real() * b.imag() - a.imag() * b.real() > 0) == (b.imag() > 0);
+    }
+    return isOdd;
   };
   std::vector<std::pair<double, Complex>> found;
   for (const bem::Curve* curve : curves)
@@ -104,7 +111,7 @@ std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
       double way = size;
       for (int k = 0; k < ways; ++k, way *= 0.8) {
         const Complex z = asComplex(curve->point(t) + way * curve->normal(t));
-        if (const double depth = depthOf(z); depth > best.first)
+        if (const double depth = distance(z); depth > best.first && isIn(z))
           best = {depth, z};
       }
       found.push_back(best);

@@ -42,9 +42,10 @@ double turnAlong(const SideShape& side, Vec2 direction) {
 
 }  // namespace
 
-SideShape shapeAt(const bem::Curve& curve, const bem::Continuations& beyond, double t) {
+SideShape shapeAt(const bem::Curve& curve, Vec2 normal, const bem::Continuations& beyond,
+                  double t) {
   const double half = curve.half();
-  return {curve.normal(t), curve.curvature(),
+  return {normal, curve.curvature(),
           beyond.ofPart({half * (1 + t), 0}, {0, half * (1 - t)})};
 }
 

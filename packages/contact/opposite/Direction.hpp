@@ -12,8 +12,9 @@ struct SideShape {
   bem::Continuations beyond{};
 };
 
-/// \param beyond the curve
-SideShape shapeAt(const bem::Curve& curve, const bem::Continuations& beyond, double t);
+/// \param normal that of the curve at t  \param beyond the curve
+SideShape shapeAt(const bem::Curve& curve, bem::Vec2 normal,
+                  const bem::Continuations& beyond, double t);
 
 /// A direction in which displacements and tractions are taken, d of contact or d turned left.
 struct Direction {

@@ -24,18 +24,18 @@ const bem::Facing& stretchAt(const std::vector<bem::Facing>& stretches, double t
       [&](const bem::Facing& a, const bem::Facing& b) { return off(a) < off(b); });
 }
 
-/// Measure of a side over that of what it sees along normals: the foot of a normal runs along its curve
-/// with the part of the way that is along it, which an arc draws in or out by the distance from its centre.
+/// Measure of a side over that of what it sees along normals, `cosine` between both: the foot of a normal
+/// runs along its curve with the part of the way that is along it, which an arc draws in or out by the distance from its centre.
 /// Zero where normals meet: so far away nothing comes into contact.
 double stretching(const ContactElement& side, double t, const bem::Curve& other,
-                  double there, double distance, bem::Normals along) {
+                  double there, double distance, double cosine, bem::Normals along) {
   constexpr double narrowest = 0.1;
   const bem::Curve& own = side.geometry().curve;
   const bool isOwn = along == bem::Normals::Own;
   const double width = 1 + (isOwn ? own : other).curvature() * distance;
   if (width < narrowest)
     return 0;
-  const double ofFeet = std::abs(dot(other.tangent(there), own.tangent(t))) / width;
+  const double ofFeet = std::abs(cosine) / width;
   const double ofLines = isOwn ? ofFeet : 1 / ofFeet;
   if (!side.mesh->outline().isAxisymmetric())
     return ofLines;
@@ -156,23 +156,25 @@ Opposite::Point Opposite::at(const ContactElement& element, double t) const {
   // a normal that touches an arc meets it beside that place
   for (const double inwards : {0.0, 1e-7, 1.0}) {
     const double place = t + inwards * (0.5 * (stretch.begin + stretch.end) - t);
-    if (found =
-            across(own.point(place) + side.shift, own.normal(place), other, here.along);
-        found)
+    const Vec2 along = inwards == 0 ? normal : own.normal(place);
+    if (found = across(own.point(place) + side.shift, along, other, here.along); found)
       break;
   }
   assert(found);
   point.t = std::clamp(found->t, -1.0, 1.0);
-  point.stretching = stretching(element, t, other, point.t, found->distance, here.along);
+  const Vec2 opposite = other.normal(point.t);
+  point.stretching = stretching(element, t, other, point.t, found->distance,
+                                dot(opposite, normal), here.along);
   point.turning = std::max(point.turning, other.pointsOfTurning());
   if (!element.ties()) {
     point.direction = directionBetween(
-        shapeAt(own, here.beyond, t),
-        shapeAt(other, side.beyond.empty() ? bem::Continuations{} : side.beyond[k],
-                point.t));
+        shapeAt(own, normal, here.beyond, t),
+        shapeAt(other, opposite,
+                side.beyond.empty() ? bem::Continuations{} : side.beyond[k], point.t));
     if (!isClosed(element, stretch))
-      point.gap += found->distance * dot(sightLine(normal, other, point.t, here.along),
-                                         point.direction.unit);
+      point.gap +=
+          found->distance *
+          dot(here.along == bem::Normals::Own ? normal : -opposite, point.direction.unit);
     if (point.direction.unit != normal)
       point.turning = std::max(point.turning, forDirections);
   }
@@ -221,7 +223,8 @@ std::vector<Opposite::Source> Opposite::sources(int body, int element, double t)
       if (foot >= stretch.begin - 1e-12 && foot <= stretch.end + 1e-12) {
         const double place = std::clamp(foot, -1.0, 1.0);
         result.push_back({here.element, place,
-                          stretching(*here.element, foot, other, t, distance, here.along),
+                          stretching(*here.element, foot, other, t, distance,
+                                     dot(other.normal(t), own.normal(foot)), here.along),
                           at(*here.element, place).direction.unit});
       }
   });
