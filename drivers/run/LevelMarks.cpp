@@ -18,9 +18,18 @@ namespace epafi::drivers {
 
 namespace {
 
-adaptivity::GradingOptions gradingOf(const Scene& scene) {
+/// Where sides that overlap touch nowhere, their contact is shorter than the elements, by an unknown
+/// factor: such a level tells of no error but this one, and is not to be followed by another.
+adaptivity::GradingOptions gradingOf(const Scene& scene,
+                                     const std::vector<SolvedState>& steps) {
+  constexpr int deep = 3;
   adaptivity::GradingOptions grading = scene.adaptivity.strategy.grading;
   grading.largestDegree = contact::multiplierBasis(scene.multiplier).largestDegree;
+  if (scene.hasContact() &&
+      std::none_of(steps.begin(), steps.end(), [](const SolvedState& step) {
+        return bem::largestEntry(step.state.multiplier) > 0;
+      }))
+    grading.layers = deep;
   return grading;
 }
 
@@ -135,8 +144,9 @@ std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPa
 void shareSingularPoints(const Scene& scene, std::vector<SingularMesh>& meshes) {
   std::vector<std::vector<adaptivity::EdgePlace>> found(meshes.size());
   for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (const RequiredNode& node : scene.bodies[b].nodes)
-      found[b].push_back({node.edge, node.place});
+    for (const auto* nodes : {&scene.bodies[b].nodes, &scene.bodies[b].peaks})
+      for (const RequiredNode& node : *nodes)
+        found[b].push_back({node.edge, node.place});
   for (const ContactPair& pair : scene.contacts) {
     if (pair.opposite.rigid)
       continue;
@@ -191,9 +201,9 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
     meshes.push_back(
-        {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene), mesh,
-                                          scene.bodies[b].conditions, spaces.multiplier(),
-                                          b, states)});
+        {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene, steps),
+                                          mesh, scene.bodies[b].conditions,
+                                          spaces.multiplier(), b, states)});
   }
   shareSingularPoints(scene, meshes);
   return meshes;
@@ -269,7 +279,7 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
                                      analyticIn(steps, b, spaces), meshes[b].singular,
-                                     gradingOf(scene)};
+                                     gradingOf(scene, steps)};
     marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   if (ofContacts) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace epafi::drivers {
@@ -86,20 +87,35 @@ void checkNotOpposite(const SideOfBody& side, const std::string& path,
                        "contact; name the other body first");
 }
 
-/// Adds a required node on an edge, unless there is one: a shorter element would be one of bodies
+/// Places on an edge that are closer than this are one: a shorter element would be one of bodies
 /// drawn side by side to the digits of a drawing, and across it tractions are unbounded.
-void addNode(const bem::Outline& outline, int edge, double place,
-             std::vector<RequiredNode>& nodes) {
+double closest(const bem::Outline& outline, int edge) {
   constexpr double ofEdge = 1e-6;
   constexpr double ofScene = 1e-12;  // coordinates round; scaled ones are of size 1
+  return std::max(ofEdge * outline.edge(edge).curve.length(), ofScene);
+}
+
+/// Adds a required node on an edge, unless there is one.
+void addNode(const bem::Outline& outline, int edge, double place,
+             std::vector<RequiredNode>& nodes) {
   const double length = outline.edge(edge).curve.length();
-  const double same = std::max(ofEdge * length, ofScene);
+  const double same = closest(outline, edge);
   if (place < same || length - place < same)
     return;
   for (const RequiredNode& node : nodes)
     if (node.edge == edge && std::abs(node.place - place) < same)
       return;
   nodes.push_back({edge, place});
+}
+
+/// Likewise where the pressure's slope is unbounded, which a mesh with a node there knows by that.
+void addPeak(const bem::Outline& outline, int edge, double place, Body& body) {
+  const double length = outline.edge(edge).curve.length();
+  const double same = closest(outline, edge);
+  if (place < same || length - place < same)
+    body.peaks.push_back({edge, place < same ? 0 : length});
+  else
+    addNode(outline, edge, place, body.nodes);
 }
 
 /// Adds a part of an edge, or extends the last part.
@@ -174,11 +190,12 @@ bem::Normals normalsFor(const bem::Outline& outline, int e,
   return bem::Normals::Own;
 }
 
-/// The stretches of an edge of a side, and along whose normals it sees what they face.
-std::pair<std::vector<bem::Facing>, bem::Normals> facedBy(
-    const bem::Outline& outline, int e, const bem::Outline& other,
-    const Scene::OppositeEdges& opposite, const bem::Visibility& visibility,
-    bem::Vec2 shift) {
+/// The stretches of an edge and along which normals it sees what they face.
+using FacedEdge = std::pair<std::vector<bem::Facing>, bem::Normals>;
+
+FacedEdge facedBy(const bem::Outline& outline, int e, const bem::Outline& other,
+                  const Scene::OppositeEdges& opposite, const bem::Visibility& visibility,
+                  bem::Vec2 shift) {
   const bem::Curve side = outline.edge(e).curve.moved(shift);
   const auto along = normalsFor(outline, e, visibility, opposite.curves, shift);
   auto stretches = bem::facing(side, opposite.curves, visibility, along);
@@ -203,6 +220,50 @@ bool isWide(const bem::Curve& own, double t, const bem::Curve& other) {
   return across && std::abs(across->distance) > ofLength * own.length();
 }
 
+/// Adds what is uneven opposite to a place of a side, where it begins to see the edge `next`.
+void addUneven(const ContactPair& pair, int edge, double place, int next, Scene& scene) {
+  addPeak(*scene.bodies[pair.side.body].outline, edge, place,
+          scene.bodies[pair.side.body]);
+  if (pair.opposite.rigid)
+    return;
+  const bem::Outline& other = scene.outlineOf(pair.opposite);
+  addPeak(other, next, other.edge(next).curve.length(), scene.bodies[pair.opposite.body]);
+}
+
+/// Adds the vertices of the first side at which something uneven presses, and those that press, with
+/// what they press on.
+void addPeaks(const ContactPair& pair, const Scene::OppositeEdges& opposite,
+              const std::map<int, FacedEdge>& faced, Scene& scene) {
+  const bem::Outline& own = *scene.bodies[pair.side.body].outline;
+  const bem::Outline& other = scene.outlineOf(pair.opposite);
+  for (const auto& [e, seen] : faced) {
+    const bem::Edge& edge = own.edge(e);
+    const auto next = faced.find(edge.next);
+    if (next == faced.end() || seen.first.empty() || next->second.first.empty())
+      continue;
+    const bem::Facing& last = seen.first.back();
+    const bem::Facing& first = next->second.first.front();
+    if (last.end < 1 || first.begin > -1)
+      continue;
+    const int met = opposite.edges[bem::at(last.curve)];
+    const int after = opposite.edges[bem::at(first.curve)];
+    const double length = edge.curve.length();
+    if (met != after && isUneven(other, met, after))
+      addUneven(pair, e, length, after, scene);
+    const bem::Curve& leaving = own.edge(edge.next).curve;
+    if (bem::joinSmoothly(edge.curve, leaving) ||
+        cross(edge.curve.tangent(1), leaving.tangent(-1)) < 0)
+      continue;
+    addPeak(own, e, length, scene.bodies[pair.side.body]);
+    const bem::Curve& curve = opposite.curves.curves()[bem::at(last.curve)];
+    const auto there = bem::across(edge.curve.point(1) + scene.shift(pair),
+                                   edge.curve.normal(1), curve, seen.second);
+    if (there && !pair.opposite.rigid)
+      addPeak(other, met, curve.half() * (1 + std::clamp(there->t, -1.0, 1.0)),
+              scene.bodies[pair.opposite.body]);
+  }
+}
+
 /// The parts of the first side that face the second; adds nodes at their ends on both.
 /// \param adjust  gaps as drawn up to this count as zero, scaled
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adjust,
@@ -213,25 +274,27 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
   const bem::Visibility visibility = scene.visibility(pair);
   const bem::Vec2 shift = scene.shift(pair);
   std::vector<contact::Conditions::Part> parts;
+  std::map<int, FacedEdge> faced;
   for (std::size_t e = 0; e < own.edges().size(); ++e) {
     const bem::Edge& edge = own.edges()[e];
     if (edge.boundary != pair.side.boundary)
       continue;
     const double half = edge.curve.half();
-    const auto& [stretches, along] =
+    const auto [stretches, along] =
         facedBy(own, static_cast<int>(e), other, opposite, visibility, shift);
-    for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
+    for (std::size_t s = 0; s + 1 < stretches.size(); ++s) {
+      const int after = opposite.edges[bem::at(stretches[s + 1].curve)];
       if (stretches[s].end == stretches[s + 1].begin &&
-          isUneven(other, opposite.edges[stretches[s].curve],
-                   opposite.edges[stretches[s + 1].curve]))
-        addNode(own, static_cast<int>(e), half * (1 + stretches[s].end),
-                scene.bodies[pair.side.body].nodes);
+          isUneven(other, opposite.edges[bem::at(stretches[s].curve)], after))
+        addUneven(pair, static_cast<int>(e), half * (1 + stretches[s].end), after, scene);
+    }
+    faced.emplace(static_cast<int>(e), std::pair(stretches, along));
     for (const bem::Facing& stretch : stretches) {
-      const bem::Curve& faced = opposite.curves.curves()[bem::at(stretch.curve)];
-      addPart({static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
-               adjust > 0 && isClosed(edge.curve.moved(shift), stretch, faced, adjust),
-               along},
-              parts);
+      const bem::Curve& met = opposite.curves.curves()[bem::at(stretch.curve)];
+      addPart(
+          {static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
+           adjust > 0 && isClosed(edge.curve.moved(shift), stretch, met, adjust), along},
+          parts);
       if (pair.opposite.rigid)
         continue;
       // the opposite side may get a node at the ends of a stretch
@@ -243,22 +306,23 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, double adju
         // a normal that touches an arc meets it beside that place
         for (const double inwards : {0.0, 1e-7, 1.0}) {
           const double t = end + inwards * (middle - end);
-          const auto there = bem::across(edge.curve.point(t) + shift,
-                                         edge.curve.normal(t), faced, along);
+          const auto there =
+              bem::across(edge.curve.point(t) + shift, edge.curve.normal(t), met, along);
           if (!there)
             continue;
-          places.push_back(faced.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
+          places.push_back(met.half() * (1 + std::clamp(there->t, -1.0, 1.0)));
           if (inwards == 0)
             addNode(other, opposite.edges[k], places.back(), body.nodes);
           break;
         }
       if (!pair.side.isOnBodyOf(pair.opposite) ||
-          isWide(edge.curve.moved(shift), middle, faced))
+          isWide(edge.curve.moved(shift), middle, met))
         body.conditions.facing.push_back({opposite.edges[k],
                                           std::min(places[0], places[1]),
                                           std::max(places[0], places[1])});
     }
   }
+  addPeaks(pair, opposite, faced, scene);
   for (const contact::Conditions::Part& part : parts)
     for (const double place : {part.from, part.to})
       addNode(own, part.edge, place, scene.bodies[pair.side.body].nodes);

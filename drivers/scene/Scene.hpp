@@ -39,6 +39,8 @@ struct Body {
       elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
   int degree = 1;
   std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
+  std::vector<RequiredNode>
+      peaks;  ///< vertices: corners that press, and what they press on
 };
 
 /// A rigid body: held, moved, or under a force at its reference point.

@@ -144,6 +144,26 @@ TEUCHOS_UNIT_TEST(LostWork, isTheLeastOverAllSplits) {
     }
 }
 
+/// A point that comes into an open element by a depth costs what it does in a small element.
+TEUCHOS_UNIT_TEST(ContactTerms, narrowOverlapsCostTheSameInLongElements) {
+  const double slope = 0.7;
+  const double depth = 0.01;
+  const double stored = depth * depth / 3;  // of the triangle, over its length
+  for (const double length : {0.1, 10.0, 1000.0}) {
+    ContactProfiles profiles = resting();
+    profiles.half = length / 2;
+    profiles.measure = [=](double) { return length / 2; };
+    profiles.opening = [=](double t) { return slope * length * (1 + t) / 2 - depth; };
+    narrow(profiles);
+    TEST_FLOATING_EQUALITY(sharpTerm(profiles, Source::Penetration), stored, 1e-9);
+  }
+  ContactProfiles wide = resting();
+  wide.opening = [](double) { return -0.1; };
+  const double before = sharpTerm(wide, Source::Penetration);
+  narrow(wide);
+  TEST_EQUALITY(sharpTerm(wide, Source::Penetration), before);
+}
+
 TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegativeAndTheSharpOnesNotLarger) {
   for (int trial = 0; trial < 40; ++trial) {
     ContactProfiles profiles = resting();

@@ -180,6 +180,9 @@ TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
   TEST_ASSERT(marks[0] == Mark::cut({0.5}, {p + 2, p}));
   TEST_ASSERT(marks[2] == Mark::Bisect);
   TEST_ASSERT(marks[3] == Mark::RaiseDegree);
+  level.grading.layers = 2;
+  TEST_ASSERT(graded(level)[0] == Mark::cut({0.5, 0.875}, {p + 2, p + 2, p}));
+  TEST_ASSERT(graded(level)[1] == Mark::cut({-0.875, -0.5}, {p, p + 2, p + 2}));
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, halvesSmoothElementsAtTheLargestDegreeOfTheMultiplier) {

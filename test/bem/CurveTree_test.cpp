@@ -98,6 +98,24 @@ TEUCHOS_UNIT_TEST(CurveTree, searchesLookAtFewDiscs) {
   TEST_COMPARE(looks(1 << 14), <, looks(1 << 6) + 8 * 8);
 }
 
+/// So does one from a place whose reach falls to what it finds.
+TEUCHOS_UNIT_TEST(CurveTree, approachesLookAtFewCurves) {
+  const auto looks = [](int count) {
+    const CurveTree tree(star(count));
+    const Vec2 x{0.9, 0.8};
+    double reach = 1e300;
+    int curves = 0;
+    tree.approach(
+        x, [&] { return reach; },
+        [&](std::size_t k) {
+          ++curves;
+          reach = std::min(reach, norm(x - tree.curves()[k].point(0)));
+        });
+    return curves;
+  };
+  TEST_COMPARE(looks(1 << 14), <, looks(1 << 6) + 64);
+}
+
 }  // namespace
 
 }  // namespace epafi

@@ -71,6 +71,38 @@ TEUCHOS_UNIT_TEST(NormalRay, normalsOppositeAreTheWayBack) {
     }
 }
 
+/// Of many curves, too, it is the nearest, whose stretches end opposite to its own ends.
+TEUCHOS_UNIT_TEST(NormalRay, normalsOppositeFindTheNearestOfMany) {
+  const Curve side({0.1, 0.3}, {0.7, 1.2});
+  std::vector<Curve> curves;
+  for (int k = 0; k < 200; ++k)
+    curves.push_back(arc(2, -pi + 0.01 * k, -pi + 0.01 * (k + 1)));
+  for (int k = 0; k < 200; ++k)
+    curves.emplace_back(Vec2{3 - 0.03 * k, -0.2}, Vec2{3 - 0.03 * (k + 1), -0.2});
+  const auto stretches = facing(side, CurveTree(curves), {}, bem::Normals::Opposite);
+  TEST_COMPARE(stretches.size(), >, 15u);
+  double end = -1;
+  for (const bem::Facing& stretch : stretches) {
+    TEST_EQUALITY(stretch.begin, end);
+    end = stretch.end;
+    for (const double s : {0.01, 0.5, 0.99}) {
+      const double t = stretch.begin + s * (stretch.end - stretch.begin);
+      int nearest = -1;
+      double least = 1e300;
+      for (std::size_t k = 0; k < curves.size(); ++k) {
+        const auto found =
+            across(side.point(t), side.normal(t), curves[k], bem::Normals::Opposite);
+        if (found && isOn(*found) && std::abs(found->distance) < least) {
+          least = std::abs(found->distance);
+          nearest = static_cast<int>(k);
+        }
+      }
+      TEST_EQUALITY(stretch.curve, nearest);
+    }
+  }
+  TEST_EQUALITY(end, 1);
+}
+
 /// Also beyond the centre of an arc whose normals lead there.
 TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginningsAcrossTheCentre) {
   const Curve side = arc(1, 2.2, 1.1);

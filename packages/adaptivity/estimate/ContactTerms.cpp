@@ -282,6 +282,33 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
       });
 }
 
+bool isOpen(const Vector& multiplier, const ContactElement& element, double rounding) {
+  for (int i = 0; i <= element.degree; ++i)
+    if (!element.normal.holdsNothing(i) &&
+        std::abs(multiplier[bem::at(element.normalOf(i))]) > rounding)
+      return false;
+  return !element.ties();
+}
+
+void narrow(ContactProfiles& profiles) {
+  const Vector changes = bem::signChanges(profiles.opening, profiles.highest);
+  Vector ends = changes;
+  ends.push_back(1);
+  double overlap = 0;  // as a part of the element
+  double begin = -1;
+  for (const double end : ends) {
+    if (profiles.opening(0.5 * (begin + end)) < 0)
+      overlap += 0.5 * (end - begin);
+    begin = end;
+  }
+  if (overlap == 0 || overlap * profiles.degree >= 1)
+    return;
+  profiles.fineness = [stiffer = 1 / (overlap * profiles.degree),
+                       opening = profiles.opening, finer = profiles.fineness](double t) {
+    return opening(t) < 0 ? stiffer : finer(t);
+  };
+}
+
 double lostWork(double force, double length, double soft, double stiff) {
   if (soft == stiff)
     return lostWork(force, length, soft);

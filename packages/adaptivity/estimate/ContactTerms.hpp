@@ -90,6 +90,13 @@ Contributions contactTerms(const ContactProfiles& profiles);
 /// surfaces p/h is replaced by 1/(h/p + μ φ').
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus);
 
+/// Has an element no pressure but rounding?
+bool isOpen(const Vector& multiplier, const ContactElement& element, double rounding);
+
+/// Of an element that is open: what overlaps there, between the points that keep sides apart, varies on
+/// the length of the part that overlaps, if that is shorter than h/p.
+void narrow(ContactProfiles& profiles);
+
 /// Squared error due to a force and a length whose product should be zero, with the best split
 /// between both errors:
 ///

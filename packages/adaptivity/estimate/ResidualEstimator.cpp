@@ -4,6 +4,7 @@
 #include "adaptivity/estimate/Layer.hpp"
 #include "adaptivity/estimate/TurningArcs.hpp"
 #include "adaptivity/estimate/Weights.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 
@@ -152,6 +153,9 @@ class Residuals {
         return std::max(inSeries, finer(t));
       };
     }
+    if (weights_.bounds == Bounds::Sharp &&
+        isOpen(solved_.state.multiplier, contact, rounding_))
+      narrow(profiles);
     Contributions squares = weights_.bounds == Bounds::Sharp
                                 ? sharpContactTerms(profiles, shearModulus)
                                 : contactTerms(profiles);
@@ -199,6 +203,7 @@ class Residuals {
   const bem::Mesh& mesh_;
   Vector amplitudes_;  ///< ρ
   double turning_;     ///< see turningTractions
+  double rounding_ = 1e-9 * bem::largestEntry(solved_.state.multiplier);
   contact::BoundaryTraction known_;
 };
 

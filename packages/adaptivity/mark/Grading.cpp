@@ -38,6 +38,27 @@ Mark cutAt(const std::vector<double>& changes, int degree, const GradingOptions&
   return Mark::cut(changes, std::vector<int>(changes.size() + 1, degree));
 }
 
+/// Pieces that become smaller toward the singular ends, where the smallest keep the degree.
+Mark cutToward(bool start, bool end, int degree, const GradingOptions& options) {
+  std::vector<double> places;
+  double size = 2;
+  for (int k = 0; k < options.layers; ++k) {
+    size *= options.ratio;
+    if (start)
+      places.push_back(size - 1);
+    if (end)
+      places.push_back(1 - size);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::vector<int> degrees(places.size() + 1, raised(degree, options));
+  if (start)
+    degrees.front() = degree;
+  if (end)
+    degrees.back() = degree;
+  return Mark::cut(std::move(places), std::move(degrees));
+}
+
 Mark bisect(const std::vector<double>&, int, const GradingOptions&) {
   return Mark::Bisect;
 }
@@ -100,13 +121,10 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
   };
   const bool start = isSingular(false);
   const bool end = isSingular(true);
-  if (start && end)
+  if (start && end && options.layers == 1)
     return Mark::Bisect;
-  const int outer = raised(degree, options);
-  if (start)
-    return Mark::cut({-1 + 2 * options.ratio}, {degree, outer});
-  if (end)
-    return Mark::cut({1 - 2 * options.ratio}, {outer, degree});
+  if (start || end)
+    return cutToward(start, end, degree, options);
   const bool raise = smoothElements().at(options.smooth).raisesDegree(analytic);
   return raise && degree < options.largestDegree ? Mark::RaiseDegree : Mark::Bisect;
 }

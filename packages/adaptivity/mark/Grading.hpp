@@ -35,6 +35,7 @@ bem::Family<SmoothElements>& smoothElements();
 /// Options of Graded hp.
 struct GradingOptions {
   double ratio = 0.1;  ///< in (0, 1/2]: size of a piece next to a singular point
+  int layers = 1;  ///< of such pieces that are cut off at once, each next to the next one
   int degreeStep = 1;  ///< >= 0: what the piece away from it gains
   int weakDegree = 4;  ///< a weak point is left to the degree below this one
   std::string transitions = "Node";        ///< a name of transitions()

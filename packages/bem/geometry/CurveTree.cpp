@@ -43,29 +43,15 @@ void CurveTree::enclose(std::size_t node, Range range) {
 
 CurveTree::Foot CurveTree::nearest(Vec2 x) const {
   Foot foot;
-  approach(x, 0, {0, curves_.size()}, foot);
+  approach(
+      x, [&] { return foot.distance; },
+      [&](std::size_t k) {
+        const double t = std::clamp(curves_[k].seen(x).z.real(), -1.0, 1.0);
+        if (const double distance = norm(x - curves_[k].point(t));
+            distance < foot.distance)
+          foot = {k, t, distance};
+      });
   return foot;
-}
-
-// The nearer half first, after which the other one is mostly too far off.
-void CurveTree::approach(Vec2 x, std::size_t node, Range range, Foot& foot) const {
-  if (!discs_[node].isNear({x, 0}, foot.distance))
-    return;
-  if (range.isOne()) {
-    const Curve& curve = curves_[range.begin];
-    const double t = std::clamp(curve.seen(x).z.real(), -1.0, 1.0);
-    if (const double distance = norm(x - curve.point(t)); distance < foot.distance)
-      foot = {range.begin, t, distance};
-    return;
-  }
-  const auto gap = [&](std::size_t child) {
-    return norm(x - discs_[child].middle) - discs_[child].radius;
-  };
-  const std::size_t child = 2 * node + 1;
-  const Range halves[2] = {{range.begin, range.middle()}, {range.middle(), range.end}};
-  const std::size_t first = gap(child) <= gap(child + 1) ? 0 : 1;
-  for (const std::size_t k : {first, 1 - first})
-    approach(x, child + k, halves[k], foot);
 }
 
 }  // namespace epafi::bem

@@ -48,6 +48,14 @@ class CurveTree {
       search(0, {0, curves_.size()}, mayMatter, visit);
   }
 
+  /// Calls visit(k) for all curves that may be closer to x than reach(), which a visit may shorten:
+  /// nearer halves first, after which others are mostly too far off.
+  template <class Reach, class Visit>
+  void approach(Vec2 x, const Reach& reach, const Visit& visit) const {
+    if (!curves_.empty())
+      approach(x, 0, {0, curves_.size()}, reach, visit);
+  }
+
  private:
   /// Numbers of curves below a node; children of node i: 2i + 1 with its first half, 2i + 2.
   struct Range {
@@ -57,7 +65,6 @@ class CurveTree {
     bool isOne() const { return end - begin == 1; }
   };
   void enclose(std::size_t node, Range range);
-  void approach(Vec2 x, std::size_t node, Range range, Foot& foot) const;
 
   template <class MayMatter, class Visit>
   void search(std::size_t node, Range range, const MayMatter& mayMatter,
@@ -70,6 +77,25 @@ class CurveTree {
     }
     search(2 * node + 1, {range.begin, range.middle()}, mayMatter, visit);
     search(2 * node + 2, {range.middle(), range.end}, mayMatter, visit);
+  }
+
+  template <class Reach, class Visit>
+  void approach(Vec2 x, std::size_t node, Range range, const Reach& reach,
+                const Visit& visit) const {
+    if (!discs_[node].isNear({x, 0}, reach()))
+      return;
+    if (range.isOne()) {
+      visit(range.begin);
+      return;
+    }
+    const auto gap = [&](std::size_t child) {
+      return norm(x - discs_[child].middle) - discs_[child].radius;
+    };
+    const std::size_t child = 2 * node + 1;
+    const Range halves[2] = {{range.begin, range.middle()}, {range.middle(), range.end}};
+    const std::size_t first = gap(child) <= gap(child + 1) ? 0 : 1;
+    for (const std::size_t k : {first, 1 - first})
+      approach(x, child + k, halves[k], reach, visit);
   }
 
   std::vector<Curve> curves_;

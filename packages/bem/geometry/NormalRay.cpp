@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace epafi::bem {
 
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Can a normal line of the side meet a curve in the disc?  True for any that does.
 bool mayFace(const Curve& side, const Disc& disc) {
@@ -200,41 +203,47 @@ std::optional<FacedPoint> faced(const Curve& side, double t, const CurveTree& op
   const Vec2 x = side.point(t);
   const Vec2 n = side.normal(t);
   std::optional<FacedPoint> best;
-  opposite.search(
-      [&](const Disc& disc) {
-        constexpr double rounding = 1 + 1e-9;
-        return along == Normals::Opposite || std::abs(cross(n, disc.middle - x)) <=
-                                                 rounding * disc.radius + ofCoordinates;
-      },
-      [&](std::size_t k) {
-        const Curve& curve = opposite.curves()[k];
-        const auto here = across(x, n, curve, along);
-        if (here && isOn(*here, curve) &&
-            (!best || std::abs(here->distance) < std::abs(best->crossing.distance)) &&
-            visibility.sees(x, sightLine(n, curve, here->t, along), here->distance))
-          best = FacedPoint{static_cast<int>(k), *here};
-      });
+  const auto visit = [&](std::size_t k) {
+    const Curve& curve = opposite.curves()[k];
+    const auto here = across(x, n, curve, along);
+    if (here && isOn(*here, curve) &&
+        (!best || std::abs(here->distance) < std::abs(best->crossing.distance)) &&
+        visibility.sees(x, sightLine(n, curve, here->t, along), here->distance))
+      best = FacedPoint{static_cast<int>(k), *here};
+  };
+  if (along == Normals::Own)
+    opposite.search(
+        [&](const Disc& disc) {
+          constexpr double rounding = 1 + 1e-9;
+          return std::abs(cross(n, disc.middle - x)) <=
+                 rounding * disc.radius + ofCoordinates;
+        },
+        visit);
+  else
+    opposite.approach(
+        x, [&] { return best ? std::abs(best->crossing.distance) : infinite; }, visit);
   return best;
 }
 
-std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
-                           const Visibility& visibility, Normals along) {
+namespace {
+
+/// The stretches of a side between places where what it sees may change, and the farthest that their
+/// middles see; infinite where some of them see nothing.
+std::pair<std::vector<Facing>, double> between(Vector places, const Curve& side,
+                                               const CurveTree& opposite,
+                                               const Visibility& visibility,
+                                               Normals along) {
   constexpr double tiny = 1e-12;  // of an element: rounding of two ends that meet
-  Vector ends = {-1, 1};
-  opposite.search(
-      [&](const Disc& disc) { return along == Normals::Opposite || mayFace(side, disc); },
-      [&](std::size_t k) { addEnds(side, opposite.curves()[k], along, ends); });
-  visibility.addChanges(side, ends);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::remove_if(ends.begin(), ends.end(),
-                            [](double t) { return !(t >= -1 && t <= 1); }),
-             ends.end());
+  places.insert(places.end(), {-1, 1});
+  std::sort(places.begin(), places.end());
   std::vector<Facing> stretches;
+  double farthest = 0;
   double begin = -1;
-  for (const double end : ends) {
-    if (end - begin < tiny || (end < 1 && 1 - end < tiny))
+  for (const double end : places) {
+    if (!(end >= -1 && end <= 1) || end - begin < tiny || (end < 1 && 1 - end < tiny))
       continue;
     const auto found = faced(side, 0.5 * (begin + end), opposite, visibility, along);
+    farthest = std::max(farthest, found ? std::abs(found->crossing.distance) : infinite);
     if (found && !stretches.empty() && stretches.back().end == begin &&
         stretches.back().curve == found->curve)
       stretches.back().end = end;
@@ -242,7 +251,37 @@ std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
       stretches.push_back({begin, end, found->curve});
     begin = end;
   }
-  return stretches;
+  return {std::move(stretches), farthest};
+}
+
+}  // namespace
+
+std::vector<Facing> facing(const Curve& side, const CurveTree& opposite,
+                           const Visibility& visibility, Normals along) {
+  Vector changes;
+  visibility.addChanges(side, changes);
+  if (along == Normals::Own) {
+    opposite.search(
+        [&](const Disc& disc) { return mayFace(side, disc); },
+        [&](std::size_t k) { addEnds(side, opposite.curves()[k], along, changes); });
+    return between(std::move(changes), side, opposite, visibility, along).first;
+  }
+  // what is seen is the nearest, and as far from the middle of the side as from all of it, up to
+  // this; if that is not so, all that is opposite counts
+  const double slack = 4 * side.half();
+  const auto middle = faced(side, 0, opposite, visibility, along);
+  double reach = middle ? std::abs(middle->crossing.distance) + slack : infinite;
+  while (true) {
+    Vector places = changes;
+    opposite.approach(
+        side.point(0), [&] { return reach; },
+        [&](std::size_t k) { addEnds(side, opposite.curves()[k], along, places); });
+    auto [stretches, farthest] =
+        between(std::move(places), side, opposite, visibility, along);
+    if (reach == infinite || farthest + 0.75 * slack <= reach)
+      return stretches;
+    reach = infinite;
+  }
 }
 
 }  // namespace epafi::bem
