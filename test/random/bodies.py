@@ -6,10 +6,31 @@ from outlines import polygon
 from scenes import BASES, DOF, LAWS, STRATEGIES
 
 FREE = ["X", "Y", "Rotation"]
+SMALL = 1e-9  # of the largest force
 
 
 def elastic(modulus, ratio):
     return {"Young's Modulus": modulus, "Poisson's Ratio": ratio}
+
+
+def unbalanced(bodies, arm, components="xy", size=None):
+    """In words; bodies: rows of bodies.csv of one state.  Moments count over `arm`; `size`: of forces, else
+    the largest one of contact."""
+    found = []
+    if size is None:
+        size = max(abs(body["contact_" + c]) for body in bodies for c in "xy")
+    for c in components:
+        rest = abs(sum(body["contact_" + c] for body in bodies))
+        if rest > SMALL * size:
+            found.append("contact_%s adds to %.1e of the largest" % (c, rest / size))
+    units = [(c, size) for c in components] + ([("moment", size * arm)] if "x" in components else [])
+    for body in bodies if size > 0 else []:
+        for c, unit in units:
+            rest = abs(sum(body[kind + c] for kind in (
+                "load_", "body_force_" if c != "moment" else "body_", "contact_", "reaction_")))
+            if rest > SMALL * unit:
+                found.append("%s is out of balance in %s by %.1e" % (body["body"], c, rest / unit))
+    return found
 
 
 class TwoBodies:

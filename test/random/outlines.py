@@ -72,3 +72,41 @@ def opposite(a, b, c, d):
     def side(p):
         return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
     return side(c) * side(d) <= 0
+
+
+def circle(middle, radius, start=-0.5 * math.pi):
+    """Four arcs."""
+    corners = [(middle[0] + radius * math.cos(start + 0.5 * math.pi * k),
+                middle[1] + radius * math.sin(start + 0.5 * math.pi * k)) for k in range(4)]
+    return corners, [math.tan(math.pi / 8)] * 4
+
+
+def turned(point, angle, scale=1):
+    c, s = scale * math.cos(angle), scale * math.sin(angle)
+    return c * point[0] - s * point[1], s * point[0] + c * point[1]
+
+
+def rounded(corners, radii, names):
+    """A polygon with arcs of these radii in place of corners, 0: sharp; an arc has the name of the side
+    before it.  Returns outline, a pair of corners and bulges, and names."""
+    points, values, all_names = [], [], []
+    for k, (x, y) in enumerate(corners):
+        before, (a, b) = corners[k - 1], corners[(k + 1) % len(corners)]
+        inwards, outwards = math.atan2(y - before[1], x - before[0]), math.atan2(b - y, a - x)
+        angle = (outwards - inwards + math.pi) % (2 * math.pi) - math.pi
+        if radii[k]:
+            off = radii[k] * abs(math.tan(angle / 2))
+            points.append((x - off * math.cos(inwards), y - off * math.sin(inwards)))
+            values.append(math.tan(angle / 4))
+            all_names.append(names[k - 1])
+            x, y = x + off * math.cos(outwards), y + off * math.sin(outwards)
+        points.append((x, y))
+        values.append(0)
+        all_names.append(names[k])
+    return (points, values), all_names
+
+
+def sampled(outline, pieces=64):
+    corners, values = outline
+    return [point for k, start in enumerate(corners)
+            for point in arc(start, corners[(k + 1) % len(corners)], values[k], pieces if values[k] else 8)[:-1]]

@@ -3,11 +3,11 @@ library only."""
 import math
 import random
 
+from bodies import unbalanced
 from outlines import arc
 
 QUARTER = math.tan(math.pi / 8)
 LAWS = ("None", "None", "Coulomb")
-SMALL = 1e-9  # of the largest force
 MOST = 3  # times the weight that it carries may a normal force be
 
 
@@ -107,9 +107,10 @@ class Race:
 class Pairs:
     """One body on another, or in it: shapes, widths 1 : 6 and 6 : 1, one beside the middle of the other,
     drawn touching, with a gap or an overlap of what the load moves; all edges of a body under one name or not;
-    the lower one clamped, held in the mean or rigid; pressed by weight, by a force, or moved."""
+    the lower one clamped, held in the mean or rigid; pressed by weight, by a force, or moved.
+    `swapped`: the other side first."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, swapped=False):
         self.seed = seed
         draw = self.draw = random.Random("%d pairs" % seed)
         self.size = 10 ** draw.uniform(-3, 3)
@@ -141,7 +142,7 @@ class Pairs:
         self.gap = draw.choice((0, 0, self.move, -self.move)) * draw.uniform(0, 1)
         self.height = self.touching() + self.gap
         self.weight = self.stress * self.size
-        self.flip = draw.random() < 0.5
+        self.flip = (draw.random() < 0.5) != swapped
 
     @staticmethod
     def width(shape):
@@ -233,19 +234,7 @@ class Pairs:
 
     def wrong(self, level, bodies):
         """What is wrong with a level, in words.  bodies: its rows of bodies.csv."""
-        complaints = []
-        size = max(abs(body["contact_" + c]) for body in bodies for c in "xy")
-        arm = max(self.size, self.width(self.lower))
-        for c in "xy":
-            rest = abs(sum(body["contact_" + c] for body in bodies))
-            if rest > SMALL * size:
-                complaints.append("contact_%s adds to %.1e of the largest" % (c, rest / size))
-        for body in bodies if size > 0 else []:
-            for c, unit in ("x", size), ("y", size), ("moment", size * arm):
-                rest = abs(sum(body[kind + c] for kind in (
-                    "load_", "body_force_" if c != "moment" else "body_", "contact_", "reaction_")))
-                if rest > SMALL * unit:
-                    complaints.append("%s is out of balance in %s by %.1e" % (body["body"], c, rest / unit))
+        complaints = unbalanced(bodies, max(self.size, self.width(self.lower)))
         if self.load != "move" and self.law == "None" and level["force_normal"] > MOST * self.weight:
             complaints.append("presses with %.3g times the weight" % (level["force_normal"] / self.weight))
         return complaints

@@ -1,12 +1,14 @@
 """Solves random scenes, each made from its seed alone.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]...
-                  [--bodies 2|3|pairs|rings|odd|products|surfaces|revolution|slots|one_step] [--set KEY=VALUE]...
+                  [--bodies 2|3|pairs|parts|rings|odd|products|surfaces|revolution|slots|one_step|orders] [--set KEY=VALUE]...
 
 Claimed is that all scenes are solved, that no level takes more than MOST steps, that no energy is
 negative and that friction takes energy; of one_step that a path of one step is the solve without a
 path: equal levels, elements and unknowns, energies equal by SAME of a level's largest; of pairs that forces
-balance and none is far beyond the weight that it carries.  Of what fails the scene's file is printed.
+balance and none is far beyond the weight that it carries; of orders, pairs with either side first, that
+normal forces are equal within twice the sum of both relative estimates and energies by NEAR in the median.
+Of what fails the scene's file is printed.
 """
 import argparse
 import concurrent.futures
@@ -23,6 +25,7 @@ from claims import absent, claim, finish, table, write  # noqa: E402
 from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
 from oddities import Oddities  # noqa: E402
 from pairs import Pairs  # noqa: E402
+from parts import Parts  # noqa: E402
 from products import Products  # noqa: E402
 from revolutions import Revolutions  # noqa: E402
 from scenes import Scene  # noqa: E402
@@ -30,10 +33,11 @@ from slots import Slots  # noqa: E402
 from surfaces import Surfaces  # noqa: E402
 
 FEW, MOST = 30, 100
-KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "pairs": Pairs, "rings": Rings, "odd": Oddities,
+KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "pairs": Pairs, "parts": Parts, "rings": Rings, "odd": Oddities,
          "products": Products, "surfaces": Surfaces, "revolution": Revolutions, "slots": Slots,
-         "one_step": functools.partial(Products, paths=False)}
+         "one_step": functools.partial(Products, paths=False), "orders": Pairs}
 PATIENCE = 600
+NEAR = 1e-4
 SAME, NOTHING = 1e-10, 1e-30  # what is below the latter of E times size^2 is rounding of no load
 SIZES = ("elements", "dof_displacement", "dof_multiplier", "degree_min", "degree_max")
 ENERGIES = ("energy_strain", "energy_load", "energy_friction")
@@ -87,7 +91,7 @@ def makes_sense(level, scene):
     if abs(level["energy_strain"]) <= nothing:
         return True
     return level["energy_strain"] >= 0 and level["energy_friction"] >= 0 and (
-        "Tied" in scene.laws or level["force_normal"] >= 0)
+        "Tied" in scene.laws or level["force_normal"] >= getattr(scene, "least", 0))
 
 
 def off(once, path):
@@ -99,6 +103,17 @@ def off(once, path):
         worst = max(worst, apart / size if apart > nothing else 0,
                     *(float("inf") for key in SIZES if a[key] != b[key]))
     return worst if len(once.levels) == len(path.levels) else float("inf")
+
+
+def between(one, other):
+    """What the last levels of two runs differ by: force over what it may, and energy."""
+    a, b = one.levels[-1], other.levels[-1]
+    if max(a["energy_strain"], b["energy_strain"]) <= NOTHING * one.scene.energy:
+        return 0, 0
+    force = max(abs(a["force_normal"]), abs(b["force_normal"]), NOTHING)
+    allowed = 2 * (a["estimate_relative"] + b["estimate_relative"])
+    return (abs(a["force_normal"] - b["force_normal"]) / force / allowed,
+            abs(a["energy_strain"] - b["energy_strain"]) / max(a["energy_strain"], b["energy_strain"]))
 
 
 def main():
@@ -114,9 +129,9 @@ def main():
     options = parser.parse_args()
     seeds = options.seed or range(options.first, options.first + options.count)
 
-    def solved(work, *settings):
+    def solved(work, *settings, kind=KINDS[options.bodies]):
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            return list(pool.map(lambda seed: Result(KINDS[options.bodies], seed, options.epafi, work,
+            return list(pool.map(lambda seed: Result(kind, seed, options.epafi, work,
                                                      [*options.set, *settings]), seeds))
 
     def none(sentence, wrong):
@@ -128,6 +143,13 @@ def main():
         pairs = list(zip(results, solved(os.path.join(options.work, "path"), "History->Times={1}")))
         none("a path of one step is another solve", [a for a, b in pairs if not off(a, b) <= SAME])
         results = [result for pair in pairs for result in pair]
+    if options.bodies == "orders":
+        others = solved(os.path.join(options.work, "swapped"), kind=functools.partial(Pairs, swapped=True))
+        pairs = [(a, b, between(a, b)) for a, b in zip(results, others) if a.levels and b.levels]
+        none("forces of both orders apart", [a for a, b, (force, energy) in pairs if force > 1])
+        middle = statistics.median(energy for a, b, (force, energy) in pairs)
+        claim(middle <= NEAR, "energies of both orders apart by %.1e in the median of %d" % (middle, len(pairs)))
+        results += others
     for result in results:
         if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s\n        %s" % (

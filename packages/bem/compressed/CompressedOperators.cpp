@@ -136,8 +136,9 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
 }
 
 // What interpolation misses of a translation is of one sign along a whole body: 1e-12 of W's entries
-// add up to forces of 1e-9 of the largest at 1e5 elements.  A node's own block takes it in its leaf, and
-// those of an element's other functions with its first node.  Between the components one half is taken: the
+// add up to forces of 1e-9 of the largest at 1e5 elements, and those of K to forces that are 1e-11 of
+// stresses times area.  A node's own block takes it in its leaf, and those of an element's other functions
+// and densities with its first node.  Between the components one half is taken: the
 // rest is antisymmetric, and its sum over the nodes vanishes with Z's symmetry.  Around an axis, with the one
 // translation along it, all is taken.
 void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
@@ -145,8 +146,7 @@ void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
   const bool isAround =
       components == 2 && bodies.front().space.mesh().outline().isAxisymmetric();
   Matrix translations(size(), components);
-  std::vector<Index> nodes(at(size()),
-                           -1);  // by displacement: of its element and component
+  std::vector<Index> nodes(at(size()), -1);  // of the element and the component
   std::vector<int> component(at(size()));
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int e = 0; e < bodies[b].space.mesh().size(); ++e)
@@ -160,6 +160,11 @@ void CompressedOperators::takeTranslations(const std::vector<Body>& bodies) {
             nodes[at(own)] = node;
             component[at(own)] = c;
           }
+        for (int k = 0; k < space.mesh()[e].densities; ++k) {
+          const Index own = ranges_[b].densities + space.density(e, k, c);
+          nodes[at(own)] = node;
+          component[at(own)] = c;
+        }
       }
   Matrix left = times(translations);
   for (Index i = 0; i < size() && isAround; ++i)

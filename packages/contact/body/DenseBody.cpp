@@ -207,10 +207,10 @@ Vector DenseBody::solve(const Vector& force) const {
   u.assign(force.size(), 0.0);
   for (std::size_t k = 0; k < solved.size(); ++k)
     u[free_[k]] = solved[k];
-  for (Index k = 0; k < holding_->allowed.columns(); ++k) {
-    const Vector r = columnOf(holding_->allowed, k);
-    bem::axpy(-bem::dot(r, force), r, u);
-  }
+  // r·f of each motion but for rounding, which counts where forces are large beside what moves stiff bodies
+  for (Index k = 0; k < holding_->allowed.columns(); ++k)
+    bem::axpy(-bem::dot(columnOf(holding_->functionals, k), u),
+              columnOf(holding_->allowed, k), u);
   return u;
 }
 

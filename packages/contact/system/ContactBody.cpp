@@ -46,6 +46,39 @@ Vector forceAgainst(Vector load, const Vector& contactForce) {
   return load;
 }
 
+/// Where clamps hold a body, u with the resultant that elimination leaves of f - A u: where stresses
+/// balance each other it counts beside what acts.  The rest, refined, would bend slender bodies.
+void addResultant(const ElasticBody& elastic, const Vector& force, Vector& u) {
+  constexpr double enough = 1e-11;  // of the largest resultant
+  constexpr int most = 3;
+  const Holding& holding = elastic.holding();
+  if (holding.allowed.columns() > 0)
+    return;
+  const auto ofFree = [&](Vector x) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = holding.clamped[i] != 0 ? 0 : x[i];
+    return x;
+  };
+  const Matrix& motions = holding.modes.motions;
+  double acting = 0;
+  for (Index k = 0; k < motions.columns(); ++k)
+    acting = std::max(acting, std::abs(dot(columnOf(motions, k), force)));
+  for (int step = 0; step < most; ++step) {
+    const Vector left = ofFree(elastic.residual(force, u));
+    Vector spread(u.size());
+    for (Index k = 0; k < motions.columns(); ++k) {
+      const Vector motion = columnOf(motions, k);
+      const Vector functional = ofFree(columnOf(holding.modes.functionals, k));
+      const double missing = dot(motion, left);
+      if (std::abs(missing) > enough * acting)
+        axpy(missing / dot(motion, functional), functional, spread);
+    }
+    if (bem::largestEntry(spread) == 0)
+      return;
+    axpy(1, elastic.solve(spread), u);
+  }
+}
+
 /// x + y, where y may be empty.
 Vector sum(Vector x, const Vector& y) {
   if (!y.empty())
@@ -181,6 +214,8 @@ Vector ContactBody::displacement(const State& state, const Vector& contactForce,
       }
       return elastic_->solve(left);
     });
+  } else {
+    addResultant(*elastic_, wholeForce(contactForce), u);
   }
   addFixedMotions(force, state.multiplier, u);
   return u;
