@@ -115,6 +115,10 @@ void findUnused(const Scene& scene, Warnings& warn) {
   for (const auto& [name, table] : scene.tables)
     if (words.count(name) == 0)
       tell("Tables->" + name, name);
+  if (!scene.history && words.count("t") != 0)
+    warn(
+        "expressions use t, which is 1 without a History: a path in t takes "
+        "History->Times");
   if (scene.history && words.count("t") == 0)
     warn("History: no expression uses t; all steps are under the same loads");
   for (std::size_t b = 0; b < scene.rigid.size(); ++b)

@@ -233,14 +233,21 @@ bool findsNoState(const contact::Report& report) {
 /// no state was found, friction's limit comes in place of the solver's advice.
 std::string reasonOf(const SolvedLevel& level) {
   const std::string limits = frictionLimits(level.last());
+  const std::string doubt =
+      limits.empty() || level.level.number > 0 ||
+              !level.last().spaces.scene().adaptivity.limits.tolerance
+          ? ""
+          : ".  What friction holds is that of the first mesh, not refined yet: a "
+            "smaller "
+            "Discretization->Mesh Size tells how exact it is";
   if (!limits.empty() && findsNoState(level.row.report))
     return bem::message(
         limits, "The load may drive it beyond",
         level.ends.empty() ? "" : " (" + level.ends + ")",
         ": lessen the load, press harder, raise the friction, or hold the "
         "motion (Rigid Motions->Fix); tried last: ",
-        contact::told({level.row.report.stages.back()}));
-  return limits + reasonAtEnd(level);
+        contact::told({level.row.report.stages.back()}), doubt);
+  return limits + reasonAtEnd(level) + doubt;
 }
 
 }  // namespace

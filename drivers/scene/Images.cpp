@@ -54,6 +54,13 @@ bem::Function heldBy(const Conditions& conditions, const End& end) {
              : bem::Function{};
 }
 
+/// Has a load no part along an edge, up to rounding?
+bool hasNoShear(const Conditions::Neumann& load, const End& end) {
+  const Vec2 place = end.place();
+  const Vec2 traction = load.at({place.x, place.y, end.normal()});
+  return std::abs(dot(traction, end.tangent())) <= 1e-12 * norm(traction);
+}
+
 /// Moves a roller as a whole, without a load along it?
 bool isMirror(const Conditions& conditions, const End& roller) {
   const bem::Function held = heldBy(conditions, roller);
@@ -65,10 +72,7 @@ bool isMirror(const Conditions& conditions, const End& roller) {
     if (roller.at(held, inwards) != roller.at(held))
       return false;
   const auto load = conditions.neumann.find(roller.of().boundary);
-  if (load == conditions.neumann.end())
-    return true;
-  const Vec2 place = roller.place();
-  return dot(load->second.at({place.x, place.y, roller.normal()}), roller.tangent()) == 0;
+  return load == conditions.neumann.end() || hasNoShear(load->second, roller);
 }
 
 /// Has a gap a slope where it meets its image?
@@ -119,10 +123,8 @@ class Images {
     if (conditions.dirichlet.count(boundary) > 0)
       return false;
     const auto load = conditions.neumann.find(boundary);
-    if (load != conditions.neumann.end()) {
-      const Vec2 place = side.place();
-      return dot(load->second.at({place.x, place.y, side.normal()}), side.tangent()) == 0;
-    }
+    if (load != conditions.neumann.end())
+      return hasNoShear(load->second, side);
     const auto obstacle = conditions.contact.find(boundary);
     if (obstacle != conditions.contact.end() && obstacle->second.name.empty())
       return isFitting(obstacle->second, body, corner.roller) &&

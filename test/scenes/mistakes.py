@@ -349,6 +349,7 @@ WARNED = [
      ["Density: acts by Gravity"]),
     ("a load that knows no t in a History",
      [("  Contacts:", "  History: {Times: [1, 2]}\n  Contacts:")], ["no expression uses t"]),
+    ("a path without a History", [("Pressure: P", "Pressure: P*t")], ["t, which is 1 without a History"]),
     ("friction 30", [("f: 0.3", "f: 30")], ["is 30", "0.1 to 1"]),
     ("pressure in Pa beside MPa", [("P: 100", "P: 100e6")], ["look at units and loads"]),
     ("modulus in GPa", [("Young's Modulus: 210000", "Young's Modulus: 210")],

@@ -127,6 +127,7 @@ torque = 0.15 * 0.02 / 20 / sum(lame) * 2 * math.pi * 20**2
 claim(code == 3 and at and differ(float(at[2]), torque) < 1e-3 and differ(float(at[1]) * 20, torque) < 1e-3 and
       "pivoting" not in text and "displacements reach" not in text and "sliding reaches" not in text,
       "a fit holds %.1f by Lame, and the message says that alone: %s" % (torque, text[text.find("epafi: "):].split("\n")[0]))
+claim("is that of the first mesh, not refined yet" in text, "and that its mesh is the first one")
 claim(at and all(number in page[2] for number in at.groups()), "the page has these numbers: %s" % (at and at.groups(),))
 run = Run(folder)
 figure, axes = run.plot("path")
