@@ -7,7 +7,7 @@
      several, or a row <a id="d12"></a> of doc/decisions/history.md; once.
   4. What pages say of today (decisions, the changelog and benchmarks tell of their day): `a/path` in
      it, from the root, from a layer or its end, leads to a file or a folder; `Type::member` are words
-     of a header.
+     of a header; what a table of types by task lists is declared as a type in a source.
 """
 import os
 import re
@@ -18,6 +18,9 @@ PAGE = re.compile(r"(?<![\w/<>*.-])[\w./-]*[\w-]\.md\b")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(r"`(?:\./)?((?:[\w.-]{2,}/)+[\w.-]*)`")
 MEMBER = re.compile(r"`(\w+)::(\w+)`")
+TYPES = re.compile(r"^\| task \| types \|\n.*\n((?:\|.*\n?)+)", re.M)
+TYPE = re.compile(r"`(?:\w+::)*(\w+)`")
+DECLARED = re.compile(r"\b(?:class|struct|enum class|using) (\w+)")
 OF_THEIR_DAY = ("doc/decisions/", "doc/benchmarks/", "CHANGELOG.md")
 DECISION = re.compile(r"\b[Dd]ecisions? (\d+)")
 
@@ -60,6 +63,8 @@ def problems(files):
         [0] + [k + 1 for k, c in enumerate(folder) if c == "/"]}
     words = set(re.findall(r"\w+", " ".join(
         text or "" for path, text in files.items() if path.endswith((".hpp", "CMakeLists.txt")))))
+    types = {name for path, text in files.items() if path.endswith((".hpp", ".cpp"))
+             for name in DECLARED.findall(text or "")}
     found = ["decision %d stands twice" % number for number in decisions
              if numbers.count(number) > 1]
     for path, text in sorted(files.items()):
@@ -88,6 +93,10 @@ def problems(files):
         for member in MEMBER.findall(text) if of_today(path) else ():
             if not words.issuperset(member):
                 found.append("%s names %s, which no header has" % (path, "::".join(member)))
+        for table in TYPES.findall(text) if of_today(path) else ():
+            for name in TYPE.findall(table):
+                if name not in types:
+                    found.append("%s lists %s, which is no type" % (path, name))
         for number in DECISION.findall(text):
             if int(number) not in decisions:
                 found.append("%s cites decision %s, which does not exist" % (path, number))
@@ -115,7 +124,8 @@ def check_itself():
              "doc/sub/b.md": "## C: d\nsee ../a.md", "doc/decisions/0003-x.md": "",
              "doc/decisions/0005-y.md": "# 5. Y\n## 5. a\n## 6. b",
              "doc/decisions/history.md": '| <a id="d7"></a>7 | x |\n[x](#d7)',
-             "doc/d.md": "`src/x` `src/` `T::m` `build/bin/x`", "src/t.hpp": "struct T { int m; }",
+             "doc/d.md": "`src/x` `src/` `T::m` `build/bin/x`\n| task | types |\n|---|---|\n| a | `T` |",
+             "src/t.hpp": "struct T { int m; }",
              "src/x.cpp": "// [doc/a.md], [sub/b.md], decision 3; usage: x TABLE.md",
              "src/w.cpp": "// decision 6, decision 7"}
     assert problems(sound) == [], problems(sound)
@@ -124,6 +134,7 @@ def check_itself():
                              ("doc/c.md", "[x](b.md)", "b.md"),
                              ("doc/c.md", "[x](a.md#b)", "a.md#b"),
                              ("doc/c.md", "`src/z`", "src/z"), ("doc/c.md", "`T::n`", "T::n"),
+                             ("doc/c.md", "| task | types |\n|---|---|\n| a | `T`, `m` |", "lists m"),
                              ("src/y.hpp", "/// decision 4", "decision 4"),
                              ("doc/decisions/0007-z.md", "", "decision 7"),
                              ("doc/c.md", "[x](decisions/history.md#d8)", "#d8")):
