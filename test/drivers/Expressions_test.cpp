@@ -117,6 +117,21 @@ TEUCHOS_UNIT_TEST(Expressions, haveNoSignWhereTheyAreNoNumber) {
   TEST_ASSERT(contains(messageOf([&] { gapOf(text)({0, 0}); }), "is nan at"));
 }
 
+// what is no number goes to the parser, as all in parentheses does
+TEUCHOS_UNIT_TEST(Expressions, ofNumbersAloneAreWhatTheParserMakesOfThem) {
+  const auto valueOf = [](const std::string& gap) {
+    SceneText text;
+    text.base = parameter("Type", "Contact") + parameter("Gap", gap);
+    return gapOf(text)({0.5, 0});
+  };
+  for (const char* number :
+       {"0", "7", "0.3", "-0.1", "+0.7", "1e-3", "2.5E+4", ".5", "1.", " 0.3 ", "-1-1",
+        "2e1+1", "0.1234567890123456789", "-0"})
+    TEST_EQUALITY_CONST(valueOf(number), valueOf("(" + std::string(number) + ")"));
+  for (const char* wrong : {"1e", "1.2.3", "0x10+", "1e400", "1 2", "e5"})
+    TEST_ASSERT(contains(messageOf([&] { valueOf(wrong); }), "base->Gap"));
+}
+
 TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {
   SceneText text;
   text.base = parameter("Type", "Contact") + parameter("Gap", "profile(x)");
