@@ -1,6 +1,7 @@
 #include "contact/solve/Settled.hpp"
 
 #include "contact/solve/DefectCorrection.hpp"
+#include "contact/solve/SlipResponse.hpp"
 
 namespace epafi::contact {
 
@@ -18,7 +19,9 @@ Settled settled(ContactSystem& system,
   double halved = 1;
   int idle = 0;
   for (int k = 0; solved.report.converged() && system.wearsBySlip(); ++k) {
-    const double change = system.wearBy(system.placed(solved.state));
+    const Configuration at = system.placed(solved.state);
+    const double change = system.wearBy(
+        at, system.wear().wantsResponse() ? slipResponse(system, at) : bem::Matrix());
     idle = change <= halved / 2 ? 0 : idle + 1;
     if (idle == 0)
       halved = change;

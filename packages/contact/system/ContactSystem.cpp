@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -278,7 +279,7 @@ bool ContactSystem::wearsBySlip() const {
   return wear_.wears() && multiplier().size() > multiplier().normals();
 }
 
-double ContactSystem::wearBy(const Configuration& at) {
+double ContactSystem::wearBy(const Configuration& at, bem::Matrix response) {
   Surface& surface = numbers_.surface;
   const auto wornBy = [&] {
     Vector worn(at.state.multiplier.size());
@@ -289,7 +290,7 @@ double ContactSystem::wearBy(const Configuration& at) {
     return worn;
   };
   Vector change = wornBy();
-  const double share = wear_.setSlips(at.penetration, surface);
+  const double share = wear_.setSlips(at.penetration, surface, std::move(response));
   const Vector worn = wornBy();
   axpy(-1, worn, change);
   const double all = bem::largestEntry(worn);

@@ -100,8 +100,8 @@ class ContactSystem {
   /// computed with the prescribed sliding only.
   bool wearsBySlip() const;
   /// Computes the wear with the slips of a configuration.  Returns the relative change of the
-  /// worn depth under its pressure.
-  double wearBy(const Configuration& at);
+  /// worn depth under its pressure.  `response`: see StepWear::setSlips
+  double wearBy(const Configuration& at, bem::Matrix response = {});
   const StepWear& wear() const { return wear_; }
 
   /// What wearBy takes next is what a state has, without a share of what it was before: of a step's

@@ -1,6 +1,5 @@
 #include "contact/system/Wear.hpp"
 
-#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
@@ -26,27 +25,37 @@ Vector testedBy(const MultiplierSpace& multiplier, const Vector& values) {
   return result;
 }
 
-/// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
-/// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
-/// that of m.
-Vector slipsOf(const Obstacle& obstacle, const Wear& before, const Vector& slip) {
+/// Σ χ_i x_i / ∫ χ_i ds at the points of what shears, of tangential coefficients: at Gauss points of
+/// Lagrange's polynomials means.  (Values of a polynomial with these moments oscillate unless the basis
+/// has them.)  `values`: what is elsewhere
+Vector atPointsOf(const MultiplierSpace& multiplier, const Vector& x, Vector values) {
+  const Vector lengths = testedBy(multiplier, Vector(values.size(), 1.0));
+  forEachGaussPoint(multiplier, [&](const SidePoint& point) {
+    const ContactElement& element = point.contact;
+    if (!element.shears())
+      return;
+    double& own = values[point.gaussPoint()];
+    own = 0;
+    for (int i = 0; i <= element.degree; ++i)
+      own += point.chi[at(i)] * x[at(element.tangentialOf(i))] /
+             lengths[at(element.normalOf(i))];
+  });
+  return values;
+}
+
+/// |Δs| at the points: that of m without friction, else by the slips.  `slip`: Δrₜ, one per
+/// coefficient; empty: not known, that of m.
+Vector slipsOf(const Obstacle& obstacle, const Wear& before, Vector slip) {
   Vector result = obstacle.slid;
   for (std::size_t k = 0; k < result.size(); ++k)
-    result[k] -= before.slid.empty() ? 0 : before.slid[k];
-  // values of a polynomial with these moments oscillate unless the basis has them
-  const Vector lengths =
-      slip.empty() ? Vector{} : testedBy(obstacle.multiplier, Vector(result.size(), 1.0));
+    result[k] = std::abs(result[k] - (before.slid.empty() ? 0 : before.slid[k]));
+  for (double& x : slip)
+    x = std::abs(x);
+  if (!slip.empty())
+    result = atPointsOf(obstacle.multiplier, slip, std::move(result));
   forEachGaussPoint(obstacle.multiplier, [&](const SidePoint& point) {
-    const ContactElement& element = point.contact;
     double& own = result[point.gaussPoint()];
-    if (element.shears() && !slip.empty()) {
-      own = 0;
-      for (int i = 0; i <= element.degree; ++i)
-        own += point.chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
-               lengths[at(element.normalOf(i))];
-      own = std::max(own, 0.0);
-    }
-    own = element.ties() ? 0 : std::abs(own);
+    own = point.contact.ties() ? 0 : std::max(own, 0.0);
   });
   return result;
 }
@@ -66,35 +75,29 @@ Vector StepWear::tested(const Wear& wear) const {
                 : Vector(at(obstacle_->multiplier.size()));
 }
 
-void StepWear::takeSlips(const Vector& slip) {
-  const Vector next = slipsOf(*obstacle_, before_, slip);
-  Vector change = next;
-  slips_.resize(change.size());
-  bem::axpy(-1, slips_, change);
-  share_ = known_ ? shareOf(change) : 1;
-  for (std::size_t k = 0; k < change.size(); ++k)
-    slips_[k] = std::max(known_ ? slips_[k] + share_ * change[k] : next[k], 0.0);
-  known_ = !slip.empty();
+Matrix StepWear::wornBy(const Vector& multiplier) const {
+  Matrix result(obstacle_->multiplier.size(), static_cast<Index>(rates_.size()));
+  forEachGaussPoint(obstacle_->multiplier, [&](const SidePoint& point) {
+    const std::size_t k = point.gaussPoint();
+    const double pressure =
+        obstacle_->multiplier.at(multiplier, point.contact, point.t).normal;
+    for (int i = 0; i <= point.contact.degree; ++i)
+      result(point.contact.normalOf(i), static_cast<Index>(k)) =
+          point.weight * obstacle_->wear[k] * pressure * point.chi[at(i)];
+  });
+  return result;
 }
 
-double StepWear::shareOf(const Vector& change) {
-  constexpr double least = 0.125;
-  constexpr double most = 4;
-  Vector turned = std::exchange(changeBefore_, change);
-  if (turned.empty())
-    return 1;
-  const double before = bem::dot(turned, turned);
-  const double mixed = bem::dot(turned, change);
-  bem::axpy(-1, change, turned);
-  const double square = bem::dot(turned, turned);
-  return square > 0 ? std::clamp(share_ * (before - mixed) / square, least, most) : 1;
+Vector StepWear::atPoints(const Vector& changes) const {
+  return atPointsOf(obstacle_->multiplier, changes, Vector(rates_.size()));
 }
 
-double StepWear::setSlips(const Vector& slip, Surface& surface) {
-  takeSlips(slip);
+double StepWear::setSlips(const Vector& slip, Surface& surface, Matrix response) {
+  const double share =
+      slips_.take(slipsOf(*obstacle_, before_, slip), !slip.empty(), std::move(response));
   surface.linear.resize(surface.linear.size() - surface.wearing);
   surface.wearing = surface.linear.size();
-  rates_ = slips_;
+  rates_ = slips_.slips();
   for (std::size_t k = 0; k < rates_.size(); ++k)
     rates_[k] *= obstacle_->wear[k];
   if (wears_)
@@ -107,13 +110,13 @@ double StepWear::setSlips(const Vector& slip, Surface& surface) {
             surface.linear.push_back({element.normalOf(i), element.normalOf(j), value});
     });
   surface.wearing = surface.linear.size() - surface.wearing;
-  return share_;
+  return share;
 }
 
 Wear StepWear::behind(const Vector& multiplier, double stress) const {
   Wear now = before_;
-  now.depth.resize(slips_.size());
-  now.distance.resize(slips_.size());
+  now.depth.resize(rates_.size());
+  now.distance.resize(rates_.size());
   now.slid = obstacle_->slid;
   now.rate = rates_;
   const double least = closed * stress;
@@ -123,7 +126,7 @@ Wear StepWear::behind(const Vector& multiplier, double stress) const {
         obstacle_->multiplier.at(multiplier, point.contact, point.t).normal;
     now.depth[k] += rates_[k] * pressure;
     if (pressure > least)
-      now.distance[k] += point.contact.condition->cycles * slips_[k];
+      now.distance[k] += point.contact.condition->cycles * slips_.slips()[k];
   });
   return now;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/opposite/Obstacle.hpp"
+#include "contact/system/SlipIteration.hpp"
 
 namespace epafi::contact {
 
@@ -29,31 +30,27 @@ class StepWear {
   const Vector& testedBefore() const { return testedBefore_; }
 
   /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
-  /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.  From
-  /// the third time on |Δs| takes a share ω of its change, since slips may jump to and fro or
-  /// settle slowly; by Aitken's rule for vectors, so that changes that are each a multiple of the one
-  /// before, of either sign, vanish with the third.  (Of slips some stick and some do not: Anderson's
-  /// steps settle fewer scenes.)  Returns ω.
-  double setSlips(const Vector& slip, Surface& surface);
+  /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.  |Δs| is
+  /// moved by a part of its change, see SlipIteration, which is returned.
+  /// `response`: S' at the points, see there; of size zero: not known.
+  double setSlips(const Vector& slip, Surface& surface, Matrix response = {});
+  bool wantsResponse() const { return slips_.wantsResponse(); }
+  /// By columns, one per point, ∂(M_w λ)/∂|Δs|; and what |Δrₜ| does to |Δs| at the points, `signed`
+  /// being changes of |Δrₜ|.
+  Matrix wornBy(const Vector& multiplier) const;
+  Vector atPoints(const Vector& changes) const;
   /// |Δs| are next those of the slips, whatever they were.
-  void forgetIterations() { known_ = false; }
+  void forgetIterations() { slips_.forget(); }
 
   /// Behind the step.  `stress`: see Problem
   Wear behind(const Vector& multiplier, double stress) const;
 
  private:
-  void takeSlips(const Vector& slip);
-  /// ω of the change that the slips of a solution ask for after the last share.
-  double shareOf(const Vector& change);
-
   std::shared_ptr<const Obstacle> obstacle_;
   Wear before_;
   bool wears_ = false;
   Vector testedBefore_;
-  Vector slips_{};         ///< |Δs| at the points
-  bool known_ = false;     ///< are slips_ those of a solution?
-  Vector changeBefore_{};  ///< see shareOf; empty: none
-  double share_ = 1;       ///< ω
+  SlipIteration slips_{};  ///< |Δs| at the points
   Vector rates_{};         ///< n k |Δs|
 };
 
