@@ -92,7 +92,7 @@ TEUCHOS_UNIT_TEST(NormalRay, normalsOppositeFindTheNearestOfMany) {
       for (std::size_t k = 0; k < curves.size(); ++k) {
         const auto found =
             across(side.point(t), side.normal(t), curves[k], bem::Normals::Opposite);
-        if (found && isOn(*found) && std::abs(found->distance) < least) {
+        if (found && isOn(*found, curves[k]) && std::abs(found->distance) < least) {
           least = std::abs(found->distance);
           nearest = static_cast<int>(k);
         }
