@@ -386,8 +386,8 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
       places.emplace(some.front().solved, fields.front());
     const Vector turning = turningTractions(some);
     for (std::size_t k = 0; k < some.size(); ++k)
-      result.push_back(indicatorsOf(some[k], fields[k], *places, turning[k], lame, options,
-                                    processes));
+      result.push_back(indicatorsOf(some[k], fields[k], *places, turning[k], lame,
+                                    options, processes));
   }
   return result;
 }

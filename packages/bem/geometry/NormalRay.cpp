@@ -124,7 +124,8 @@ bool crosses(Vec2 x, Vec2 n, double first, double last, const CurveTree& curves)
       [&](std::size_t k) {
         const Curve& curve = curves.curves()[k];
         forEachCrossing(x, n, curve, [&](double s, double) {
-          found = found || (s > first && s < last && isOn(crossingAt(x, n, s, curve), curve));
+          found =
+              found || (s > first && s < last && isOn(crossingAt(x, n, s, curve), curve));
         });
       });
   return found;
