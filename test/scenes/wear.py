@@ -174,9 +174,8 @@ fails("a jump of what does not wear", ["warning: Contacts->rub->Wear->Cycle Jump
 fails("a long jump", ["Cycle Jump", "0.3"], "run", indented(
     "long", law=friction(0.5), sliding="", motion=SHAKEN, coefficient=0.2, jump=400,
     path=([1, 1.1], [1, 1])), "--output", fresh("long"), code=0)
-# where sides shear and do not yield, slip and wear may drive each other on short elements; whether they
-# settle depends on the coefficient without order
-for share in (0.9, 0.5):
+# where sides shear and do not yield, slip and wear may drive each other on short elements
+for share in (1, 0.9, 0.5):
     torn = Surfaces(100709).scene()
     torn["Contacts"]["joint"]["Wear"]["Coefficient"] *= share
     solved("wear of %g" % share,
@@ -185,9 +184,8 @@ torn = Surfaces(100709).scene()
 torn["Contacts"]["joint"]["Wear"]["Coefficient"] *= 1000
 endless = Surfaces(101171).scene()
 endless["Contacts"]["joint"]["Wear"]["Coefficient"] *= 1000
-fails("wear without end", ["Normal->Compliance"], "run",
-      write(os.path.join(WORK, "endless.yaml"), json.dumps({"endless": endless})),
-      "--output", fresh("endless"), code=3)
+solved("a thousand times the wear that settles by shares",
+       write(os.path.join(WORK, "endless.yaml"), json.dumps({"endless": endless})))
 torn = write(os.path.join(WORK, "torn.yaml"), json.dumps({"torn": torn}))
 solved("wear that ends", torn, "Contacts->joint->Normal->Law=Linear",
        "Contacts->joint->Normal->Compliance=1e-10")

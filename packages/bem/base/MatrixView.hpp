@@ -56,10 +56,10 @@ class ViewOf {
   }
 
  private:
-  Number* data_;
-  Index rows_;
-  Index columns_;
-  Index stride_;
+  Number* data_ = nullptr;
+  Index rows_ = 0;
+  Index columns_ = 0;
+  Index stride_ = 1;
 };
 using MatrixView = ViewOf<double>;
 using ConstMatrixView = ViewOf<const double>;
