@@ -1,5 +1,7 @@
 #include "drivers/scene/Images.hpp"
 
+#include "bem/base/Error.hpp"
+
 #include <cmath>
 
 namespace epafi::drivers {
@@ -223,6 +225,15 @@ class Images {
   const std::vector<Conditions>& conditions_;
 };
 
+/// Functions that are no number at an end are told of where they count.
+std::set<int> imagesOrNone(const Images& images, std::size_t body) {
+  try {
+    return images.of(body);
+  } catch (const bem::InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 std::vector<std::set<int>> imageCorners(const Scene& scene) {
@@ -232,7 +243,7 @@ std::vector<std::set<int>> imageCorners(const Scene& scene) {
     const Images images(scene, conditions);
     const bool isFirst = common.empty();
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      const std::set<int> now = images.of(b);
+      const std::set<int> now = imagesOrNone(images, b);
       if (isFirst)
         common.push_back(now);
       else

@@ -110,7 +110,8 @@ claim(all(differ(image["right." + force], 2 * last["right." + force]) < 1e-6
 flanks = [{each.name: each for each in Contacts(Run(folder).contact, numbers, False, mirror).results()
            if each.where == "right"} for folder, numbers, mirror in ((whole, last, "None"), (half, image, "X"))]
 claim(differ(flanks[1]["moment"].value, flanks[0]["moment"].value) < 2e-3 and
-      flanks[1]["width of contact"].remark.startswith("both halves; ") and not flanks[0]["width of contact"].remark and
+      "; both halves; " in flanks[1]["width of contact"].remark and "; " not in flanks[0]["width of contact"].remark and
+      all(each["width of contact"].remark.startswith("± ") for each in flanks) and
       all(differ(each["safety against slip"].value, 1) < 2e-3 for each in flanks),
       "a report has the moment of the drawn flank: %s" % [each["moment"][2:] for each in flanks])
 

@@ -294,10 +294,11 @@ void narrow(ContactProfiles& profiles) {
   const Vector changes = bem::signChanges(profiles.opening, profiles.highest);
   Vector ends = changes;
   ends.push_back(1);
+  constexpr double rounding = 1e-13;
   double overlap = 0;  // as a part of the element
   double begin = -1;
   for (const double end : ends) {
-    if (profiles.opening(0.5 * (begin + end)) < 0)
+    if (profiles.opening(0.5 * (begin + end)) < -rounding)
       overlap += 0.5 * (end - begin);
     begin = end;
   }

@@ -46,8 +46,9 @@ Vector forceAgainst(Vector load, const Vector& contactForce) {
   return load;
 }
 
-/// Where clamps hold a body, u with the resultant that elimination leaves of f - A u: where stresses
-/// balance each other it counts beside what acts.  The rest, refined, would bend slender bodies.
+/// Where clamps hold a solid of revolution, u with the resultant that elimination leaves of f - A u: where
+/// stresses balance each other it counts beside what acts along the axis.  The rest, refined, would bend
+/// slender bodies, and in the plane the resultant tells how much of their bending is lost.
 void addResultant(const ElasticBody& elastic, const Vector& force, Vector& u) {
   constexpr double enough = 1e-11;  // of the largest resultant
   constexpr int most = 3;
@@ -214,7 +215,7 @@ Vector ContactBody::displacement(const State& state, const Vector& contactForce,
       }
       return elastic_->solve(left);
     });
-  } else {
+  } else if (space_->mesh().outline().isAxisymmetric()) {
     addResultant(*elastic_, wholeForce(contactForce), u);
   }
   addFixedMotions(force, state.multiplier, u);
