@@ -294,7 +294,7 @@ void narrow(ContactProfiles& profiles) {
   const Vector changes = bem::signChanges(profiles.opening, profiles.highest);
   Vector ends = changes;
   ends.push_back(1);
-  constexpr double rounding = 1e-13;
+  constexpr double rounding = 1e-11;  // drawings have some 12 digits
   double overlap = 0;  // as a part of the element
   double begin = -1;
   for (const double end : ends) {
