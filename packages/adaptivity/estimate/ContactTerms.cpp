@@ -295,7 +295,7 @@ void narrow(ContactProfiles& profiles) {
   Vector ends = changes;
   ends.push_back(1);
   constexpr double rounding = 1e-11;  // drawings have some 12 digits
-  double overlap = 0;  // as a part of the element
+  double overlap = 0;                 // as a part of the element
   double begin = -1;
   for (const double end : ends) {
     if (profiles.opening(0.5 * (begin + end)) < -rounding)
