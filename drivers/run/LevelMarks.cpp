@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,17 +19,23 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Where sides that overlap touch nowhere, their contact is shorter than the elements, by an unknown
-/// factor: such a level tells of no error but this one, and is not to be followed by another.
-adaptivity::GradingOptions gradingOf(const Scene& scene,
-                                     const std::vector<SolvedState>& steps) {
+/// Does nothing touch where sides overlap, which is most of the error?  Their contact is shorter than the
+/// elements, by an unknown factor: such a level tells of no error but this one, and is not to be
+/// followed by another.
+bool overlooksContact(const Level& level, const std::vector<SolvedState>& steps) {
+  adaptivity::Contributions squares = level.squares();
+  const double all = std::accumulate(squares.begin(), squares.end(), 0.0);
+  return of(squares, adaptivity::Source::Penetration) > 0.5 * all &&
+         std::none_of(steps.begin(), steps.end(), [](const SolvedState& step) {
+           return bem::largestEntry(step.state.multiplier) > 0;
+         });
+}
+
+adaptivity::GradingOptions gradingOf(const Scene& scene, bool isOverlooked) {
   constexpr int deep = 3;
   adaptivity::GradingOptions grading = scene.adaptivity.strategy.grading;
   grading.largestDegree = contact::multiplierBasis(scene.multiplier).largestDegree;
-  if (scene.hasContact() &&
-      std::none_of(steps.begin(), steps.end(), [](const SolvedState& step) {
-        return bem::largestEntry(step.state.multiplier) > 0;
-      }))
+  if (isOverlooked)
     grading.layers = deep;
   return grading;
 }
@@ -191,7 +198,8 @@ std::vector<std::vector<int>> withFacing(const Scene& scene,
 }
 
 std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
-                                         const std::vector<SolvedState>& steps) {
+                                         const std::vector<SolvedState>& steps,
+                                         bool isOverlooked) {
   const Scene& scene = spaces.scene();
   std::vector<SingularMesh> meshes;
   std::vector<contact::ContactStates> states;
@@ -200,10 +208,10 @@ std::vector<SingularMesh> singularMeshes(const BodySpaces& spaces,
     states.push_back(step.states);
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
-    meshes.push_back(
-        {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene, steps),
-                                          mesh, scene.bodies[b].conditions,
-                                          spaces.multiplier(), b, states)});
+    meshes.push_back({mesh, adaptivity::singularPoints(strategyOf(scene),
+                                                       gradingOf(scene, isOverlooked),
+                                                       mesh, scene.bodies[b].conditions,
+                                                       spaces.multiplier(), b, states)});
   }
   shareSingularPoints(scene, meshes);
   return meshes;
@@ -256,7 +264,8 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
                                        bool ofContacts, const bem::Processes& processes) {
   const Scene& scene = spaces.scene();
   const std::vector<SolvedState> steps = loaded(level.steps);
-  const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps);
+  const bool isOverlooked = overlooksContact(level, steps);
+  const std::vector<SingularMesh> meshes = singularMeshes(spaces, steps, isOverlooked);
   const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
@@ -279,7 +288,7 @@ std::vector<adaptivity::Marks> marksOf(const BodySpaces& spaces, const Level& le
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
                                      analyticIn(steps, b, spaces), meshes[b].singular,
-                                     gradingOf(scene, steps)};
+                                     gradingOf(scene, isOverlooked)};
     marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   if (ofContacts) {
