@@ -202,9 +202,9 @@ void findSharedLoads(const SolvedLevel& level, Warnings& warn) {
       if (held != 0 && !isOpen)
         warn("Bodies->", scene.bodies[b].name, "->Rigid Motions->Fix: ", axis,
              " takes a force of ", held,
-             " off what is in contact; Fix is for motions that nothing else resists: "
-             "without ",
-             axis, " contact carries it");
+             " beside what is in contact; unless a guide holds the body there, leave it "
+             "out: without ",
+             axis, " contact carries it, or nothing does");
     }
   }
 }
