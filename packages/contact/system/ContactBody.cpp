@@ -64,6 +64,10 @@ void addResultant(const ElasticBody& elastic, const Vector& force, Vector& u) {
   double acting = 0;
   for (Index k = 0; k < motions.columns(); ++k)
     acting = std::max(acting, std::abs(dot(columnOf(motions, k), force)));
+  constexpr double rounding =
+      1e-11;  // of displacements by what rounding leaves of a multiplier
+  if (acting <= rounding * bem::largestEntry(u))
+    return;
   for (int step = 0; step < most; ++step) {
     const Vector left = ofFree(elastic.residual(force, u));
     Vector spread(u.size());
