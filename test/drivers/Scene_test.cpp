@@ -359,4 +359,21 @@ TEUCHOS_UNIT_TEST(Schema, everyParameterIsPrinted) {
     TEST_ASSERT(test::contains(text.str(), row.path));
 }
 
+// With friction the image would slide the other way, also at steps between the times that are listed.
+TEUCHOS_UNIT_TEST(Scene, aRollerThatMovesWithFrictionHasNoImage) {
+  const auto images = [](const std::string& motion) {
+    SceneText text;
+    text.rigid = "";
+    text.conditions = list(
+        "left", parameter("Type", "Dirichlet") + parameter("Displacement X", motion));
+    text.rest = list("History", entry("Times", "Array(double)", "{1, 2}") +
+                                    entry("Steps", "Array(int)", "{4, 4}"));
+    return test::read(text).bodies.front().conditions.images;
+  };
+  const int corner = 0;  // where the base begins
+  TEST_EQUALITY(images("0").count(corner), 1u);
+  TEST_EQUALITY(images("0.001*t").count(corner), 0u);
+  TEST_EQUALITY(images("0.001*t*(1 - t)*(2 - t)").count(corner), 0u);
+}
+
 }  // namespace epafi

@@ -35,8 +35,8 @@ class StepWear {
   /// `response`: S' at the points, see there; of size zero: not known.
   double setSlips(const Vector& slip, Surface& surface, Matrix response = {});
   bool wantsResponse() const { return slips_.wantsResponse(); }
-  /// By columns, one per point, ∂(M_w λ)/∂|Δs|; and what |Δrₜ| does to |Δs| at the points, `signed`
-  /// being changes of |Δrₜ|.
+  /// By columns, one per point, ∂(M_w λ)/∂|Δs|; and what changes of |Δrₜ| do to |Δs| at the
+  /// points.
   Matrix wornBy(const Vector& multiplier) const;
   Vector atPoints(const Vector& changes) const;
   /// |Δs| are next those of the slips, whatever they were.
